@@ -66,7 +66,7 @@ def _wheel(target, module):
     name = f"grafverif-{version}-{python}-{python}-{platform}.whl"
     with zipfile.ZipFile(target / name, "w", zipfile.ZIP_DEFLATED) as wheel:
         for path, content in contents.items():
-            entry = zipfile.ZipInfo(path)  # has the date 1980-01-01, so that the same sources give the same bytes
+            entry = zipfile.ZipInfo(path)  # has the date 1980-01-01, so that wheels are reproducible
             entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
             wheel.writestr(entry, content)
     return name

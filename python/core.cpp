@@ -30,7 +30,7 @@ namespace py = pybind11;
 namespace grafverif::python {
 namespace {
 
-/// Executes `work(stop)` to its end. Ctrl-C sets `stop`; the function then throws KeyboardInterrupt.
+/// Executes `work(stop)` and waits until it returns. Ctrl-C sets `stop`; the function then throws KeyboardInterrupt.
 template <class Work>
 auto run_interruptibly(Work work) -> decltype(work(std::declval<const std::atomic<bool>&>())) {
     std::optional<decltype(work(std::declval<const std::atomic<bool>&>()))> result;
@@ -106,7 +106,7 @@ std::optional<ExecutionMode> mode_of(const std::optional<std::string>& word) {
     throw py::value_error("mode is `stability-search` or `every-cycle`, not `" + *word + "`");
 }
 
-/// Returns the element of `values` that corresponds to one of `words`.
+/// Returns the value that `words` assigns to `requested`. Raises ValueError for any other text.
 template <class Value>
 Value chosen(const std::string& requested, const char* what,
              std::initializer_list<std::pair<const char*, Value>> words) {
@@ -155,7 +155,7 @@ struct How {
     throw py::error_already_set();
 }
 
-/// A report, and the loop or chart that it concerns.
+/// A report, and the loop or chart to which it refers.
 struct Checked {
     Report report;
     Sources sources;
@@ -165,7 +165,7 @@ struct Checked {
     std::optional<ExecutionMode> mode = {};
 };
 
-/// A simulator, which other Python threads may also use. Therefore the interpreter lock is kept.
+/// A simulator. Its methods keep the interpreter lock, because other Python threads may use the same simulator.
 struct Moved {
     Simulator simulator;
 };
@@ -175,7 +175,8 @@ class File {
 
     const Model& model() const { return *reading_->model; }
 
-    /// Returns the result of `make`. Errors are thrown as an exception, and warnings are issued as Python warnings.
+    /// Returns the result of `make`. Errors are thrown as a Python exception, and warnings are issued as Python
+    /// warnings.
     template <class Make>
     auto made(Make make) const {
         Diagnostics diagnostics;
@@ -238,7 +239,7 @@ public:
         const Id<Chart> id = chart_of(chart);
         return run_interruptibly([&](const std::atomic<bool>&) { return svg_of(drawing_of(model(), id, options)); });
     }
-    /// Returns text, JSON and SVG.
+    /// Returns the automaton as text, JSON and SVG.
     std::tuple<std::string, std::string, std::string> automaton(const std::string& chart, const How& how,
                                                                 const Bounds& bounds) const {
         const Id<Chart> id = chart_of(chart);
@@ -362,7 +363,8 @@ const ChartRun& run_of(const Checked& checked, std::size_t answer) {
     return *trace;
 }
 
-/// Removes `__new__` from a class: it would create an object without a value, whose methods would crash.
+/// Disables `__new__` of a class: it would create an object without a value, and the methods of such an object would
+/// crash.
 void forbid_new(py::handle type) {
     reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = [](PyTypeObject* of, PyObject*, PyObject*) -> PyObject* {
         PyErr_Format(PyExc_TypeError, "cannot create '%.100s' instances directly", of->tp_name);
@@ -382,7 +384,7 @@ PYBIND11_MODULE(_core, module) {
            std::optional<std::string> schedule, std::optional<std::string> time, bool fairness) {
             How how{std::move(mode),     std::move(grain), std::move(plant),
                     std::move(schedule), std::move(time),  fairness};
-            how.options();  // reports invalid options immediately
+            how.options();  // throws ValueError if an option is invalid
             return how;
         },
         py::kw_only(), py::arg("mode") = py::none(), py::arg("grain") = py::none(), py::arg("plant") = py::none(),

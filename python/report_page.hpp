@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Creates the page of `grafverif report` from a report that a Python object contains.
+// Creates the page of `grafverif report` from the report in a Python object.
 #pragma once
 
 #include <optional>

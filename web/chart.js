@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// View of one controller's chart, with active steps and cleared transitions highlighted at an event of a run.
+// View of the chart of one controller at an event of a run. Active steps and cleared transitions are highlighted.
 import {draw, make} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
 
 export class ChartView {
-    // `choose(kind, place)`: called when the user selects a transition or a step.
+    // `choose(kind, place)` is called when the user selects a transition or a step.
     constructor(chart, run, controller, choose) {
         this.chart = chart;
         this.run = run;

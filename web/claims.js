@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Values of the terms of a property along a run, evaluated on the state of the closed loop. A term can change only if
-// one of its operands does, so its history is computed from theirs. Values that the run does not contain are
-// `undefined`.
+// one of its operands changes, so the history of a term is computed from the histories of its operands. Values that the
+// run does not contain are `undefined`.
 import {History} from "./run.js";
 import {valueOf} from "./terms.js";
 
@@ -15,9 +15,10 @@ export class Claims {
     }
 
     value(term, moment) { return this.histories[term].value(moment); }
-    // The event since which the term has its current value.
+    // Returns the event since which the term has its current value.
     since(term, moment) { return this.histories[term].since(moment); }
-    // The first state of the model from event `moment` on in which the term has this value; null if there is none.
+    // Returns the first state of the model, from event `moment` on, in which the term has this value; null if there is
+    // none.
     first(term, value, moment) {
         const history = this.histories[term], {at, values} = history;
         for (let k = Math.max(history.place(moment), 0); k < at.length; ++k) {
@@ -28,14 +29,16 @@ export class Claims {
         return null;
     }
 
-    // The leaves that caused the last change of the term: they changed at that event and are necessary for its value.
+    // Returns the leaves that caused the last change of the term: they changed at the same event and are necessary for
+    // its value.
     causes(term, moment) {
         const since = this.since(term, moment), found = new Set();
         const seek = (each) => {
             if (this.since(each, since) !== since) return;
             const args = this.terms[each].args ?? [], value = this.value(each, since);
             if (args.length === 0) return found.add(each);
-            // The false operands of a false `and`, the true operands of a true `or`; otherwise all operands.
+            // The causes are the false operands of a false `and`, the true operands of a true `or`, and otherwise all
+            // operands.
             const {op} = this.terms[each], decisive = (op === "and" && value === 0) || (op === "or" && value === 1);
             for (const arg of args) if (!decisive || this.value(arg, since) === value) seek(arg);
         };
@@ -64,7 +67,8 @@ export class Claims {
         return made;
     }
 
-    // The history of a leaf in the run, with the interpretation of its values; null if the run does not contain it.
+    // Returns the history of a leaf in the run and a function that interprets its values; null if the run does not
+    // contain the leaf.
     leaf(node) {
         const {run} = this, {steps, signals, locations} = run, controller = run.controllers[node.controller];
         const known = (history, of = (value) => (value === undefined ? undefined : Number(value))) => history && {history, of};
@@ -84,7 +88,7 @@ export class Claims {
     }
 }
 
-// Values of the terms at one event, in the interface that termTree uses.
+// The values of the terms at one event, with the interface that termTree requires.
 export class ClaimReader {
     constructor(claims, moment) { Object.assign(this, {claims, moment}); }
     value(term) { return this.claims.value(term, this.moment); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Creates elements of the page from names, attributes and text only: user input is never interpreted as markup.
+// Creates elements of the page from names, attributes and text. Therefore user input is never interpreted as markup.
 
 export function make(tag, attributes = {}, ...children) { return fill(document.createElement(tag), attributes, children); }
 

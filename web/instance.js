@@ -3,7 +3,7 @@
 import {make} from "./dom.js";
 
 export class InstanceView {
-    // `plant`: maps names of instances to figures of their components. `element` is missing if there are no drawings.
+    // `plant` maps names of instances to figures of their components. If there are no drawings, `element` is undefined.
     constructor(plant, run) {
         this.run = run;
         this.figures = run.trace.instances.map(({name}) => (Object.hasOwn(plant, name) ? document.querySelector(`#${plant[name]} svg`) : null));
@@ -23,7 +23,8 @@ export class InstanceView {
         const svg = this.figures[instance].cloneNode(true);
         svg.setAttribute("role", "img");
         svg.setAttribute("aria-label", `The automaton of ${this.run.trace.instances[instance].name}`);
-        // Ids must be unique; arrow heads refer to the marker of the original drawing.
+        // Removes the ids of the copy, because ids must be unique. Arrow heads then refer to the marker of the original
+        // drawing.
         for (const each of svg.querySelectorAll("[id]")) each.removeAttribute("id");
         this.nodes = [...svg.querySelectorAll("rect.node")];
         this.place.replaceChildren(svg);

@@ -2,10 +2,10 @@
 // Virtual list: only visible rows exist, so that scrolling is independent of the number of rows.
 import {make} from "./dom.js";
 
-const height = 28;  // of a row, the same as in page.css
+const height = 28;  // height of a row in pixels, the same as in page.css
 
 export class RowList {
-    // `row(k)`: returns the contents of row k. `choose(k)`: called when row k is clicked.
+    // `row(k)` returns the contents of row k. `choose(k)` is called when the user clicks row k.
     constructor(label, count, row, choose) {
         this.count = count;
         this.row = row;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page of `serve`: polls the newest state of the file and shows it. Everything is built from text: the contents of
-// a file are never interpreted as markup, except drawings, which the server generates and the browser parses as SVG.
+// The page of `serve`: polls the newest state of the file and shows it. The contents of a file are inserted as text and
+// are never interpreted as markup. The only markup is the drawings, which the server generates and the browser parses
+// as SVG.
 import {make, prose} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
 import {Simulator} from "./simulator.js";
@@ -69,7 +70,8 @@ const outcomes = {holds: "holds", violated: "is violated", unknown: "is unknown"
 
 const kindOf = (property) => property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
 
-// Order of properties: unexpected verdicts first, then expected violations, then properties that hold.
+// Returns the rank of a property in the list: unexpected verdicts first, then unknown verdicts, then expected
+// violations, then properties that hold.
 const rank = (property) => ({bad: 0, unknown: 1, good: property.verdict === "violated" ? 2 : 3}[kindOf(property)]);
 
 function propertyElement(property) {
@@ -86,7 +88,7 @@ function propertyElement(property) {
         ...property.notes.map((note) => make("p", {class: "remark"}, ...prose(note))));
 }
 
-const progress = {waiting: "Waiting.", refused: "It cannot be checked."};
+const progress = {waiting: "Waiting.", refused: "This model cannot be checked."};
 
 const reportAddress = (model) => `/report?token=${token}&${model.kind}=${encodeURIComponent(model.name)}`;
 
@@ -100,7 +102,7 @@ function modelElement(model) {
         ...[...model.properties].sort((a, b) => rank(a) - rank(b)).map(propertyElement));
 }
 
-// Overall result; not positive while a part of the file has no result.
+// Returns the overall result. It is not positive while a part of the file has no result.
 function verdictWords(state) {
     const are = (count) => count === 1 ? "is" : "are";
     const properties = state.models.flatMap((model) => model.properties);

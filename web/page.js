@@ -10,7 +10,7 @@ export class Page {
         this.data = data;
         this.place = place;
         this.players = new Map();
-        this.Decision = Decision;  // interface for other scripts: values of terms
+        this.Decision = Decision;  // interface for other scripts, which returns values of terms
         this.select = make("select", {"aria-label": "Trace to play", onchange: () => this.open(this.select.value)},
             ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
         this.stage = make("div", {});
@@ -27,7 +27,7 @@ export class Page {
         if (top < window.innerHeight && bottom > 0) this.player.key(event);
     }
 
-    // Shows the run and event of the address: `#P16/23`.
+    // Shows the run and the event that the address names: `#P16/23`.
     follow(quiet) {
         let address = "";
         try {

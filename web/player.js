@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The player of one run: the drawn chart, the list of events, values and changes, explanations, and the timing diagram,
-// synchronized at one event. It is controlled by buttons, a slider, keys, and addresses (`#P16/23`).
+// The player of one run: shows the drawn chart, the list of events, values and changes, explanations, and the timing
+// diagram, all at the same event. Buttons, a slider, keys, and addresses (`#P16/23`) control the player.
 import {ChartView} from "./chart.js";
 import {Claims} from "./claims.js";
 import {make} from "./dom.js";
@@ -21,7 +21,7 @@ const keys = {
 };
 
 export class Player {
-    // `moved(address)`: called with the new position of the player. `live`: the run may grow, and its end is shown.
+    // `moved(address)` is called with the new position of the player.
     constructor(page, data, moved) {
         this.page = page;
         this.run = new Run(data);
@@ -131,7 +131,7 @@ export class Player {
         this.go(this.moment);
     }
 
-    // The last stop at or before the current event.
+    // Returns the last stop at or before the current event.
     stop() {
         let low = 0, high = this.stops.length;
         while (low < high) {
@@ -180,7 +180,7 @@ export class Player {
         this.moved(this.run.address(this.moment));
     }
 
-    // The events that belong to the stop.
+    // Returns the range of events that belong to the current stop.
     range() {
         const stop = this.stop();
         const begin = this.stops[stop] < this.moment ? this.stops[stop] + 1 : stop === 0 ? 0 : this.stops[stop - 1] + 1;
@@ -208,14 +208,14 @@ export class Player {
 
     words() {
         const row = this.run.rows[this.run.rowOf(this.moment)];
-        const inside = row && row.moment !== this.moment;  // then most events of the row are still to come
+        const inside = row && row.moment !== this.moment;  // true before the last event of the row
         const words = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
         const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " Repeated forever from here." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
         const move = this.everyMove && !inside ? ` [${this.moveWords()}]` : "";
         return `${this.run.timeText(this.moment)}: ${words || "power on"}.${move}${ever}${end}`;
     }
-    // The inputs that change here, with their new values; empty at power-on.
+    // Returns the inputs that change at the current stop, with their new values; empty at power-on.
     inputWords() {
         const {from} = this.range(), {run} = this;
         if (from === 0) return "";
@@ -289,7 +289,7 @@ export class Player {
         }));
         if (wanted.length === 0) this.why.textContent = "No transition is enabled.";
     }
-    // Cleared transitions first, then enabled ones.
+    // Cleared transitions are listed before enabled transitions.
     interesting() {
         const cleared = [], enabled = [];
         this.run.controllers.forEach((controller, number) => this.chartOf(number).transitions.forEach((transition, place) => {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A run with access to all values at an event. Each signal, step and instance stores the events at which it changed with
-// its new values. A value is found by bisection, independently of the length of the run.
+// A run, with access to all values at an event. For each signal, step and instance, the events at which it changed are
+// stored with the new values. The value at an event is found by bisection.
 //
-// A `moment` is the index of an event (docs/reference/trace-format.md); a row summarizes events. The player moves in
-// steps of rows, or of single moves.
+// A `moment` is the index of an event (docs/reference/trace-format.md). A row summarizes several events. One step of
+// the player is a row or a single move.
 
 export class History {
     constructor(first) {
@@ -24,7 +24,7 @@ export class History {
     changes() { return this.at.length > 1; }
 }
 
-// Index of the last number <= `limit` in an increasing list; -1 if there is none.
+// Returns the index of the last number <= `limit` in an increasing list; -1 if there is none.
 function lastAtMost(list, limit) {
     let low = 0, high = list.length;
     while (low < high) {
@@ -50,7 +50,7 @@ export class Run {
         this.rowMoments = data.rows.map((row) => row.moment);
     }
 
-    // An observer monitors a property; it does not belong to the loop.
+    // Returns false for an observer, which monitors a property and does not belong to the loop.
     isShown(instance) { return this.trace.instances[instance].kind !== "observer"; }
 
     readMoments() {
@@ -88,10 +88,10 @@ export class Run {
     isActive(step, moment) { return this.steps[step].value(moment); }
     situation(moment) { return this.steps.flatMap((history, step) => (history.value(moment) ? [step] : [])); }
 
-    // The last sampling of the controller at or before `moment`.
+    // Returns the last sampling of the controller at or before `moment`.
     sampled(controller, moment) { return this.lastOf(this.samples[controller], moment); }
     evolved(controller, moment) { return this.lastOf(this.evolutions[controller], moment); }
-    // True if it has sampled its inputs for an evolution that is still to come.
+    // Returns true if the controller has sampled its inputs, but has not yet made the evolution that reads them.
     isToEvolve(controller, moment) {
         const read = this.sampled(controller, moment), made = this.evolved(controller, moment);
         return read !== null && (made === null || made.moment < read.moment);
@@ -106,24 +106,26 @@ export class Run {
         return low === 0 ? null : list[low - 1];
     }
 
-    // The last value that the timer got after `from`, up to `to`; null if it did not expire.
+    // Returns the output of the timer after its last expiry between `from` (exclusive) and `to`; null if it did not
+    // expire.
     timerEnded(timer, from, to) {
         for (let m = to; m > from; --m)
             if (this.trace.moments[m].timer === timer) return this.trace.moments[m].timer_holds;
         return null;
     }
 
-    // Number of evolutions of the controller in the event.
+    // Returns the number of evolutions of the controller in the event.
     evolutionsIn(controller, moment) {
         return this.trace.moments[moment].acts.filter((act) => act.controller === controller && act.does.includes("evolve")).length;
     }
 
-    // The row of `moment`: the first that ends at or after it.
+    // Returns the row that contains `moment`: the first row that ends at or after it.
     rowOf(moment) { return Math.min(lastAtMost(this.rowMoments, moment - 1) + 1, this.rows.length - 1); }
-    // The first event of the row.
+    // Returns the first event of the row.
     beginOf(row) { return row === 0 ? 0 : this.rowMoments[row - 1] + 1; }
 
-    // The transitions cleared in a range of events, with the number of times and the last event.
+    // Returns the transitions that are cleared in a range of events. For each transition, it also returns how often it
+    // is cleared, and the last event at which it is cleared.
     cleared(from, to) {
         const found = new Map();
         for (let m = from; m <= to; ++m)
@@ -133,7 +135,7 @@ export class Run {
         return found;
     }
 
-    // `23` is the state after row 23, `23+2` two moves later.
+    // Returns the position of `moment` in an address: `23` is the state after row 23, and `23+2` is two moves later.
     address(moment) {
         const row = lastAtMost(this.rowMoments, moment);
         const beyond = row < 0 ? moment : moment - this.rowMoments[row];

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The simulator: a list of moves, each a line of a script for `grafverif simulate`. The server executes them from
-// power-on and returns the state to show. Going back shortens the list. The list is part of the page's address.
+// The simulator. It stores a list of moves; each move is a line of a script for `grafverif simulate`. The server
+// executes the moves from power-on and returns the state to show. Undoing a move shortens the list. The list is part of
+// the page's address.
 
 import {make} from "./dom.js";
 
 const seconds = (milliseconds) => `${milliseconds / 1000} s`;
 
 export class Simulator {
-    // `ask(request)`: returns the response of the server. `light(steps, transitions)`: highlights these ids in the
+    // `ask(request)` returns the response of the server. `light(steps, transitions)` highlights these ids in the
     // drawings.
     constructor(place, ask, light) {
         Object.assign(this, {place, ask, light, of: null, moves: [], undone: [], answer: null, cursor: null, asked: 0, answers: 0, seed: 1, pressed: false});
@@ -60,12 +61,12 @@ export class Simulator {
         this.place.replaceChildren(this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "History"), this.table);
     }
 
-    // Repeats the moves on a new state of the file.
+    // Executes the moves again after a change of the file.
     take(state) {
         const known = JSON.stringify([state.readable, state.diagnostics, state.charts.map((chart) => chart.name), state.models.map((model) => model.name)]);
         const first = this.seen === undefined;
         if (state.readable) this.offer(state);
-        // Only verdicts were added; the file is unchanged.
+        // The file is unchanged: the new state only contains more verdicts.
         if (!first && known === this.seen && !this.changed(state)) return;
         this.seen = known;
         this.play();
@@ -85,7 +86,7 @@ export class Simulator {
             this.offered = JSON.stringify(all);
             this.select.replaceChildren(...all.map(([value, words]) => make("option", {value}, words)));
         }
-        // If temporarily no model can be simulated, the selection and its moves are kept.
+        // While the file contains no model that can be simulated, the selection and its moves are preserved.
         if (all.length > 0 && !all.some(([value]) => value === this.of)) {
             this.of = all[0][0];
             this.moves = [];
@@ -96,7 +97,8 @@ export class Simulator {
 
     // Moves
 
-    // For a closed loop this changes the possible moves.
+    // Sets whether every edge is a choice. For a closed loop, this changes the possible moves, so the list of moves is
+    // cleared.
     setEvery(on) {
         this.every.checked = on;
         this.set(this.of?.startsWith("loop:") ? [] : this.moves);
@@ -139,13 +141,13 @@ export class Simulator {
         } catch (error) {
             answer = {error: error.message};
         }
-        if (turn !== this.asked) return;  // superseded by a newer request
+        if (turn !== this.asked) return;  // a newer request has superseded this one
         if (answer.error) {
             this.problem.textContent = answer.error;
             return;
         }
-        // Moves that the current file does not allow can be redone after a change of the file, except an invalid new
-        // move.
+        // Moves that are impossible in the current file remain available for redo after a change of the file. A new
+        // move that is invalid is discarded.
         this.undone = [...wanted.slice(answer.moves.length + (pressed ? 1 : 0)), ...this.undone];
         this.show(answer);
     }
@@ -241,7 +243,7 @@ export class Simulator {
         this.point(to);
     }
 
-    // The session as an address and as a script
+    // Conversion of the session to an address and to a script
 
     write() {
         this.written = `#${this.every.checked ? "every" : "sim"}=${encodeURIComponent([this.of, ...this.moves].join("\n"))}`;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Values of a term and its subterms at an event of a run, to explain why a transition was not cleared. A controller
+// Values of a term and its subterms at an event of a run, which explain why a transition was not cleared. A controller
 // evaluates its last samples of the plant, not the current values; properties use current values (claims.js). Values
-// that the run does not determine are `undefined`, never guessed.
+// that the run does not determine are `undefined`.
 //
 // The rules are those of IEC 60848 as in `run/reader.cpp`: an edge is true in the evolution after the change, and
 // `t1/v/t2` without t2 requires v in addition to the output of its timer.
 
-// Evaluates the terms of a chart as `controller` does at `moment`.
+// Evaluates the terms of a chart with the values that `controller` uses at `moment`.
 export class Decision {
-    // `before`: evaluates before the evolution at `moment`.
+    // If `before` is true, the terms are evaluated before the evolution at `moment`.
     constructor(run, chart, controller, moment, before) {
         this.run = run;
         this.chart = chart;
@@ -39,7 +39,8 @@ export class Decision {
         return undefined;
     }
 
-    // A run without samples (evidence of `analyse`) consists of consecutive evolutions on the inputs of the event.
+    // Returns the value of an input. In a run without samples (evidence of `analyse`), the evolutions read the inputs
+    // of the event.
     input(place) {
         return this.read ? this.read.act.inputs[place] : this.run.value(this.controller.inputs[place], this.moment);
     }
@@ -53,7 +54,7 @@ export class Decision {
         if (this.earlier === null) return null;
         const {moment} = this.earlier, several = this.run.evolutionsIn(this.number, moment) > 1;
         if (several && this.earlier.act.fired.length > 0) return null;
-        // The last of several evolutions changed nothing: the values before and after it are equal.
+        // If there were several evolutions, the last one changed nothing: the values before and after it are equal.
         this.past ??= new Decision(this.run, this.chart, this.number, moment, !several);
         return this.past;
     }
@@ -68,15 +69,16 @@ export class Decision {
         return this.value(condition.watched);
     }
 
-    // True if the observed term has become true since the timers were sampled; they are not in the first evolution.
+    // Returns true if the observed term has become true since the timers were sampled. Before the first evolution, the
+    // timers are not sampled.
     beganSinceRead({watched}) {
         if (this.value(watched) !== 1) return false;
         const {act, moment} = this.read;
         return act.timers.length === 0 || new Decision(this.run, this.chart, this.number, moment, true).value(watched) !== 1;
     }
 
-    // A continuous output has the current value of its actions, not the last written one; a stored one that of its
-    // image.
+    // Returns the value of an output. For a continuous output, this is the current value of its actions, not the last
+    // written value; for a stored output, it is the value of its image.
     output(node) {
         if (node.stored) {
             const image = this.controller.images[node.place];
@@ -92,7 +94,7 @@ export class Decision {
         return unknown ? undefined : 0;
     }
 
-    // Additional remarks about a leaf.
+    // Returns additional remarks about a leaf.
     remark(node) {
         if (node.op === "input" && this.read) {
             const signal = this.controller.inputs[node.place], now = this.run.value(signal, this.state);
@@ -102,7 +104,7 @@ export class Decision {
         if (node.op === "timed") return [this.reading(node), this.age(this.chart.timed[node.place])].filter(Boolean).join("; ");
         return "";
     }
-    // Change of a timer's output since it was sampled.
+    // Returns text about a change of a timer's output since it was sampled.
     reading(node) {
         const place = this.run.data.conditions[this.number][node.place];
         if (!this.read || place === undefined || place === null) return "";
@@ -135,7 +137,8 @@ const arithmetic = {
     "greater-equal": (a, b) => Number(a >= b),
 };
 
-// `reader` provides the values of terms, each computed once, and of leaves.
+// Computes the value of a term. `reader` returns the values of leaves, and of terms, each of which it computes only
+// once.
 export function valueOf(reader, node) {
     if (node.op === "constant") return node.value;
     if (node.op === "rise" || node.op === "fall" || !node.args) return reader.leaf(node);
@@ -151,7 +154,8 @@ export function valueOf(reader, node) {
     return node.op === "negate" ? -values[0] : arithmetic[node.op]?.(...values);
 }
 
-// A single operand determines an `and` (false) or an `or` (true).
+// Returns the value of an `and` or `or`. A single operand with the value `decisive` determines the result (false for
+// `and`, true for `or`).
 function decided(values, decisive) {
     if (values.includes(decisive)) return decisive;
     return values.includes(undefined) ? undefined : 1 - decisive;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The timing diagram: a row per signal and step that changes in the run, a column per event, and a cursor at the
-// position of the player. Only visible columns are drawn; names stay fixed during scrolling. Columns are events, not
-// durations, so that the events of one instant are distinguishable.
+// The timing diagram. It has a row for each signal and step that changes in the run, a column for each event, and a
+// cursor at the position of the player. Only visible columns are drawn; names stay fixed during scrolling. Columns
+// represent events, not durations, so that the events of one instant are distinguishable.
 import {draw, make} from "./dom.js";
 
 const column = 30, line = 24, top = 40, high = 5, low = 19;
 const groups = [["input", "inputs"], ["output", "outputs"], ["internal", "internals"], ["plant", "plant"]];
 
 export class Timing {
-    // `moments`: events of the columns. `choose(k)`: called when column k is clicked.
+    // `moments` are the events of the columns. `choose(k)` is called when the user clicks column k.
     constructor(run, moments, loop, choose) {
         this.run = run;
         this.moments = moments;
@@ -112,7 +112,7 @@ function box(from, to, y, value, kind) {
             draw("text", {class: "axis value", x: (from + to) / 2, y: y + low - 3}, `${value}`)];
 }
 
-// Signals and steps that change in the run, by type, with headings.
+// Returns the signals and steps that change in the run, grouped by type with headings.
 function tracksOf(run) {
     const tracks = [];
     const add = (heading, found) => { if (found.length > 0) tracks.push({heading: true, name: heading}, ...found); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Explanations: the tree of a term with all values; a property with the terms that made it false.
+// Explanations: the tree of a term with all values, and a property with the terms that caused its violation.
 import {make, prose} from "./dom.js";
 import {ClaimReader, sinceWords} from "./claims.js";
 import {Decision} from "./terms.js";
@@ -11,8 +11,8 @@ function valueWords(node, value) {
     return node.boolean ? (value ? "true" : "false") : `${value}`;
 }
 
-// `reader` provides values and remarks. Operands of a conjunction or disjunction can be collapsed. `faulty`: the value
-// false is shown as a fault.
+// Returns the tree of a term. `reader` returns values and remarks. The user can collapse the operands of a conjunction
+// or disjunction. If `faulty` is true, the value false is shown as a fault.
 function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
     const node = terms[term], value = reader.value(term);
     const state = value === undefined ? "unknown" : node.boolean ? (value ? "true" : "false") : "number";
@@ -30,7 +30,8 @@ function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
     return make("li", {class: kind}, make("details", {open}, make("summary", {}, ...line), below));
 }
 
-// Explains why the transition is cleared or not. `cleared`: number of times in the displayed range, and the last event.
+// Explains why the transition is cleared or not. `cleared` contains the last event of the displayed range at which the
+// transition is cleared, and how often it is cleared.
 export function whyTransition(run, chart, controller, place, moment, cleared) {
     const transition = chart.transitions[place];
     const name = run.controllers.length > 1 ? `${run.controllers[controller].name}: ${transition.name}` : transition.name;
@@ -54,7 +55,8 @@ export function whyTransition(run, chart, controller, place, moment, cleared) {
     return make("div", {}, make("p", {class: "answer"}, verdict(name, cleared, value, missing.map((step) => chart.steps[step]), reader)), list);
 }
 
-// Inputs are sampled before each evolution; only then it is determined which transitions it clears.
+// Returns the answer to the question why the transition is cleared or not. The inputs that are sampled before an
+// evolution determine which transitions the evolution clears.
 function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     if (cleared?.times > 1)
         return `${name} is cleared ${cleared.times} times here. This is its condition before it was cleared for the last time.`;
@@ -67,7 +69,7 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     return `${name} is enabled; its condition is true for the ${read ? "inputs last read" : "current inputs"}.`;
 }
 
-// True if the operand may be false without contradicting the property.
+// Returns true if the property may hold although the operand is false.
 const mayBeFalse = ({pattern, headings}, operand) =>
     headings || ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
 
@@ -81,7 +83,8 @@ const wordsOf = {
     "always-possible": ["must remain possible"],
 };
 
-// Explains a property at `moment`: its value, since when, and the causes. `decisive`: the event that decides it.
+// Explains a property at `moment`: the values of its operands, the events since which they have these values, and the
+// causes. `decisive` is the event that decides the property.
 export function whyProperty(claims, moment, decisive, go) {
     const {run, property} = claims;
     const words = property.headings ?? wordsOf[property.pattern] ?? [], when = property.at_stable ? " in quiescent states" : "";
@@ -102,7 +105,7 @@ export function whyProperty(claims, moment, decisive, go) {
                 ...parts.flat(), ...causes(run, moment, link));
 }
 
-// The violation of a property with an observer, event by event.
+// Returns the steps by which a run violates a property that has an observer.
 function violation({data}, link) {
     if (!data.violation) return [];
     const steps = data.violation.steps.flatMap(({moment, words}, k) =>
@@ -110,7 +113,8 @@ function violation({data}, link) {
     return [make("p", {class: "violation"}, ...steps, ".")];
 }
 
-// The causes of the violation with links to their first events, and avoidable changes.
+// Returns the causes of the violation, with links to their first events, and the changes without which the property
+// holds.
 function causes(run, moment, link) {
     const {causes, left_out = [], left_out_values = []} = run.trace, parts = [];
     const when = (m) => (m === 0 ? "power-on" : run.timeText(m));
@@ -134,7 +138,7 @@ function causes(run, moment, link) {
     return parts;
 }
 
-// Position of the current event relative to the decisive one.
+// Returns text about the position of the current event relative to the decisive event.
 function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     const there = decisive === 0 ? "power-on" : run.timeText(decisive);
     const said = (before, here, behind) => make("p", {class: "standing"},
@@ -148,8 +152,10 @@ function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     return said("Not violated yet; the violation occurs at", "The property is violated here for the first time.", "First violated at");
 }
 
-// The event that decides a violated property: the bad state, or the last event after which the good one never follows.
-// A run does not contain for every event if the state is quiescent; for a violation `at stable` it is known at its end.
+// Returns the event that leads to the state that decides a violated property; null if it is unknown. For `always` and
+// `never`, it is the first bad state; for `leads to`, the first state with the premise after which no response follows;
+// for a property with an observer, the state from which on the sentence fails. For `exactly one of`, and for `always`
+// and `never` at stable, it is the last state: a run does not state which of its other states are quiescent.
 export function decisiveMoment(claims) {
     const {run, property} = claims;
     if (property.operands.length === 0) return null;

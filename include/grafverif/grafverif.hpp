@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Public interface: from the text of a chart to all derived models and results. Functions are pure: they take and
-// return plain values and keep no state between calls, except in a Simulator. Calls on different values may run
-// concurrently.
+// Public interface: reads charts and closed loops, and returns all models and results that are derived from them.
+// Functions are pure: they take and return plain values and keep no state between calls, except in a Simulator. Calls
+// on different values may run concurrently.
 //
 //   read_file, read_string    text -> Model (Chart, Component, ClosedLoop)
 //   equations_of              Chart -> Equations
 //   network_of                ClosedLoop -> Network of timed automata
-//   transition_system_of      ClosedLoop or Chart -> TransitionSystem without time
+//   transition_system_of      ClosedLoop or Chart -> TransitionSystem, untimed or with discrete time
 //   uppaal_project, nusmv_model, structured_text_of   the same models as text for other tools
 //   check, check_untimed      -> Report: a Verdict per property, with its run
 //   compare                   Chart, Chart -> Comparison: equal for all inputs, or a distinguishing sequence
@@ -52,21 +52,23 @@ namespace grafverif {
 // Reading
 
 struct ReadOptions {
-    std::vector<std::string> include_folders = {};  ///< folders searched for includes, after the file's folder
-    bool lossy = false;  ///< omit, with a warning, constructs of other formats that a chart cannot represent
-    /// Values of constants of closed loops, as text. A value overrides the constant of that name in every loop that has
-    /// one. If no loop has such a constant, the error `no-such-choice` is reported.
+    /// Folders in which included files are searched, after the folder of the including file.
+    std::vector<std::string> include_folders = {};
+    /// True: constructs of other formats that a chart cannot represent are omitted, with a warning.
+    bool lossy = false;
+    /// Values of constants of closed loops, as text, by name. Each value overrides the constant in every loop that
+    /// declares it. If no loop declares the constant, the error `no-such-choice` is reported.
     std::map<std::string, std::string> constants = {};
-    /// Loads included files. By default, they are read from the disk. For a file they must be within its folder, the
-    /// folder of its project (see docs/reference/files.md) or `include_folders`; for a string, within the current
-    /// folder.
+    /// Loads included files. By default, `read_file` loads only files below the folder of the file, the folder of its
+    /// project (see docs/reference/files.md) or `include_folders`; `read_string` uses the current folder instead of the
+    /// folder of the file.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
 };
 
 /// Parse result: sources, diagnostics and, without errors, the model.
 struct ParseResult {
     Sources sources = {};
-    Diagnostics diagnostics = {};  ///< also receives the diagnostics of later stages
+    Diagnostics diagnostics = {};  ///< later stages append their diagnostics
     std::optional<Model> model = {};
 
     /// Returns the diagnostics as text, each with its source line and a caret.
@@ -75,7 +77,7 @@ struct ParseResult {
 
 /// Reads a file and all its includes. The format is detected: input language, AGRAFE, PLCopen XML or textual SFC.
 ParseResult read_file(const std::string& path, const ReadOptions& options = {});
-/// Reads a model from a string; `name` is its name in diagnostics.
+/// Reads a model from a string. Diagnostics refer to the string by `name`.
 ParseResult read_string(std::string text, const std::string& name, const ReadOptions& options = {});
 
 /// Returns the chart or closed loop with the given name.
@@ -96,34 +98,38 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const
                                   Diagnostics& diagnostics);
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop,
                                                      const ModelOptions& options, Diagnostics& diagnostics);
-/// Returns the transition system of a chart without a closed loop. Its inputs are free.
+/// Returns the transition system of a chart without a closed loop. The inputs of this system are free.
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Chart> chart, const ModelOptions& options,
                                                      Diagnostics& diagnostics);
 
-/// Returns `requested`; otherwise the execution mode of all loops of `chart` if they agree; otherwise stability search.
+/// Returns `requested` if it is given, otherwise the execution mode that all closed loops select for `chart`. Returns
+/// stability search if no loop contains the chart, or if the loops select different modes.
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> requested);
 
 struct UppaalProject {
     std::string project = {};  ///< the model as XML, including its queries
     std::string queries = {};  ///< the queries only, for `verifyta`
 };
-/// Warns about properties that UPPAAL does not support. Empty after an error: there are integers of more than 32 bits.
+/// Returns the model for UPPAAL and its queries. Warns about properties that UPPAAL does not support. If an integer
+/// needs more than 32 bits, reports an error and returns an empty project.
 UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics);
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics);
 
 /// Returns a function block of the chart (IEC 61131-3) as text or as PLCopen XML (TC6 2.01). Each call executes one PLC
-/// cycle with at most `max_evolutions` evolutions. Empty after an error: the chart cannot be expressed.
+/// cycle with at most `max_evolutions` evolutions. Returns nullopt after an error, if Structured Text cannot express
+/// the chart.
 std::optional<std::string> structured_text_of(const Equations& equations, ExecutionMode mode, Diagnostics& diagnostics,
                                               bool plcopen_xml = false, std::uint32_t max_evolutions = 1000);
 
 // Proofs
 
-/// Progress of a computation; `words` returns it as a sentence.
+/// Progress of a computation. `words` returns a text that describes the progress, such as `12 steps deep, 80 MiB, 3 s`.
 struct Progress {
     std::function<std::string()> words = {};
 };
 
-/// Limits of a computation. At a limit, it returns the results so far; other verdicts are unknown and state the reason.
+/// Limits of a computation. A computation that reaches a limit returns its results so far; all other verdicts are
+/// unknown, with the reason.
 struct Limits {
     std::optional<std::uint64_t> states = {};  ///< maximum number of states; empty selects the default of the engine
     std::optional<std::uint64_t> memory = {};  ///< bytes; empty selects the default of the engine
@@ -133,22 +139,25 @@ struct Limits {
 };
 
 struct CheckOptions {
-    /// Names of the properties to check; all if empty. If property `S` expands, `S` selects each `S.X7`.
+    /// Names of the properties to check; all if empty. If property `S` has the form `reachable all steps`, `S` selects
+    /// all steps, and `S.X7` only step 7.
     std::vector<std::string> properties = {};
-    bool witnesses = true;    ///< also return runs of properties that hold (`reachable`)
-    bool every_move = false;  ///< include the internal moves of the translation in the rows of a run
+    bool witnesses = true;    ///< also return runs for properties `reachable` that hold
+    bool every_move = false;  ///< also return a row for each internal move of the translation
     Limits limits = {};
-    bool profile = false;  ///< always return a state profile, not only for many states (timed engine)
-    std::function<void(const StateProfile&)> many = {};  ///< called once, at a million states of the timed engine
-    bool whole = false;                                  ///< explore independent subsystems together
-    unsigned jobs = 0;  ///< threads; 0 selects one per core (untimed: at most two); the verdicts do not depend on it
+    bool profile = false;  ///< timed engine: return a state profile even if there are few states
+    /// Called once, when the timed engine has found a million states.
+    std::function<void(const StateProfile&)> many = {};
+    bool whole = false;  ///< true: independent subsystems are explored together, not separately
+    unsigned jobs = 0;   ///< threads; 0 selects one per core (untimed: at most two); the verdicts do not depend on it
 };
 
-/// Decides the properties of a closed loop with the timed engine. All runs in the report are replayed (IEC 60848).
+/// Decides the properties of a closed loop with the timed engine. All runs in the report have been replayed under the
+/// rules of IEC 60848.
 std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                             const CheckOptions& options, Diagnostics& diagnostics);
-/// Decides the properties of the untimed model with the symbolic engine. If it takes long, localization, PDR and BMC
-/// run in parallel. Each verdict states its consequence for the timed loop.
+/// Decides the properties of the untimed model with the symbolic engine. If the symbolic engine needs a long time,
+/// localization, PDR and BMC also run, in parallel. Each verdict states its consequence for the timed loop.
 std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics);
 /// Decides for each step of a chart without a closed loop if the step is reachable.
@@ -163,12 +172,12 @@ std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::op
 
 struct CompareOptions {
     std::optional<ExecutionMode> mode = {};
-    /// Unit of time between scans. If empty, a divisor of all durations is chosen. The number of scans within a
-    /// duration is then at least the number of timers, as far as whole milliseconds allow.
+    /// The time between scans is a multiple of this value. If empty, a common divisor of all durations is selected. It
+    /// is small enough to start each timer in a different scan, unless this requires fractions of a millisecond.
     std::optional<std::int64_t> resolution_ms = {};
-    /// Situations that replace the initial steps of the charts; not replaced if empty. Either both or neither is given.
+    /// Initial situation of each chart, instead of its initial steps. Both situations must be given, or both are empty.
     std::array<std::vector<Id<Chart::Step>>, 2> from = {};
-    bool shortest = true;  ///< search for a shortest distinguishing sequence
+    bool shortest = true;  ///< true: search for a shortest distinguishing sequence
     Limits limits = {};
 };
 /// Decides if two charts, possibly of different models, have equal outputs for all input sequences (see Comparison).
@@ -181,10 +190,10 @@ std::string svg_of(const Drawing& drawing);
 
 struct ConformOptions {
     std::optional<ExecutionMode> mode = {};
-    bool partial = false;   ///< for an automaton: at a limit, return the part found so far, which is not `complete`
-    bool minimise = false;  ///< merge equivalent states of the machine
+    bool partial = false;   ///< automaton_of: at a limit, return an incomplete automaton (`complete` is false)
+    bool minimise = false;  ///< true: equivalent states of a Mealy machine are merged
     TestCover cover = TestCover::Transitions;
-    bool one_cycle_each = false;  ///< apply each step of a test for one cycle instead of two
+    bool one_cycle_each = false;  ///< true: each step of a test is applied for one cycle, not for two
     Limits limits = {};
 };
 std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> chart, const ConformOptions& options,
@@ -196,7 +205,8 @@ std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const C
 
 // Output as text and JSON
 
-/// Results as printed by the program (text_of) and as JSON (json_of, docs/reference/trace-format.md).
+/// text_of returns the text that the program prints for a result; json_of returns the result as JSON
+/// (docs/reference/trace-format.md).
 std::string text_of(const Report& report);
 std::string json_of(const Report& report);
 /// Returns the text with file, line and column of each property; `sources` are the sources of the model.
@@ -215,14 +225,14 @@ std::string json_of(const MealyMachine& machine);
 std::string json_of(const TestSequence& test);
 /// Returns a timing diagram of the run.
 std::string svg_of(const ChartRun& run, std::string_view title);
-/// Returns a graph, or a table if there are many states. Empty if there are too many states for a table.
+/// Returns a graph, a table if there are many states, or an empty string if there are too many states for a table.
 std::string svg_of(const LocationAutomaton& automaton);
 std::string svg_of(const MealyMachine& machine);
 
 // Simulation
 
 /// Simulates a closed loop, or a chart without one. It is controlled by the commands of `grafverif simulate` and has
-/// the same semantics as the checks. A simulator stores all data of the model that it requires.
+/// the same semantics as the checks. A simulator contains copies of all data of the model that it needs.
 class Simulator {
 public:
     struct Inside;
@@ -234,15 +244,17 @@ public:
     /// Executes one command, such as `START = true`, `wait 3s`, `do Gate open` or `back`, and then the automatic moves.
     /// Returns an error message or an empty string.
     std::string execute(std::string_view command);
-    /// The error message of the last command, or of the initialization.
+    /// Returns the error message of the last command, or of the initialization.
     const std::string& problem() const;
-    /// The currently possible choices.
+    /// Returns the choices that are possible in the current state.
     std::vector<Choice> choices() const;
-    /// The complete run since power-on.
+    /// Returns the complete run since power-on.
     const ChartRun& run() const;
-    /// Returns the first row that is not part of a run of the model because a step was forced, or nothing.
+    /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
+    /// on, the run is not a run of the model.
     std::optional<std::size_t> what_if_row() const;
-    /// Returns a contradiction between the run, up to a forced step, and IEC 60848 (internal error), or nothing.
+    /// Returns a contradiction between IEC 60848 and the run before the first forced step (an internal error), or an
+    /// empty string.
     std::string disagreement() const;
 
 private:

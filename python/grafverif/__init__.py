@@ -33,7 +33,8 @@ Duration = Union[float, timedelta]  #: seconds
 
 
 class Diagnostic(NamedTuple):
-    """A diagnostic. `line` and `column` start at 1; `column` counts bytes. Without a position, they and `file` have the value None."""
+    """A diagnostic. `line` and `column` start at 1; `column` counts bytes. Without a position, `file`, `line` and
+    `column` have the value None."""
 
     severity: str
     code: str
@@ -44,7 +45,7 @@ class Diagnostic(NamedTuple):
 
 
 class GrafverifError(Exception):
-    """Raised if a chart or a request is invalid. Its text is the one that the program prints."""
+    """Raised if a chart or a request is invalid. The text of the exception is the message that the program prints."""
 
     def __init__(self, text: str, diagnostics: Iterable[tuple[Any, ...]] = ()):
         super().__init__(text)
@@ -177,7 +178,7 @@ class Verdict:
         self.verdict: str = document["verdict"]  #: `holds`, `violated` or `unknown`
         self.expected: str = document["expected"]
         self.declared: bool = document["declared"]
-        self.reason: str | None = document["reason"]  #: why the verdict is unknown; None otherwise
+        self.reason: str | None = document["reason"]  #: the reason for an unknown verdict; otherwise None
         self.vacuous: bool = document["vacuous"]
         self.notes: list[str] = document["notes"]
         #: declaration of the property, or of the loop if the property is not declared; line and column from 1, in bytes
@@ -296,7 +297,7 @@ class Analysis(_Tabular):
     def __init__(self, text: str, document: dict[str, Any]):
         self.findings = [Finding(each["code"], each["level"], each["subject"], each["message"], each.get("line"),
                                  each["accepted"], each) for each in document["findings"]]
-        self.complete: bool = document["complete"]  #: True if the analysis reached no limit
+        self.complete: bool = document["complete"]  #: True if the analysis ended before it reached a limit
         self.document = document
         self._text = text
 
@@ -326,7 +327,7 @@ class _Machine:
     def __init__(self, shown: tuple[str, str, str]):
         self._text, text, svg = shown
         self.document: dict[str, Any] = json.loads(text)  #: the document that the program writes with `--format json`
-        self.drawing = Drawing(svg) if svg else None  #: None if it is too large to draw
+        self.drawing = Drawing(svg) if svg else None  #: SVG; None if the automaton or machine is too large to draw
 
     def __str__(self) -> str:
         return self._text
@@ -367,7 +368,7 @@ class Mealy(_Machine):
 class TestStep:
     """A test step: wait, apply the inputs for `cycles` scans, and compare the outputs in each scan."""
 
-    __test__ = False  # pytest must not collect this class
+    __test__ = False  # prevents pytest from collecting this class as a test
     sequence: int
     step: int
     wait: float  #: seconds
@@ -445,7 +446,7 @@ class Simulation:
 
     @property
     def trace(self) -> Trace:
-        """All rows since power-on."""
+        """The trace of all rows since power-on."""
         wrong = self._core.disagreement()
         if wrong:
             raise RuntimeError(wrong)

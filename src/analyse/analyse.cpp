@@ -50,7 +50,7 @@ void add_structural(const Chart& chart, const Equations& equations, Analysis& re
     }
 }
 
-/// True if a finding describes an evolution that ends its run.
+/// True if a finding with this code describes an evolution that ends the run.
 bool is_break(std::string_view code) {
     return code == "action-race" || code == "out-of-range" || code == "no-value" || code == "forced-twice";
 }
@@ -60,7 +60,7 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
     return "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
 }
 
-/// Limit of the work on a part, in multiples of the first slice, when only queries about absorbing regions are open.
+/// The maximum work on a part if only queries about absorbing regions are open, in multiples of the first slice.
 constexpr std::uint64_t most_for_ways = 16;
 
 /// Schedules the parts of a chart. The parts are searched alternately until no query is open or no part can continue.
@@ -113,7 +113,7 @@ private:
 
     bool is_last(const ConeSearch& part) const { return part.options.longest_count != options_.longest_count; }
 
-    /// Continues the search of each part. Returns false if none can continue.
+    /// Continues the search of each part. Returns false if no part can continue.
     bool turns(std::uint64_t slice) {
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
@@ -129,8 +129,8 @@ private:
         return any && !stopped_;
     }
 
-    /// Decides the queries that can be decided when all parts are complete and together contain the complete chart. In
-    /// this case, every infinite evolution is infinite in one of the parts.
+    /// Decides further queries after all parts are complete, if the parts together contain the complete chart. In this
+    /// case, every instant that does not end also does not end in one of the parts.
     void add_up() {
         for (const ConeSearch& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;
@@ -165,8 +165,9 @@ private:
                                    [](const Query& question) { return !question.decided && is_break(question.code); });
     }
 
-    /// Continues the search of part `k`. Under stability search, it starts with a less expensive over-approximation, in
-    /// which inputs change before every evolution. An event that does not occur in it never occurs.
+    /// Continues the search of part `k`. Under stability search, the search starts with a less expensive
+    /// over-approximation, in which inputs change before every evolution. An event that does not occur in the
+    /// over-approximation never occurs.
     void turn(std::size_t k, std::uint64_t slice) {
         ConeSearch& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
@@ -230,7 +231,8 @@ private:
         if (is_contradictory(machine)) return;
         PathSearch search(machine, options_.mode);
         ChartAnalyzer analyzer(chart_, equations_, options_, machine, search, questions_, result_);
-        // Work spent on searching and on examining: deep searches of small sets are examined only occasionally.
+        // The work of the search and of the examination of points. If the examination took more work than the search,
+        // the new points are examined later, together with the points of the next instants.
         std::uint64_t searching = 0, looking = 0;
         try {
             while (!search.done()) {

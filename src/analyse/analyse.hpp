@@ -4,24 +4,25 @@
 //
 // All evolutions are computed exactly, as sets of points. A point is a situation with the relevant stored variables,
 // the timer outputs and the inputs, before an evolution. An instant begins when inputs are sampled. Under stability
-// search it consists of the evolutions with constant inputs, until an evolution changes nothing (IEC 60848: input
-// events occur only in stable situations). In every_cycle mode it is one evolution. If an instant does not end, the
-// points that it repeats forever are the total instability. Since evolutions are functions, these are the points with
-// infinite histories.
+// search, an instant consists of the evolutions with constant inputs, until an evolution changes nothing (IEC 60848:
+// input events occur only in stable situations). In every_cycle mode, an instant is one evolution. If an instant does
+// not end, the points that repeat forever are the total instability. Since evolutions are functions, these are the
+// points with an infinite sequence of predecessors.
 //
-// The chart is analysed part by part. A part does not depend on the rest of the chart (analyse/cones.hpp). Therefore an
-// event that is impossible in the part is impossible in the chart. If an event is possible in the part, a run of the
-// complete chart must confirm it. Queries that the parts leave open are decided on the complete chart. Parts are
-// searched alternately, with four times the work in each round, so that no part delays another. Counters are followed
-// only up to their thresholds (analyse/counters.hpp). If the time or memory limit is reached, undecided queries remain
-// open, and the analysis reports how many instants were searched for them.
+// The parts of the chart are analysed separately. A part does not depend on the rest of the chart (analyse/cones.hpp).
+// Therefore, an event that is impossible in the part is impossible in the chart. If an event is possible in the part, a
+// run of the complete chart must confirm it. Queries that no part decides are decided on the complete chart. Parts are
+// searched alternately, with four times the work in each round, so that no part delays another. Values of counters are
+// distinguished only up to the thresholds of the counters (analyse/counters.hpp). If the time or memory limit is
+// reached, undecided queries remain open, and the analysis reports how many instants were searched for each of them.
 //
 // An evolution with a race, or with a value that is undefined or out of range, has no successor (see
 // run/interpreter.hpp); the notes of the analysis state that the continuation is not explored.
 //
-// Time: between instants, a timer may expire if its step is active. Among the timers of one step, shorter ones expire
-// first. The search uses no other information about time. The runs that show a finding are then given times, which
-// solve constraints on the event times of their instants. The interpreter replays the runs with these times.
+// Time: between instants, the output of a timer may become true if the term that the timer watches is true, and false
+// if the term is false. Among the timers of one term without fall times, timers with shorter times expire first. The
+// search uses no other information about time. For each run that shows a finding, event times are then computed from
+// constraints on the times of its instants. The interpreter replays the run with these times.
 #pragma once
 
 #include <atomic>
@@ -38,7 +39,7 @@
 
 namespace grafverif {
 
-/// Progress of an analysis.
+/// The progress of an analysis.
 struct AnalyseProgress {
     std::size_t questions = 0, open = 0, findings = 0;
     std::size_t part = 0, parts = 0;  ///< index of the current part of the chart, and the number of parts
@@ -48,13 +49,14 @@ struct AnalyseProgress {
 struct AnalyseOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::vector<Exclusion> exclusions = {};
-    bool instability_only = false;  ///< decide only total instability
-    /// Counters that remain in their range for at least this number of evolutions are followed only up to their
-    /// thresholds.
+    bool instability_only = false;  ///< true if only total instability is decided
+    /// If a counter remains in its range for at least this number of evolutions, its values are distinguished only up
+    /// to its thresholds.
     std::int64_t longest_count = 256;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;                    ///< cancellation flag: return the results so far
+    const std::atomic<bool>* stop = nullptr;                    ///< cancellation flag; if it is set, the available
+                                                                ///< results are returned
     std::function<void(const Finding&)> found = {};             ///< called for each finding as soon as it is known
     std::function<void(const AnalyseProgress&)> progress = {};  ///< called periodically
     std::uint64_t first_slice = 50'000'000;  ///< work on each part in the first round, in steps of BDD operations

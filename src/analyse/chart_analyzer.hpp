@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Chart analyzer: evaluates the open queries of an analysis on the points of one machine after each instant of the
 // search, so that findings are available immediately. An event is possible if the interpreter confirms a run that shows
-// it. It is impossible if the complete search has not found it. A query remains open if the event occurs in a cone but
-// the chart does not confirm it.
+// the event. It is impossible if the complete search has not found it. A query remains open if the event occurs in a
+// cone but no run of the chart confirms it.
 #pragma once
 
 #include <cstddef>
@@ -23,26 +23,25 @@
 
 namespace grafverif::analysis {
 
-// The queries of an analysis, with the results so far.
-
 /// Used in place of a variable if the query does not concern a single variable.
 inline constexpr std::size_t no_variable = static_cast<std::size_t>(-1);
 
 struct Query {
     std::string_view code = {};
-    std::size_t index = 0;  ///< index of its subject, in the table to which its code refers
+    std::size_t index = 0;  ///< index of the subject in the table to which `code` refers
     std::string subject = {};
     bool decided = false;
-    bool seen_in_part = false;    ///< the event occurs in a part, but the chart has not confirmed it
+    bool seen_in_part = false;    ///< true if the event occurs in a part, but no run of the chart confirms it
     std::size_t instants = 0;     ///< for an open query: the number of instants searched without a result
-    std::int64_t evolutions = 0;  ///< for a counter: the number of evolutions in which it remains in its range
+    std::int64_t evolutions = 0;  ///< for a counter: number of evolutions in which it remains in its range
 };
 
+/// The queries of an analysis, together with the available results.
 class Queries {
 public:
     Queries(const Chart& chart, const Equations& equations, const AnalyseOptions& options);
 
-    /// Returns the query with this subject if it exists and is open, otherwise null.
+    /// Returns the query with this code and subject if it exists and is open, otherwise nullptr.
     Query* open(std::string_view code, std::size_t index);
     bool any_open() const;
     /// True if a query about absorbing regions is open.
@@ -73,16 +72,17 @@ public:
     void look();
     /// Reports impossible events. Requires that the search is complete and every instant was examined.
     void conclude();
-    /// Reports events that are impossible after some points. The requirements are those of conclude().
+    /// Reports events that are impossible after some points. The requirements are the same as for conclude().
     void find_traps();
-    /// Reports events that are impossible even if inputs change before every evolution. Requires a search of that type,
-    /// although the chart is executed with stability search. No other conclusion may be drawn from its points.
+    /// Reports events that are impossible even if inputs change before every evolution. Requires a search in which
+    /// inputs change before every evolution, and a chart that is executed with stability search. The points of such a
+    /// search permit no other conclusion.
     void conclude_loosely();
-    /// Examines the last instant of such a search.
+    /// Examines the last instant of a search in which inputs change before every evolution.
     void search_loosely();
-    /// Records in each open query how far it was searched. Never throws BddExhausted.
+    /// Records in each open query how many instants were searched. Never throws BddExhausted.
     void leave() noexcept;
-    /// True if the chart did not confirm an instability of a part.
+    /// True if the search found an instability that no run of the chart confirms.
     bool doubtful() const;
 
 private:
@@ -94,12 +94,12 @@ private:
         Query* question = nullptr;
         Bdd goal = {};
         bool seen = false;
-        /// Returns true if a run shows the event; `seen` contains the new points of the goal.
+        /// Returns true if a confirmed run shows the event. `seen` contains the new points of the goal.
         std::function<bool(const Bdd& seen)> record = {};
     };
-    /// An event whose absence is a finding. `goal` is a set of points, of stable points, or of points directly after an
-    /// evolution.
+    /// Sets of points: all points, the stable points, or the points directly after an evolution.
     enum class PointSet { Points, Stable, Landings };
+    /// An event whose absence is a finding. It occurs at the points of `goal` in the set `among`.
     struct Sign {
         Query* question = nullptr;
         PointSet among = PointSet::Points;
@@ -144,10 +144,10 @@ private:
         enum class Kind { Step, Transition, Value } kind = Kind::Step;
         Query* question = nullptr;
         Span origin = {};
-        Bdd comes = {};                  ///< the points at which it occurs
-        Bdd gone = {};                   ///< the points after which it is impossible for all inputs
-        bool again = false;              ///< true if it can occur, cease and occur again
-        std::vector<bool> dead_in = {};  ///< for each region: true if it never occurs in the region
+        Bdd comes = {};                  ///< the points at which the event occurs
+        Bdd gone = {};                   ///< the points after which the event is impossible for all inputs
+        bool again = false;              ///< true if the event can occur, cease and occur again
+        std::vector<bool> dead_in = {};  ///< for each region: true if the event never occurs in it
     };
     std::vector<Passing> passing();
     bool find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound, const std::vector<Bdd>& regions) const;
@@ -160,13 +160,13 @@ private:
     void report_once(const std::vector<const Passing*>& once, const TerminalRegions& ways);
     void report_regions(const std::vector<Passing>& lost, const TerminalRegions& ways, const Bdd& sound,
                         const Bdd& known, std::size_t regions);
-    /// Reports the finding with a shortest path to `goal`. If that fails, the queries remain open.
+    /// Reports the finding with a shortest path to `goal`. If no run confirms the path, the queries remain open.
     void keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& ways, const Bdd& goal);
     std::string stays_active(const std::vector<const Passing*>& lost, const Bdd& goal);
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }
-    /// True if all runs found so far are runs of the complete chart.
+    /// True if all runs of this search are runs of the complete chart.
     bool certain() const { return machine_.whole() && search_.evolutions() <= machine_.exact_evolutions(); }
     bool is_uncertain(const Query* question) const;
     bool ever_active(Step step) const;
@@ -179,18 +179,18 @@ private:
     const std::string& name(Transition transition) const { return chart_.transitions[transition].name; }
 
     Finding finding(std::string_view code, std::string subject, std::string message, Span origin) const;
-    /// Shows the finding by a path. Returns false if the interpreter does not confirm it, which is an internal error if
-    /// `certain`.
+    /// Adds to the finding the run along a path. Returns false if the interpreter does not confirm the run; this is an
+    /// internal error if `certain` is true.
     bool show(Finding& finding, const std::optional<Path>& path, const EvolutionRequirement& demand, std::string shows,
               bool certain);
     bool show(Finding& finding, const Bdd& goal, const EvolutionRequirement& demand, std::string shows) {
         return show(finding, search_.path_to(goal), demand, std::move(shows), certain());
     }
-    /// Returns those of `points` whose evolution does not abort; `points` itself if there are none.
+    /// Returns the points in `points` whose evolution does not abort, or `points` if there are none.
     Bdd rather_unbroken(const Bdd& points) const;
     bool keep(Finding finding);
 
-    /// Returns the path to the first of `points`, continued along them.
+    /// Returns the path to the first element of `points`, followed by the remaining elements.
     std::optional<Path> path_along(const std::vector<Point>& points) const;
 
     const Chart& chart_;
@@ -200,13 +200,13 @@ private:
     PathSearch& search_;
     Queries& questions_;
     Analysis& result_;
-    WitnessTrace last_ = {};  ///< the run that showed the last finding
+    WitnessTrace last_ = {};  ///< the run that shows the last finding
     std::vector<Event> events_ = {};
     std::vector<Sign> signs_ = {};
-    std::vector<Query*> uncertain_ = {};  ///< queries whose events occurred but could not be shown
+    std::vector<Query*> uncertain_ = {};  ///< queries whose events occurred, but without a confirmed run
     Bdd stable_ = {}, landings_seen_ = {};
     std::size_t looked_ = 0;
-    std::set<const Query*> unseen_ = {};  ///< when the search is complete: the queries whose event did not occur
+    std::set<const Query*> unseen_ = {};  ///< after a complete search: the queries whose event did not occur
 };
 
 }  // namespace grafverif::analysis

@@ -21,7 +21,7 @@ void ChartAnalyzer::instability() {
     if (question == nullptr || is_uncertain(question)) return;
     const Bdd going_on = machine_.going_on(search_.fresh()), followed = machine_.followed(going_on);
     Bdd endless = search_.endless(followed);
-    // The end of a counter's range may end the instability.
+    // The instability may end when a counter reaches the end of its range.
     const bool counting = endless.is_false() && !(followed == going_on);
     if (counting) endless = search_.endless(going_on);
     if (endless.is_false()) return;
@@ -43,8 +43,8 @@ void ChartAnalyzer::instability() {
 // ----------------------------------------------------------------
 
 void ChartAnalyzer::expect_breaks() {
-    // Decides queries without findings: those about every stored variable of the cone, and those about all conditions
-    // if the cone contains them.
+    // Decides queries without findings: the queries about every stored variable of the cone, and the queries about all
+    // conditions if the cone contains all conditions.
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
             for (const char* code : {"action-race", "out-of-range", "no-value"})
@@ -114,7 +114,8 @@ void ChartAnalyzer::dead_values() {
     }
 }
 
-/// The successors of a point within its instant were found at the same time or earlier.
+/// Searches for a stored value that is overwritten in the same instant. The successors of a point within its instant
+/// were found at the same time or earlier.
 void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
     Query* const question = questions_.open("action-conflict", 2 * stored.variable.index + (value ? 1 : 0));
     if (question == nullptr || is_uncertain(question)) return;
@@ -123,7 +124,7 @@ void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
         if (!is_constant(equations_.exprs[write.value].op)) continue;
         (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
     }
-    std::vector<Bdd> layers{// Evolutions that store the value, and the evolutions that follow.
+    std::vector<Bdd> layers{// the evolutions that store the value, and the evolutions that follow
                             machine_.going_on(search_.fresh() & stores)};
     Bdd seen, hit;
     while (!layers.back().is_false() && hit.is_false()) {
@@ -141,7 +142,7 @@ void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
     const Equations::Variable& variable = equations_.variables[stored.variable];
     Finding made = finding("action-conflict", variable.name,
                            "`" + variable.name + "` can be " + (value ? "set and reset" : "reset and set") +
-                               " in one instant, so the first value is never written",
+                               " in one instant, so the plant never receives the first value",
                            variable.origin);
     for (const Equations::Write& write : stored.writes) made.related.push_back({write.origin, "an action on it"});
     if (!show(made, path_along(points), {}, "both occur in the last instant", certain()))

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries about impossible events. The search looks for an occurrence; if none of the reachable points shows one, this
-// is a finding.
+// Queries about impossible events. An event that does not occur at any reachable point is a finding.
 #include <algorithm>
 #include <ostream>
 
@@ -76,8 +75,8 @@ bool ChartAnalyzer::sign_seen(const Sign& sign) {
     return false;
 }
 
-/// True if the chart, and not only this cone, has a run to one of `points`. If no event times realize the run, it was
-/// not replayed.
+/// True if the complete chart, and not only this cone, has a run to an element of `points`. False if no event times
+/// were found for the run.
 bool ChartAnalyzer::confirmed(const Bdd& points) {
     const std::optional<Path> path = search_.path_to(points);
     if (!path) return false;
@@ -87,7 +86,8 @@ bool ChartAnalyzer::confirmed(const Bdd& points) {
     return true;
 }
 
-/// A run that was found for one event may also show others. Decides every open question whose event occurs on `path`.
+/// Decides every open query whose event occurs on `path`, because a run that was found for one event may also show
+/// other events.
 void ChartAnalyzer::confirm_others(const Path& path) {
     for (const Sign& sign : signs_) {
         if (sign.question->decided || sign.among != PointSet::Points) continue;

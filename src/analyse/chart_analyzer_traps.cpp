@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Queries about events that are impossible after some points, based on absorbing regions ("traps"). All points are
-// known, so that an event to which no path leads back is impossible. The graph of the points contains every run of the
-// chart, and also other runs: timers may expire in orders that no times realize. Therefore the result holds for all
-// times. A region that is absorbing only because of durations is not found.
+// known; therefore, an event to which no path leads is impossible. The graph of the points contains every run of the
+// chart. It also contains other runs, in which timers expire in orders that are impossible for any times. Therefore,
+// the result is valid for all times. A region that is absorbing only because of durations is not found.
 //
-// If an evolution aborts or an instant does not end, the successors are unknown and may lead back. Therefore no finding
-// is reported for points from which such a point is reachable.
+// If an evolution aborts or an instant does not end, the event may occur in the unknown continuation. Therefore, no
+// finding is reported for points from which such a point is reachable.
 //
 // A step, transition or value is dead in the absorbing regions that do not contain it. One region, or several regions
-// with the same dead elements, form one trap. It is reported with a path to a point after which all of these elements
-// are dead. If an element is dead for a separate reason (of two elements, neither is always dead with the other), it
-// has a separate path. If an element occurs only once in a run, it belongs to a start-up or an end, and the finding is
-// a note.
+// with the same dead elements, form one trap. A trap is reported with a path to a point after which all of its dead
+// elements are dead. If neither of two elements is always dead when the other one is dead, the two elements have
+// separate paths. An element that occurs only once in a run belongs to a start-up or final phase, and the finding is a
+// note.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t most_regions = 16;
 constexpr std::size_t most_named = 8;
 
-/// Returns `` `X1`, `X2` and `X3` ``. After the eighth name, only the number of further names is given.
+/// Returns a list such as `` `X1`, `X2` and `X3` ``. After the eighth name, only the number of further names is given.
 std::string listed(const std::vector<std::string>& names) {
     const std::size_t told = std::min(names.size(), most_named);
     std::string text;
@@ -81,13 +81,13 @@ void ChartAnalyzer::find_traps() {
     if (region != nullptr) report_regions(all, ways, sound, ways.reached() & ~unknown, regions.size());
 }
 
-/// A part in which the event recurs may have runs that the chart does not have. The query is decided by the complete
-/// chart, or by the proof that no such runs exist.
+/// Records that the event of the query can recur. For a part, the query remains open, because a part may have runs that
+/// the chart does not have. It is decided on the complete chart, or if it is proved that no such runs exist.
 void ChartAnalyzer::not_dead(Query& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }
 
-/// True if there is a point after which the event is impossible, although it occurs somewhere.
+/// True if the event is possible at some point, and impossible after another one.
 bool ChartAnalyzer::find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound,
                               const std::vector<Bdd>& regions) const {
     each.comes &= ways.reached();
@@ -124,8 +124,8 @@ void ChartAnalyzer::report_never_again(const std::vector<Passing>& lost, const T
     if (!left.empty()) report_once(left, ways);
 }
 
-/// Reports the elements that are dead `within` a trap, in groups: elements that become dead with the first one or after
-/// it, and elements that are dead at the point shown.
+/// Reports the elements that are dead in the trap `within`, in groups. All elements of a group are dead at the point
+/// that is reported for the group.
 void ChartAnalyzer::report_trap(const std::vector<const Passing*>& lost, const Bdd& within, const TerminalRegions& ways,
                                 std::set<const Passing*>& told) {
     std::vector<const Passing*> left = lost;
@@ -146,7 +146,7 @@ void ChartAnalyzer::report_trap(const std::vector<const Passing*>& lost, const B
             for (const Passing* each : left) {
                 const Bdd both = first & each->gone;
                 const bool nested = both == first || both == (each->gone & within);
-                // An element that becomes dead with the first one need not become dead with another such element.
+                // Two elements that become dead with the first element need not become dead together.
                 if ((!shown && !nested) || (goal & each->gone).is_false()) continue;
                 goal &= each->gone;
                 group.insert(each);
@@ -177,7 +177,8 @@ void ChartAnalyzer::report_group(const std::vector<const Passing*>& group, const
     keep_trap(std::move(made), group, ways, goal);
 }
 
-/// Returns `; X99 stays active`: the steps that are active in `goal` and that no transition deactivates afterwards.
+/// Returns text such as `; X99 stays active`, which names the steps that are active in `goal` and that no transition
+/// deactivates afterwards.
 std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& lost, const Bdd& goal) {
     const auto is_governed = [](const Chart::PartialChart& partial) { return partial.owner.valid(); };
     if (!chart_.forcing.empty() || std::ranges::any_of(chart_.partial_charts, is_governed)) return {};
@@ -200,7 +201,7 @@ std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& lost,
 }
 
 void ChartAnalyzer::report_once(const std::vector<const Passing*>& once, const TerminalRegions& ways) {
-    std::vector<std::string> names, values;  // the initial value, which the first evolution assigns, is not a change
+    std::vector<std::string> names, values;  // initializing a value in the first evolution is not a change
     for (const Passing* each : once)
         (each->kind == Passing::Kind::Value ? values : names).push_back(each->question->subject);
     std::string words;
@@ -228,8 +229,8 @@ void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& o
     if (shown) keep(std::move(made));
 }
 
-/// Reports regions without dead elements: several regions, or one region if the chart can also run forever outside of
-/// it.
+/// Reports regions without dead elements: several regions, or one region if an infinite run outside of the region
+/// exists.
 void ChartAnalyzer::report_regions(const std::vector<Passing>& lost, const TerminalRegions& ways, const Bdd& sound,
                                    const Bdd& known, std::size_t regions) {
     Query& question = *questions_.open("region-never-left", 0);

@@ -15,10 +15,11 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Maximum total number of variables of all cones, as a multiple of those of the complete chart. Above it, cones do not
-/// save work.
+/// The maximum total number of variables of all cones, as a multiple of the number of variables in the complete chart.
+/// If the total is larger, cones do not save work.
 constexpr std::size_t most_wholes = 8;
-/// Maximum number of variables visited for all cones together. Above it, only the complete chart is analysed.
+/// The maximum number of variables that are visited for all cones together. If it is exceeded, only the complete chart
+/// is analysed.
 constexpr std::size_t most_visits = 4'000'000;
 constexpr std::size_t most_cones = 1000;
 
@@ -79,7 +80,7 @@ private:
     std::uint32_t next_ = 0, components_ = 0;
 };
 
-/// Returns the subject of each query, as variables.
+/// Returns the subject of each query as a list of variables.
 std::vector<Numbers> subjects(const Equations& equations) {
     std::vector<Numbers> all;
     for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable.index});
@@ -91,7 +92,7 @@ std::vector<Numbers> subjects(const Equations& equations) {
     return all;
 }
 
-/// Marks the dependencies of `open`; returns the number of marked variables.
+/// Marks `open` and the variables on which they depend; returns the number of marked variables.
 std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     std::size_t marked = 0;
     while (!open.empty()) {
@@ -105,7 +106,8 @@ std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     return marked;
 }
 
-/// A cone and those of its variables that evolutions keep, which determine its cost.
+/// A cone, and the variables of the cone that are stored between evolutions. These variables determine the cost of its
+/// search.
 struct Candidate {
     Cone cone = {};
     Numbers kept = {};
@@ -137,7 +139,7 @@ public:
     }
 
 private:
-    using Key = std::pair<std::size_t, Numbers>;  ///< ordered by size, then by kept variables
+    using Key = std::pair<std::size_t, Numbers>;  ///< order by size, then by kept variables
 
     Candidate candidate(Cone cone) const {
         Numbers kept;
@@ -146,10 +148,10 @@ private:
         return {std::move(cone), std::move(kept)};
     }
 
-    /// Returns false if there are too many cones.
+    /// Determines the cones of all queries. Returns false if there are too many cones.
     bool find_all() {
         const Numbers component = reads_.components();
-        // Sets of components; all queries about one component have the same cone.
+        // This set contains sets of components, because all queries about one component have the same cone.
         std::set<std::set<std::uint32_t>> known;
         std::size_t visits = 0;
         for (const Numbers& subject : subjects(equations_)) {
@@ -169,7 +171,7 @@ private:
         return true;
     }
 
-    /// True if all queries of `small` can be decided on `large` at little additional cost.
+    /// True if the search of `large` can decide all queries of `small` at little additional cost.
     static bool stands_for(const Candidate& large, const Candidate& small) {
         return 4 * large.kept.size() <= 5 * small.kept.size() && std::ranges::includes(large.kept, small.kept) &&
                contains(large.cone, small.cone);

@@ -2,7 +2,7 @@
 // Cones of influence: parts of equations that depend only on themselves and on inputs. The behaviour of a cone does not
 // depend on the rest of the chart, provided that the rest does not abort a run or make an instant infinite. Therefore
 // every run of the chart, restricted to the cone, is a run of the cone, and an event that is impossible in a cone is
-// impossible in the chart. A run of the cone is a run of the chart if the chart, executed with the same inputs,
+// impossible in the chart. A run of the cone is a run of the chart if an execution of the chart with the same inputs
 // confirms it.
 #pragma once
 
@@ -16,8 +16,8 @@ namespace grafverif::analysis {
 using Cone = std::vector<bool>;
 
 /// The variables that determine the next value of each variable, through firing conditions, timers and stored actions.
-/// For a firing condition, these are the variables that it reads; for an output, those that its value reads. An input
-/// has none.
+/// For a firing condition, these are the variables that the condition reads; for an output, the variables that its
+/// value reads. An input has no dependencies.
 class Dependencies {
 public:
     explicit Dependencies(const Equations& equations);
@@ -30,9 +30,9 @@ private:
     std::vector<std::vector<std::uint32_t>> reads_ = {};
 };
 
-/// Returns the cones of all steps, transitions, stored variables, outputs and conflicts of forcing orders, the smallest
-/// first, followed by the complete chart. If there are many cones, or they overlap so much that they do not save work,
-/// only the complete chart is returned.
+/// Returns the cones of all steps, transitions, stored variables, outputs and conflicts of forcing orders in order of
+/// increasing size, followed by the complete chart. If there are many cones, or cones do not save work because they
+/// overlap too much, the result contains only the complete chart.
 std::vector<Cone> cones(const Equations& equations);
 
 }  // namespace grafverif::analysis

@@ -14,8 +14,8 @@ using Variable = Equations::Variable;
 
 constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
 
-/// Tests, in one pass over all terms, if one variable is a counter. Terms that are values of the variable, or the
-/// variable plus a constant, may occur only where their order relative to constants is the only relevant information.
+/// Tests, in one pass over all terms, if one variable is a counter. A term whose value is the variable, or the variable
+/// plus a constant, may occur only in terms whose values depend only on its order relative to constants.
 class Reader {
 public:
     Reader(const Equations& equations, const Equations::Stored& stored)
@@ -90,7 +90,7 @@ private:
         else good_ = good_ && of_it_[term.index];
     }
 
-    /// Checks that its values are not used in any other place.
+    /// Checks that values of the variable are not used in any other term.
     void look_elsewhere() {
         const auto refuse = [&](Id<Expr> term) { good_ = good_ && !(term.valid() && of_it_[term.index]); };
         for (const Equations::Output& output : equations_.outputs) refuse(output.value);
@@ -105,8 +105,8 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const Equations::Stored& stored_;
-    std::vector<bool> of_it_;  ///< for each term: true if it is a value of the variable, or this value plus a constant
-    std::vector<std::int64_t> added_;  ///< upper bound of this constant
+    std::vector<bool> of_it_;  ///< for each term: true if its value is the variable, or the variable plus a constant
+    std::vector<std::int64_t> added_;  ///< for each term: upper bound of the added constant
     std::int64_t least_ = 0, greatest_ = 0, most_ = 0;
     bool met_ = false, good_ = true;
 };

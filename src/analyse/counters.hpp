@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Counters: integers that are only incremented, set to constants and compared with constants. All values above the
-// greatest of these constants behave identically, so that the analysis represents them by one value. A chart that
-// counts parts without limit then has only as many situations as its thresholds distinguish. The abstraction ignores
-// that the counter can leave its range.
+// Counters: integer variables that a chart only increments, sets to constants and compares with constants. The chart
+// does not distinguish the values above the greatest of these constants; therefore the analysis represents all of them
+// by one value. A chart that counts parts without limit then has only as many situations as its thresholds distinguish.
+// The abstraction does not represent that a counter leaves its range.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,11 @@ namespace grafverif::analysis {
 struct Counter {
     Type type = {};         ///< range of distinguished values; the last value represents itself and all greater values
     std::int64_t most = 0;  ///< maximum increment in one evolution
-    std::int64_t safe = 0;  ///< number of evolutions in which it cannot leave its range
+    std::int64_t safe = 0;  ///< number of evolutions in which the counter cannot leave its range
 };
 
-/// Returns the counter of each variable if the abstraction saves bits.
+/// Returns the Counter of each variable that is a counter, if the abstraction saves bits for it; otherwise the entry is
+/// empty.
 std::vector<std::optional<Counter>> counters(const Equations& equations);
 
 }  // namespace grafverif::analysis

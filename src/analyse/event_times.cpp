@@ -14,8 +14,8 @@ struct DifferenceConstraint {
     std::int64_t least = 0;
 };
 
-/// Returns the constraints of one clock on the event times, which concern the age of its watched level when inputs are
-/// sampled.
+/// Returns the constraints of one clock on the event times. They restrict the age of the watched level of the clock at
+/// each sampling of inputs.
 std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, const Machine& machine,
                                                  const Path& path) {
     std::vector<DifferenceConstraint> result;
@@ -33,7 +33,7 @@ std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, 
         else result.push_back({now, since, 1 - duration});
     };
     for (std::size_t instant = 0; instant < path.instants.size(); ++instant) {
-        if (instant > 0) {  // the first point has the level at the end of the previous instant
+        if (instant > 0) {  // in the first point, the level has its value at the end of the previous instant
             const Point& sampled = path.instants[instant].front();
             const bool ended = machine.value(sampled, clock.end) != 0;
             see(instant - 1, sampled);

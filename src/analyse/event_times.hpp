@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Event times: times of the instants of a path such that its timers expire as in the path.
+// Event times: computes the times of the instants of a path for which all timers expire as in the path.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace grafverif::analysis {
 
-/// Returns the earliest time of each instant in milliseconds, starting with 0; empty if none were found.
+/// Returns the earliest time of each instant in milliseconds, starting with 0; empty if no such times were found.
 ///
 /// The age of a watched level is the difference of two event times. Therefore a timer that has expired requires a
 /// minimum difference, and a timer that has not expired requires a maximum difference. The result is a system of

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Chart::VariableKind;
 
-/// Maximum number of printed evolutions of a loop.
+/// The maximum number of printed evolutions of a loop.
 constexpr std::size_t reported_of_loop = 60;
 
 std::string fault_text(RunFault::Kind kind) {
@@ -52,7 +52,7 @@ public:
 private:
     using Fired = std::vector<std::vector<Id<Chart::Transition>>>;
 
-    /// Lets time pass and sets the inputs of `instant`.
+    /// Advances the time and sets the inputs of `instant`.
     void begin(std::size_t instant) {
         if (instant > 0) state_ = pass_time(std::move(state_), moments_[instant] - moments_[instant - 1]);
         time_ = moments_[instant];
@@ -110,8 +110,8 @@ private:
         if (demand.settles && !settles_) fail(instant, "the instant never ends or has a model error");
     }
 
-    /// Reports the complete instant. If it never ends or aborts later, reports its evolutions up to the end of the
-    /// path.
+    /// Reports the complete instant. If the instant never ends or aborts after the end of the path, reports its
+    /// evolutions up to the end of the path.
     void report_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();
@@ -153,7 +153,7 @@ private:
     }
 
     void fail(std::size_t instant, const std::string& what) {
-        result_.failure = "instant " + std::to_string(instant + 1) + ": by the rules " + what;
+        result_.failure = "instant " + std::to_string(instant + 1) + ": according to the rules, " + what;
     }
 
     void add_row(std::string what, const Fired& fired) {

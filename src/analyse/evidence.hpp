@@ -12,14 +12,14 @@
 
 namespace grafverif::analysis {
 
-/// Required properties of the evolution at the end of a path.
+/// The required properties of the evolution at the end of a path.
 struct EvolutionRequirement {
     std::vector<Id<Chart::Transition>> fired = {};
     Id<Chart::Variable> race = {};  ///< two actions must store different values in this variable
     bool fault = false;             ///< a value must be undefined or out of range
     bool endless = false;           ///< the instant must never end
     bool settles = false;           ///< the instant must end without being aborted
-    bool ends = true;               ///< print the instant to its end; if false, print only to the end of the path
+    bool ends = true;               ///< true if the instant is printed to its end, false if only to the end of the path
 };
 
 struct WitnessTrace {

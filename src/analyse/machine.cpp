@@ -16,7 +16,7 @@ using Variable = Equations::Variable;
 
 Bdd falsehood() { return Bdd::constant(false); }
 
-/// Returns the points at which `term` has a value outside `type`. Points at which it is undefined are not included.
+/// Returns the points at which `term` has a value outside `type`. Points at which `term` is undefined are not included.
 Bdd outside(const BddTerm& term, Type type) {
     return type.boolean ? falsehood() : ~within(term, type.low, type.high) & ~term.undefined;
 }
@@ -62,7 +62,8 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
 
 // -- the cone ---------------------------------------------------------------------------------------------------------
 
-/// Two passes are sufficient, because firing conditions do not read firing conditions.
+/// Determines the terms that read only variables of the cone. Two passes are sufficient, because firing conditions do
+/// not read firing conditions.
 void Machine::search_inside() {
     std::vector<bool> known(cone_);
     for (const Equations::Firing& firing : equations_.firings) known[firing.variable.index] = false;
@@ -221,8 +222,8 @@ void Machine::add_stored() {
     }
 }
 
-/// Returns the conditions for faults. If two forcing orders conflict (not `obeyed`), the evolution is undefined, and no
-/// further fault is reported for it.
+/// Returns the conditions for faults in the new value of a stored variable. If two forcing orders conflict (outside of
+/// `obeyed`), the evolution is undefined, and no further fault is reported for it.
 Machine::FaultCondition Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
     const Type type = equations_.variables[stored.variable].type;
     const std::optional<Counter>& counter = counters_[stored.variable.index];
@@ -287,8 +288,9 @@ void Machine::add_remembered() {
     for (Next& each : found) keep(std::move(each));
 }
 
-/// No time passes during an evolution. A timer output remains true while its watched level is true; with a fall time,
-/// it may remain true longer. Without a rise time, it becomes true immediately.
+/// Adds the next values of timer outputs. No time passes during an evolution. A timer output remains true while its
+/// watched level is true; with a fall time, it may remain true longer. Without a rise time, it becomes true
+/// immediately.
 void Machine::add_timers() {
     for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;
@@ -371,7 +373,8 @@ Bdd Machine::with_inputs_of(const Bdd& points, const Point& other) const {
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-/// Among clocks without a fall time that watch the same variable, shorter ones expire first.
+/// Removes points with impossible timer outputs: among clocks without a fall time that watch the same variable, clocks
+/// with shorter times expire first.
 Bdd Machine::allowed_ends(const Bdd& points) const {
     Bdd result = points;
     for (const Equations::Timer& longer : clocks_)
@@ -384,9 +387,10 @@ Bdd Machine::allowed_ends(const Bdd& points) const {
     return result;
 }
 
-/// While time passes, the variable that a clock watches is constant. The output becomes true only if the variable is
-/// true, and false only if it is false. With both a rise time and a fall time, an old output may end before a new one
-/// is due.
+/// Returns the points after some time has passed. During this time, the variable that a clock watches is constant. The
+/// output of the clock becomes true only if the variable is true, and false only if the variable is false. If a clock
+/// has both a rise time and a fall time, the output from an earlier rise may end before the current rise time has
+/// elapsed.
 Bdd Machine::sampled(const Bdd& rest) const {
     Bdd result = rest;
     for (const Equations::Timer& clock : clocks_) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Machine: the evolutions of equations as Boolean functions. A point is an assignment to the relevant variables: those
-// that an evolution keeps (steps, stored variables, remembered values, timer outputs) and the inputs, which it reads. A
-// set of points is a Bdd over the bits `before` an evolution. A rest is a set over the kept variables only.
+// Machine: the evolutions of equations as Boolean functions. A point is an assignment to the relevant variables: the
+// kept variables, which are stored between evolutions (steps, stored variables, remembered values, timer outputs), and
+// the inputs. A set of points is a Bdd over the bits `before` an evolution. A *rest* is a set of assignments to the
+// kept variables only.
 //
 // A machine represents one cone (see cones.hpp). Its functions are undefined for elements outside of the cone. A
 // counter may be represented only up to its thresholds (see counters.hpp).
@@ -41,23 +42,24 @@ public:
 
     // -- sets of points --
 
-    /// Returns the points after the first evolution, with its inputs, without those at which it aborts.
+    /// Returns the points after the first evolution, with its inputs, if the evolution does not abort.
     const Bdd& started() const { return started_; }
     /// Returns the inputs with which the first evolution aborts.
     const Bdd& breaks_at_first() const { return breaks_at_first_; }
     /// Returns the possible inputs.
     const Bdd& possible() const { return possible_; }
-    /// Returns those of `points` whose evolution changes only levels that timers watch, or nothing.
+    /// Returns the points in `points` whose evolution changes nothing except levels that timers watch.
     Bdd stable(const Bdd& points) const;
-    /// Returns those of `points` whose evolution does not abort: it has no race, and no value that is undefined or out
-    /// of range.
+    /// Returns the points in `points` whose evolution does not abort: it has no race, and no value that is undefined or
+    /// out of range.
     Bdd unbroken(const Bdd& points) const;
-    /// Returns those of `points` that are not stable and whose evolution does not abort.
+    /// Returns the points in `points` that are not stable and whose evolution does not abort.
     Bdd going_on(const Bdd& points) const;
-    /// Returns those of `points` at which no counter exceeds its represented values, so that the abstraction is exact.
+    /// Returns the points in `points` at which no counter exceeds its represented values, so that the abstraction is
+    /// exact.
     Bdd followed(const Bdd& points) const;
-    /// Returns the rests of `points` at the end of their instant, when watched levels have their final values. Requires
-    /// that the points are stable and that their evolutions do not abort.
+    /// Returns the rest (set of kept values) of `points` at the end of their instant, with the final values of watched
+    /// levels. Requires that the points are stable and that their evolutions do not abort.
     Bdd settled(const Bdd& points) const { return watches_ ? rest(evolved(points)) : rest(points); }
     bool watches() const { return watches_; }
 
@@ -65,17 +67,18 @@ public:
     Bdd evolved(const Bdd& points) const;
     /// Returns rest(evolved(points)) at lower cost.
     Bdd evolved_rest(const Bdd& points) const;
-    /// Returns those of `points` whose evolution leads to the rest of `next`.
+    /// Returns the points in `points` whose evolution leads to the kept values of `next`.
     Bdd origins(const Bdd& points, const Point& next) const;
     /// Returns all points whose evolution leads to a point of `points` with the same inputs. If `points` is a rest,
-    /// they lead to a point with this rest.
+    /// their evolution leads to a point in this rest.
     Bdd origins(const Bdd& points) const { return relation_->preimage(points); }
     Bdd with_inputs_of(const Bdd& points, const Point& other) const;
     /// Returns `points` without their inputs.
     Bdd rest(const Bdd& points) const { return exists(points, inputs_); }
     /// Returns the points that a rest can become after some time, with newly sampled inputs.
     Bdd sampled(const Bdd& rest) const;
-    /// Returns the rests that can become one of `points` after some time, with newly sampled inputs.
+    /// Returns the assignments to kept variables that can become one of `points` after some time, with newly sampled
+    /// inputs.
     Bdd before_time(const Bdd& points) const;
     /// Returns the states of `rest` that can become `next` after some time.
     Bdd origins_in_time(const Bdd& rest, const Point& next) const;
@@ -91,17 +94,17 @@ public:
         /// Faults in the first evolution, as sets of inputs.
         Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};
         Bdd beyond = {};        ///< the points at which a counter exceeds its represented values
-        std::int64_t safe = 0;  ///< number of evolutions for which it remains in its range nevertheless
+        std::int64_t safe = 0;  ///< number of evolutions in which the counter remains in its range
     };
     const std::vector<FaultCondition>& all_breaks() const { return all_breaks_; }
-    /// Returns, per Equations::conflicts, the points at which it aborts the evolution.
+    /// Returns, for each element of Equations::conflicts, the points at which this conflict aborts the evolution.
     const std::vector<Bdd>& conflicts() const { return conflicts_; }
     /// Returns `points` with arbitrary timer outputs.
     Bdd without_ends(const Bdd& points) const;
     /// Returns the points at which the evolution changes the variable. A counter that exceeds its represented values
     /// also changes.
     Bdd changes(Id<Equations::Variable> variable) const;
-    /// True if the variable is part of points.
+    /// True if points contain the variable.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }
     /// Returns the points after an evolution at which a term over the variables has a value other than `value`.
     Bdd differs(Id<Expr> term, std::int64_t value);
@@ -117,7 +120,7 @@ public:
 private:
     struct KeptBit {
         std::uint32_t before = 0;
-        /// The bit after an evolution, and after the first evolution as a function of inputs.
+        /// The value of the bit after an evolution, and after the first evolution as a function of the inputs.
         Bdd next = {}, first = {};
     };
     /// The next value of a kept variable.
@@ -157,20 +160,21 @@ private:
     std::vector<bool> matters_ = {};
     std::vector<std::optional<Counter>> counters_ = {};
     std::int64_t exact_evolutions_ = 0;
-    std::vector<BddWord> words_ = {};                         ///< bits of each variable that is part of points
+    std::vector<BddWord> words_ = {};                         ///< bits of each variable that points contain
     std::vector<std::optional<std::size_t>> firing_of_ = {};  ///< index of the firing condition of each variable
     std::vector<Bdd> fires_ = {}, value_of_step_ = {};
     std::vector<Next> nexts_ = {};
     std::vector<KeptBit> kept_ = {};
     std::optional<bdd::Relation> relation_ = {};
-    /// Variables to quantify: the kept variables; the kept variables and the inputs.
+    /// The variables to quantify: only the kept variables (`kept_gone_`), or the kept variables and the inputs
+    /// (`all_gone_`).
     bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};
     std::vector<FaultCondition> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
-    /// Conjuncts of stability, and conjuncts of the condition that an evolution does not abort.
+    /// The conjuncts of stability, and the conjuncts of the condition that an evolution does not abort.
     std::vector<Bdd> calm_ = {}, sound_ = {};
     std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};
-    Bdd inputs_ = {};  ///< set of the inputs
+    Bdd inputs_ = {};  ///< the inputs as variables to quantify
     Bdd possible_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};
     std::optional<BddTerms> first_terms_ = {};  ///< terms over initial values, for the first evolution

@@ -37,12 +37,12 @@ public:
     }
 
 private:
-    /// Places the variables that `root` reads, from left to right.
+    /// Appends the variables that `root` reads to the order, from left to right.
     void read(Id<Expr> root) {
         reads_.each(root, [&](std::uint32_t variable) { place({variable}); });
     }
 
-    /// Places `id`, followed by the variables that are written when it changes.
+    /// Appends `id` to the order, followed by the variables that are written when `id` changes.
     void place(Id<Variable> id) {
         append(id);
         for (const Id<Variable> written : std::exchange(written_[id.index], {})) append(written);
@@ -56,12 +56,13 @@ private:
     const Equations& equations_;
     Reads reads_;
     std::vector<bool> open_;
-    /// For each variable: the stored variables that its change may write.
+    /// For each variable: the stored variables that may be written when the variable changes.
     std::vector<std::vector<Id<Variable>>> written_;
     std::vector<Id<Variable>> order_ = {};
 };
 
-/// Marks the variables that terms read, through firing conditions and the values of marked variables.
+/// Marks the variables that terms read directly, or indirectly through firing conditions and the values of marked
+/// variables.
 class Marks {
 public:
     explicit Marks(const Equations& equations)
@@ -104,7 +105,7 @@ private:
 /// Shortens the distances in `order` (FORCE). Each variable, together with all variables that its next value reads, is
 /// a hyperedge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
-    // Maximum number of variables; above it, computing the order takes longer than any search can take.
+    // The maximum number of variables. For more variables, this computation would take longer than a search.
     constexpr std::size_t most_variables = 5000;
     if (order.size() > most_variables) return order;
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -140,7 +141,7 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
         while (first[variable] != variable) variable = first[variable] = first[first[variable]];
         return variable;
     };
-    // For each term: an integer variable on which its value depends, or none.
+    // For each term: one integer variable on which its value depends, or none.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {

@@ -8,10 +8,10 @@
 
 namespace grafverif::analysis {
 
-/// Returns the variables that `wanted` marks, each once, the topmost first. The initial order is that of the
-/// transitions in the chart, with each variable at its first read or write. It is then improved with the dependencies
-/// of the next values (FORCE: Aloul, Markov, Sakallah 2003), if that shortens the total distance of related variables.
-/// Integers that one term reads are adjacent, so that their bits can be interleaved.
+/// Returns the variables that `wanted` marks, each once, beginning with the topmost. The initial order follows the
+/// transitions in the chart: each variable is at the position of its first read or write. This order is then improved
+/// with the dependencies of the next values (FORCE: Aloul, Markov, Sakallah 2003), if this reduces the total distance
+/// of related variables. Integers that one term reads are adjacent, so that their bits can be interleaved.
 std::vector<Id<Equations::Variable>> variable_order(const Equations& equations, const std::vector<bool>& wanted);
 
 /// Returns groups of integers that are compared or combined with each other: for each variable, the first variable of
@@ -19,8 +19,8 @@ std::vector<Id<Equations::Variable>> variable_order(const Equations& equations, 
 std::vector<std::uint32_t> integer_groups(const Equations& equations);
 
 /// Marks the variables on which evolutions depend. These are the variables that firing conditions, stability, races,
-/// faults and outputs read, and transitively those that the values of stored variables among them read. Steps are
-/// always marked.
+/// faults and outputs read, and transitively the variables that determine the values of marked stored variables. Steps
+/// are always marked.
 std::vector<bool> variables_that_matter(const Equations& equations);
 
 }  // namespace grafverif::analysis

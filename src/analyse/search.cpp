@@ -27,8 +27,8 @@ void PathSearch::first_instant() {
     instants_.push_back({0, 0, rested_});
 }
 
-/// Starts an instant. Under stability search it continues with the points that are not stable; in every_cycle mode it
-/// is complete.
+/// Adds the instant that begins with `points`. Under stability search, the instant contains further evolutions from all
+/// points that are not stable; in every_cycle mode, it contains one evolution.
 void PathSearch::make_instant(Bdd points) {
     Instant made{rings_.each.size(), 0, {}};
     Bdd ended, fresh;
@@ -59,8 +59,8 @@ Bdd PathSearch::first() const {
     return all;
 }
 
-/// Evolutions with constant inputs are a function. Since the number of points is finite, an infinite path of a function
-/// reaches a cycle. All points of a cycle are reached in one instant.
+/// An evolution with constant inputs is a function. Since the number of points is finite, an infinite path reaches a
+/// cycle. All points of a cycle are reached in the same instant.
 Bdd PathSearch::endless(const Bdd& within) const {
     if (mode_ == ExecutionMode::EveryCycle) return {};
     Bdd now = within;
@@ -71,7 +71,8 @@ Bdd PathSearch::endless(const Bdd& within) const {
     return now;
 }
 
-/// Returns a path within an instant, traced back from `last` in ring `ring` to the first ring.
+/// Returns a path within an instant, which ends in `last`. The path is constructed backwards from ring `ring` to the
+/// first ring.
 std::vector<Point> PathSearch::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
     return bdd::path_back(ring - instant.first, last, [&](std::size_t before, const Point& next) {
         const Bdd going_on = machine_.going_on(rings_.each[instant.first + before]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search of all points, instant by instant, and of shortest paths to them.
+// Breadth-first search of all points, one instant after another, and of shortest paths to them.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@
 namespace grafverif::analysis {
 
 /// One instant of all runs together. It consists of the new points, in rings by the number of evolutions before them,
-/// and of the new rests at its end. In every_cycle mode the first instant has no points: it is only the first
-/// evolution.
+/// and of the new rests at the end of the instant. In every_cycle mode, the first instant has no points, because it
+/// consists only of the first evolution.
 struct Instant {
-    std::size_t first = 0, end = 0;  ///< its rings are the range [first, end)
+    std::size_t first = 0, end = 0;  ///< range [first, end) of the rings of this instant
     Bdd rest = {};
 };
 
@@ -27,30 +27,30 @@ Bdd widened(const Bdd& fresh, const Bdd& known);
 
 /// A run to a point.
 struct Path {
-    /// Points of each instant, each before an evolution; the last is the end of the path. In the first instant, the
-    /// first evolution comes before its points. In every_cycle mode, the first evolution is the complete first instant,
-    /// whose point contains only the inputs.
+    /// The points of each instant, each before an evolution; the last point is the end of the path. In the first
+    /// instant, the first evolution precedes all points. In every_cycle mode, the first evolution is the complete first
+    /// instant, whose point contains only the inputs.
     std::vector<std::vector<Point>> instants = {};
     bool at_first = false;  ///< true if the path ends before the first evolution: its only point contains the inputs
 };
 
 class PathSearch {
 public:
-    /// If `landings` is true, the points directly after evolutions are collected.
+    /// If `landings` is true, the search also collects the points directly after evolutions.
     PathSearch(const Machine& machine, ExecutionMode mode, bool landings = true)
         : machine_(machine), mode_(mode), lands_(landings) {}
 
     /// True if all points are found.
     bool done() const { return !instants_.empty() && instants_.back().rest.is_false(); }
-    /// Finds the points of one more instant. May throw BddExhausted; the points found so far are kept.
+    /// Finds the points of the next instant. May throw BddExhausted; the points that are already found are kept.
     void next();
 
     const std::vector<Instant>& instants() const { return instants_; }
-    /// Returns the points found since the last call of forget_fresh().
+    /// Returns the points that were found since the last call of forget_fresh().
     const Bdd& fresh() const { return fresh_; }
     void forget_fresh() { fresh_ = {}; }
-    /// For stability search: returns those of `within` from which an instant continues forever in `within`. `within`
-    /// consists of new points that are not stable.
+    /// For stability search: returns the points in `within` from which an instant continues forever in `within`.
+    /// `within` consists of new points that are not stable.
     Bdd endless(const Bdd& within) const;
     /// Returns an upper bound of the number of evolutions in a run to the end of the last instant.
     std::int64_t evolutions() const { return evolutions_; }
@@ -61,7 +61,7 @@ public:
     const std::vector<Bdd>& rings() const { return rings_.each; }
     /// Returns the points of the first instant.
     Bdd first() const;
-    /// Returns those of `goal` with the smallest distance. A shortest path leads to one of them.
+    /// Returns the points in `goal` with the smallest distance. A shortest path leads to one of them.
     Bdd nearest(const Bdd& goal) const;
     /// Returns a shortest path to a point of `goal`, or nothing if there is none.
     std::optional<Path> path_to(const Bdd& goal) const;
@@ -70,7 +70,7 @@ private:
     void first_instant();
     void make_instant(Bdd points);
     std::vector<Point> back_through(const Instant& instant, std::size_t ring, const Point& last) const;
-    /// Returns the last point of `instant`, with its ring, from which the instant ends in the state of `next`.
+    /// Returns the last point of `instant`, with its ring, such that the instant ends with the kept values of `next`.
     std::optional<std::pair<std::size_t, Point>> end_of(const Instant& instant, const Point& next) const;
 
     const Machine& machine_;

@@ -31,8 +31,8 @@ std::vector<bool> variables_read(const Equations& equations) {
 }
 
 std::vector<std::vector<OrderId>> forcing_cycles(const Chart& chart) {
-    // Depth-first search from each forcing order along orders with greater ids. It finds each cycle once, starting at
-    // its least order.
+    // Depth-first search from each forcing order along orders with greater ids. The search finds each cycle once,
+    // starting at the order with the least id.
     std::vector<std::vector<OrderId>> found;
     const auto next_of = [&](OrderId order) {
         std::vector<OrderId> next;
@@ -66,7 +66,7 @@ std::vector<std::pair<OrderId, Id<Chart::Step>>> orders_on_enclosed(const Chart&
     std::vector<std::pair<OrderId, Id<Chart::Step>>> found;
     for (const OrderId order : chart.forcing.ids()) {
         Id<Chart::PartialChart> partial = chart.forcing[order].forced;
-        std::set<std::uint32_t> seen;  // ends the traversal at a cycle of enclosures
+        std::set<std::uint32_t> seen;  // a cycle of enclosures ends the traversal
         while (partial.valid() && seen.insert(partial.index).second) {
             const Chart::PartialChart& here = chart.partial_charts[partial];
             if (!here.owner.valid()) break;

@@ -31,8 +31,8 @@ Bdd TerminalRegions::before(const Bdd& points) const {
     return (going_on_ & machine_.origins(points)) | (ends_ & (machine_.watches() ? machine_.origins(rest) : rest));
 }
 
-/// Adds to `all` the points that `step` reaches from `fresh` within an instant. The sets remain small, because they are
-/// computed instant by instant.
+/// Adds to `all` the points that `step` reaches from `fresh` within an instant. The sets remain small, because each
+/// instant is computed separately.
 template <class Step>
 Bdd TerminalRegions::instant_of(Bdd fresh, Bdd& all, const Step& step) const {
     if (mode_ == ExecutionMode::EveryCycle) return fresh;
@@ -70,9 +70,9 @@ std::vector<Bdd> TerminalRegions::rings_from(const Bdd& points) const {
     return rings;
 }
 
-/// Most charts return to their initial situation. Suppose that each rest of the first instant leads to every other one,
-/// and that all points lead to one of them. Then all points after that instant form one region, and no forward search
-/// is necessary.
+/// A single region is frequent, because most charts return to their initial situation. If each rest of the first
+/// instant leads to every other one, and all points lead to one of them, all points after this instant form one region.
+/// Then no forward search is necessary.
 std::optional<Bdd> TerminalRegions::home(const Bdd& among) const {
     Bdd starts = first_ & ends_;
     if (mode_ == ExecutionMode::EveryCycle || starts.is_false()) return {};
@@ -91,9 +91,9 @@ std::optional<Bdd> TerminalRegions::home(const Bdd& among) const {
     return all;
 }
 
-/// Terminal regions contain points that were found late. The search continues from such a point. If some of its
-/// successors do not lead back to it, they are nearer to a terminal region; the successor found last is most likely in
-/// one.
+/// Points that were found late are more likely to be in a terminal region. Therefore, the search starts from such a
+/// point. If some of its successors do not lead back to it, the search continues from the successor that was found
+/// last.
 std::vector<Bdd> TerminalRegions::regions(Bdd among, std::size_t most) const {
     if (among == reached_)
         if (const auto only = home(among)) return {*only};

@@ -3,8 +3,8 @@
 // regions. A terminal region is a set of points that no run leaves and in which each point is reachable from every
 // other one.
 //
-// An evolution that aborts has no successor, so that its point would be a separate region. Therefore regions are
-// determined among the points from which no run aborts.
+// An evolution that aborts has no successor, so that its point would be a separate region. Therefore, regions are
+// determined only among the points from which no run aborts.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,11 @@ public:
     TerminalRegions(const Machine& machine, ExecutionMode mode, const PathSearch& search);
 
     const Bdd& reached() const { return reached_; }
-    /// Returns the points at which an instant ends: stable points, or all points in every_cycle mode, without those
-    /// whose evolution aborts.
+    /// Returns the points at which an instant ends: stable points, or all points in every_cycle mode. Points whose
+    /// evolution aborts are not included.
     const Bdd& ends() const { return ends_; }
-    /// Returns the successors of `points` by one evolution, or by time and new inputs after it.
+    /// Returns the successors of `points`: the points after one evolution and, at the end of an instant, after some
+    /// time with newly sampled inputs.
     Bdd after(const Bdd& points) const;
     /// Returns the predecessors of `points`.
     Bdd before(const Bdd& points) const;
@@ -33,24 +34,25 @@ public:
     /// Returns the points from which `points` is reachable, including `points`.
     Bdd to(const Bdd& points) const;
     /// Returns at most `most` terminal regions of runs from `among`. No run may leave `among`. If the result has fewer
-    /// than `most`, these are all.
+    /// than `most` regions, it is complete.
     std::vector<Bdd> regions(Bdd among, std::size_t most) const;
-    /// Returns those of `within` from which a run stays in `within` and visits `often` infinitely often. No run may
-    /// enter `within` again after leaving it.
+    /// Returns the points in `within` from which a run stays in `within` and visits `often` infinitely often. No run
+    /// may enter `within` again after leaving it.
     Bdd recurring(Bdd within, const Bdd& often) const;
 
 private:
-    /// Returns the only terminal region of runs from `among`, if it contains all points after the first instant.
+    /// Returns the terminal region of runs from `among` if there is only one and it contains all points after the first
+    /// instant.
     std::optional<Bdd> home(const Bdd& among) const;
     template <class Step>
     Bdd instant_of(Bdd fresh, Bdd& all, const Step& step) const;
-    /// Returns the new points of each instant, followed by the set of all of them.
+    /// Returns the new points of each instant, followed by the set of all these points.
     std::vector<Bdd> rings_from(const Bdd& points) const;
 
     const Machine& machine_;
     ExecutionMode mode_;
     Bdd reached_, first_, going_on_, ends_;
-    const std::vector<Bdd>& found_;  ///< reached points, the nearest first
+    const std::vector<Bdd>& found_;  ///< reached points, in order of increasing distance
 };
 
 }  // namespace grafverif::analysis

@@ -72,7 +72,8 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
 
 namespace {
 
-/// Returns the element called `wanted`, or the only one. Otherwise an error that names the candidates is added.
+/// Returns the element with the name `wanted`; without a name, the only element of the table. If there is no such
+/// element, adds an error that lists the candidates.
 template <class T>
 std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::string>& wanted, std::string_view kind,
                             std::string_view option, CommandContext& job) {
@@ -87,8 +88,8 @@ std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::stri
     return {};
 }
 
-/// True if the loop has all constants that are set. With `--all`, it is sufficient that some loop has each constant
-/// (see read_text).
+/// True if the loop declares every constant that `--set` names. With `--all`, each constant must exist in at least one
+/// loop, which read_text checks.
 bool has_constants_set(const ClosedLoop& loop, CommandContext& job) {
     if (job.options.all) return true;
     std::vector<std::string> known;
@@ -135,7 +136,7 @@ std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job) {
 
 namespace {
 
-/// True for `3` or `G1.3`, with or without the X of the step variable.
+/// True if `name` denotes the step: `3` or `G1.3`, with or without the `X` of the step variable.
 bool is_called(const Chart& chart, Id<Chart::Step> step, std::string_view name) {
     const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
     const std::string& own = chart.steps[step].name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Context of one execution of a command. It translates the options to calls of the pipeline for all commands. Each
-// function returns one result, or an empty result after adding an error to the diagnostics of the context.
+// Context of one execution of a command. It translates the options to calls of the pipeline for all commands. A
+// function that returns an empty optional has added an error to the diagnostics of the context.
 #pragma once
 
 #include <iosfwd>
@@ -28,7 +28,7 @@ struct InputFile {
     std::string path = {}, identity = {};
 };
 
-/// A file to be written, and the way in which it is written.
+/// A file to be written, and the description of its content in the list of written files.
 struct Product {
     OutputFile file = {};
     std::string use = {};
@@ -43,19 +43,19 @@ struct CommandContext {
     Diagnostics diagnostics = {};
     std::string closing = {};    ///< text printed to standard output after the diagnostics, so that users read it last
     std::istream* in = nullptr;  ///< standard input, used for `-`
-    std::vector<InputFile> inputs = {};  ///< files of the complete invocation
-    std::vector<Product> products = {};  ///< outputs of a command that writes the results of all its files together
+    std::vector<InputFile> inputs = {};  ///< input files of the complete invocation
+    std::vector<Product> products = {};  ///< outputs of a command that writes the results of all input files as one set
     bool depfile_written = false;
     FileWatcher* watch = nullptr;  ///< records every file before it is read
-    /// Reports on all files of the invocation; never null during the execution of a command.
+    /// Report files of the invocation, which cover all its input files; never null during the execution of a command.
     Reports* reports = nullptr;
 };
 
 /// Returns the colour mode of output to `screen`, according to `--color`.
 Colour colour_on(const Screen& screen, const Options& options);
 
-/// Applies the limits to the work of the command while the object exists, including Ctrl-C. Also shows a progress line
-/// on the terminal.
+/// Applies the limits of time and memory, and Ctrl-C, to the command while the object exists. Also shows a progress
+/// line on the terminal.
 class ResourceLimits {
 public:
     ResourceLimits(const Options& options, const Streams& streams);
@@ -71,21 +71,21 @@ private:
     Limits limits_;
 };
 
-/// Returns the text of the file at `path` as a source of the context; `-` is standard input. Only for this function may
-/// the file be a pipe: standard input, or an inherited descriptor (`/dev/fd/3`).
+/// Returns the text of the file at `path` as a source of the context; `-` is standard input. The file may be a pipe:
+/// standard input, or an inherited descriptor (`/dev/fd/3`). No other function that reads files accepts a pipe.
 std::optional<Id<Source>> read_source(const std::string& path, CommandContext& job);
 
-/// Reads the text at `path` to a Model.
+/// Reads and parses the file at `path`, and returns its Model.
 std::optional<Model> read_model(const std::string& path, CommandContext& job);
 /// Reads `file`, which read_source has returned for `path`, to a Model.
 std::optional<Model> read_model(Id<Source> file, const std::string& path, CommandContext& job);
 
 /// True if the options select a chart without a loop, or `model` has no loop.
 bool is_of_a_chart(const Model& model, const Options& options);
-/// Return the loop or chart that the options name, or the only one.
+/// Return the loop or chart that the options select; by default, the only one of the model.
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, CommandContext& job);
-/// If `--property` is given, keeps only the properties that it names. Returns false after an error: there is no such
-/// property.
+/// If `--property` is given, keeps only the properties that it names. Returns false after an error: one of the
+/// properties does not exist.
 bool keep_requested(ClosedLoop& loop, CommandContext& job);
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job);
 
@@ -96,7 +96,7 @@ std::vector<Id<Chart::Step>> named_steps(const Chart& chart, std::string_view li
 
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandContext& job);
 ModelOptions model_options(const Options& options);
-/// Returns the form selected by `--format`: PLCopen XML unless text is requested.
+/// Returns the output format selected by `--format`; the default is PLCopen XML.
 structured_text::Form structured_text_form(const Options& options);
 ConformOptions conform_options(const Options& options, const Limits& limits = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The commands of the command line. Each reads job.options, adds its diagnostics to job.diagnostics, which the caller
-// renders, and writes its result to streams.out or to files.
+// The commands of the command line. Each command reads job.options, adds diagnostics to job.diagnostics, and writes its
+// result to streams.out or to files. The caller prints the diagnostics.
 #pragma once
 
 #include "app/command_context.hpp"
@@ -70,7 +70,7 @@ CliCommand test_usage();
 CliCommand manual_usage();
 CliCommand completion_usage();
 
-/// For `build`, after its results are written: appends a list of them to the closing text.
+/// Appends a list of the written files to the closing text. `build` calls it after it has written its results.
 void list_products(CommandContext& job);
 
 /// Writes `content` to the file given by `-o`, or to standard output by default.

@@ -24,7 +24,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Runs the timed engine that the options select; empty after an error.
+/// Runs the timed engine that the options select. Returns nothing after an error.
 std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, CommandContext& job,
                                    const CheckOptions& options) {
     const auto network = network_of(model, id, job);
@@ -73,7 +73,8 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
             answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
 }
 
-/// Returns the properties that must be decided if single steps of them are selected (`S.X7`).
+/// Returns the requested properties. A name such as `S.X7`, which selects the result for one step, is replaced by the
+/// name of the property, `S`.
 std::vector<std::string> complete_properties(std::vector<std::string> requested) {
     for (std::string& name : requested) name.resize(std::min(name.size(), name.find('.')));
     return requested;
@@ -133,7 +134,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     const auto begin = std::chrono::steady_clock::now();
     const auto reserved = trial_time(of_chart ? Deadline{} : deadline);
     if (deadline) options.limits.deadline = *deadline - reserved;
-    // Half of the time is for the dependencies of the proofs.
+    // With --why, half of the time limit is reserved for the dependencies of the proofs.
     CheckOptions of_check = options;
     if (job.options.why) of_check.limits.deadline = share_of(options.limits.deadline, 2);
     Decided decided;

@@ -14,14 +14,14 @@ namespace grafverif::app {
 
 struct Decided {
     Report report = {};
-    std::vector<Trial> trials = {};  ///< of remedies, if a limit ended the check
-    Id<ClosedLoop> loop = {};        ///< invalid for a chart without a loop
-    Id<Chart> chart = {};            ///< valid only for a chart without a loop
+    std::vector<Trial> trials = {};  ///< trials of remedies, if a limit ended the check
+    Id<ClosedLoop> loop = {};  ///< the loop; invalid for a chart without a loop
+    Id<Chart> chart = {};      ///< the chart, if it was checked without a loop; otherwise invalid
     bool timed = false;
     std::optional<ProofExplanation> why = {};  ///< proof explanation of a loop, if requested
 };
-/// Decides the properties; empty after an error. If `witnesses`, runs of properties that hold are also returned. For a
-/// chart without a loop, a notice is first written to `streams`.
+/// Decides the properties. Returns nothing after an error. If `witnesses` is true, runs of properties that hold are
+/// also returned. For a chart without a loop, a note is first written to `streams`.
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
                               const Streams& streams);
 

@@ -12,8 +12,9 @@ namespace grafverif::app {
 
 namespace {
 
-/// Rules by which a reader parses names. They list the characters that a backslash escapes, those of them before which
-/// backslashes are doubled, and the characters that a name cannot contain, begin with or end with.
+/// Rules by which a reader of depfiles parses file names. A backslash must escape the characters in `escaped`.
+/// Backslashes before the characters in `doubling` must be doubled. A name cannot contain, begin with, or end with the
+/// characters in `never`, `never_first` and `never_last`.
 struct Rules {
     std::string_view escaped, doubling, never, never_first, never_last;
 };
@@ -21,7 +22,8 @@ struct Rules {
 constexpr Rules rules_of(DepfileSide side, DepfileReader reader) {
     const bool result = side == DepfileSide::Result;
     switch (reader) {
-    // Includes patterns, order-only files, wildcards (whose backslash is kept), groups and archives.
+    // These rules also exclude or escape the characters of patterns, order-only prerequisites, wildcards (Make keeps a
+    // backslash before a wildcard), grouped targets and archives.
     case DepfileReader::Make:
         return result ? Rules{" #:%", " #:%", "*?[\t;=", "~", "&)"} : Rules{" \t#:|", " \t#:|", "*?[;=", "~", " \t\\)"};
     case DepfileReader::Ninja: return {" #:", " ", "\t\"&'*;<>?^`|", "", ":\\"};
@@ -50,7 +52,7 @@ std::optional<std::string> depfile_name(std::string_view name, DepfileSide side,
     for (const char c : name) {
         if (rules.escaped.find(c) != rules.escaped.npos)
             text.append(rules.doubling.find(c) != rules.doubling.npos ? backslashes + 1 : 1, '\\');
-        // In this position `\$` is literal.
+        // After a backslash, Ninja treats `$` as a literal character.
         if (c == '$' && !(reader == DepfileReader::Ninja && backslashes > 0)) text += '$';
         text += c;
         backslashes = c == '\\' ? backslashes + 1 : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Depfile: lists the files from which a result was made, in the form that Make, Ninja and CMake read: `RESULT...:
-// FILE...`. An empty rule for each file follows, so that a deleted file causes the result to be rebuilt instead of
-// stopping the build.
+// Depfile: lists the input files of a result in the form that Make, Ninja and CMake read: `RESULT...: FILE...`. An
+// empty rule for each file follows, so that a deleted file causes the result to be rebuilt instead of stopping the
+// build.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ namespace grafverif::app {
 enum class DepfileSide { Result, File };
 
 /// Returns `name` in the form that `reader` (GNU make 4.3, Ninja 1.11, CMake 3.25 and later versions) expects on that
-/// side; empty if the reader cannot represent the name.
+/// side of the colon; empty if the reader cannot represent the name.
 std::optional<std::string> depfile_name(std::string_view name, DepfileSide side, DepfileReader reader);
 
 /// Returns the text of a depfile. Requires names that `reader` can represent.
 std::string depfile_text(const std::vector<std::string>& results, const std::vector<std::string>& files,
                          DepfileReader reader);
 
-/// Returns the depfile that the options request, with the files read so far, at most once per context. The result is
-/// empty if none is requested, if no result was made, or after an error.
+/// Returns the depfile that the options request, with the files read so far, at most once per context. The returned
+/// value is empty if no depfile is requested, if the command has no result, or after an error.
 std::optional<OutputFile> depfile_of(const std::vector<OutputFile>& made, CommandContext& job);
 
 }  // namespace grafverif::app

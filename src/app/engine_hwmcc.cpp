@@ -26,7 +26,7 @@ constexpr const char *model_file = "model.aig", *witness_file = "witness", *inva
     throw Undecided{UnknownReason::Disagrees, std::string(word(UnknownReason::Disagrees)) + ": " + why};
 }
 
-/// One query, in a separate temporary folder.
+/// A query to an external program, in a separate temporary folder.
 class HwmccQuery {
 public:
     HwmccQuery(const Circuit& circuit, Gates::Literal bad, const pdr::LimitMonitor& watch,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// External engines, which are searched for on the PATH. A result is empty after an error: the program was not found.
+// External engines, which are searched for on the PATH. If the program is not found, a function adds an error and
+// returns an empty result.
 #pragma once
 
 #include <atomic>

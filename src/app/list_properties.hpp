@@ -6,9 +6,10 @@
 
 namespace grafverif::app {
 
-/// Prints one line per property of the selected loop; of every loop if none is selected; of every chart if there is no
-/// loop. A line consists of file, loop and property, separated by tabs. A loop without properties, and a chart, has a
-/// line without a property. As JSON and as JSON lines, an entry is
+/// Prints one line for each property of the selected loop; by default, of every loop. A line consists of file, loop and
+/// property, separated by tabs. A loop without properties has one line without a property. If a chart is selected,
+/// prints one line without a property for it; if the file has no loop, prints such a line for every chart. As JSON and
+/// as JSON lines, an entry is
 /// `{"file","line","column","model","kind":"loop|chart","property","text","expected"}`.
 ExitCode list_properties(const Model& model, CommandContext& job, const Streams& streams);
 

@@ -43,7 +43,7 @@ int main(int count, char** values) {
         }
         return static_cast<int>(code);
     } catch (const std::bad_alloc&) {
-        std::cerr << "error: the system gives no more memory [out-of-memory]\n";
+        std::cerr << "error: out of memory: the system refused an allocation [out-of-memory]\n";
         return static_cast<int>(ExitCode::Unknown);
     } catch (const std::exception& failure) {
         std::cerr << "grafverif: internal error: " << grafverif::printable(failure.what()) << '\n';

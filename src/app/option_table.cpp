@@ -25,8 +25,7 @@ struct Choice {
     T value = {};
 };
 
-// -- types of options: `place` is a member of Options, or a function that returns one
-// ------------------------------------
+// -- types of options (`place`: a member of Options, or a function that returns a member) -----------------------------
 
 template <class Place>
 Option toggle(OptionGroup accepts, const char* name, Place place, const char* help) {
@@ -89,7 +88,7 @@ Option choice(OptionGroup accepts, const char* name, std::vector<Choice<T>> choi
 }
 
 /// Returns an option for a whole number, which is multiplied by the factor of its suffix. `suffixes` are the accepted
-/// suffixes, starting with the usual one. One suffix is required.
+/// suffixes, starting with the usual one. The value must have one of these suffixes.
 template <class Place>
 Option number(OptionGroup accepts, const char* name, const char* value, std::vector<Choice<std::uint64_t>> suffixes,
               Place place, const char* help) {

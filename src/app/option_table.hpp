@@ -10,16 +10,17 @@
 
 namespace grafverif::app {
 
-/// An option of the commands that accept its group.
+/// An option. A command accepts it if the command accepts the group of the option.
 struct Option {
     OptionGroup accepts = OptionGroup::Always;
-    std::string name = {};   ///< name with its letter, if any: `output,o`
+    std::string name = {};   ///< long name and, if any, short name: `output,o`
     std::string value = {};  ///< placeholder of its value in the help; empty for a switch, which has no value
     std::string help = {};   ///< help text; if empty, the help does not show the option
     /// Stores the given values, or the fact that the option was given. Returns an error message or an empty string.
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};
     bool repeated = false;
-    bool is_command = false;  ///< accepted only as a separate word, because `--NAME=COMMAND` may be the name of a file
+    /// True: the value must be a separate argument, because a file may have the name `--NAME=COMMAND`.
+    bool is_command = false;
     std::string former = {};  ///< deprecated name, which is accepted with a warning; may be empty
 
     std::string long_name() const { return name.substr(0, name.find(',')); }

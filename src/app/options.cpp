@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parses the command line of a command with its rows of the option table, then validates combinations of options.
+// Parses the command line of a command, as defined by its rows of the option table. Then validates combinations of
+// options.
 #include "app/options.hpp"
 
 #include <fmt/format.h>
@@ -46,8 +47,7 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
     return {};
 }
 
-// -- combinations of options
-// ---------------------------------------------------------------------------------------------
+// -- combinations of options ------------------------------------------------------------------------------------------
 
 /// Validates the engine. `modelled` is true if an option of untimed models was given.
 std::string validate_engine(bool modelled, const po::variables_map& values, Options& options) {
@@ -70,7 +70,7 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
         return fmt::format(
             "`--engine {}` checks only closed loops; remove `--engine` to check the chart (`--chart`) untimed",
             values["engine"].as<std::string>());
-    // Either type of model is possible.
+    // True if the engine can check timed and untimed models.
     const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--stats` is supported only by the embedded timed engine; remove `--stats` or the engine";
@@ -84,8 +84,8 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
     return {};
 }
 
-/// Requires that a command is a separate word. Shell patterns expand operands to names of files, and such a name must
-/// not run a command.
+/// Checks that the value of an option that runs a command is a separate argument. Returns an error message otherwise.
+/// Shell patterns expand operands to names of files, and such a name must not run a command.
 std::string adjacent_command(const std::vector<po::option>& given, const std::vector<Option>& known) {
     for (const po::option& one : given)
         for (const Option& option : known)
@@ -176,7 +176,7 @@ ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string>
     if (options.help) return {options, {}, former_names};
     options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, OptionGroup::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
-    if (options.format == Format::Sarif) {  // SARIF is one of the reports, with a separate option for its file name
+    if (options.format == Format::Sarif) {  // `--format sarif -o FILE` is equivalent to `--sarif FILE`
         options.sarif = options.output.value_or("-");
         options.output.reset();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line of every command: one set of options, from which each command selects those that it accepts.
+// Options of all commands. Every command accepts a subset of them.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ enum class Engine {
     Hwmcc,
     Nusmv,
     Nuxmv
-};  ///< Embedded: Timed, for untimed models Symbolic; Auto: Timed, for untimed models several in parallel
+};  ///< Embedded, Auto: Timed for timed models; for untimed models, Symbolic or several engines in parallel
 /// Elements that `supervise` may disable.
 enum class Held { Both, Transitions, Outputs };
 /// Program that reads a depfile.
@@ -54,7 +54,7 @@ struct Options {
     bool create = false;                     ///< true: create missing output folders
     std::optional<std::string> depfile = {}, depfile_target = {};
     std::optional<DepfileReader> depfile_reader = {};  ///< reader of the depfile; default: Make
-    bool all = false;                                  ///< true: all loops, or charts, of a file
+    bool all = false;                                  ///< true: process all loops or charts of a file
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
     std::optional<std::string> other_chart = {};      ///< option of `compare`
@@ -67,12 +67,12 @@ struct Options {
     std::string stop_output = {};                                   ///< option of `compare`
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
-    ScheduleOptions untimed = {};             ///< options of untimed models; `mode` above replaces its mode
-    std::optional<PlantApproach> plant = {};  ///< plant of untimed models, as requested
+    ScheduleOptions untimed = {};             ///< options of untimed models; its member `mode` is not used
+    std::optional<PlantApproach> plant = {};  ///< value of `--plant`, the plant of untimed models
     Target target = Target::Both;
     std::optional<bool> binary = {};  ///< option of `aiger`; if empty, it depends on the name of the output
     Clock clock = Clock::Simulated;
-    Format format = Format::Text;  ///< format; Csv only for `testgen`
+    Format format = Format::Text;  ///< output format; Csv is only for `testgen`
     TestCover cover = TestCover::Transitions;
     bool one_cycle_each = false;  ///< true for `--hold one`
     bool minimise = false;
@@ -84,7 +84,7 @@ struct Options {
     bool quiet = false;
     bool lossy = false;                             ///< true: omit constructs of other formats that cannot be imported
     std::vector<std::string> include_folders = {};  ///< values of -I
-    std::map<std::string, std::string> constants = {};  ///< values of --set: values of constants of loops
+    std::map<std::string, std::string> constants = {};  ///< values of --set: constants of loops by name
     bool verbose = false;
     bool stats = false;
     bool why = false;  ///< option of `check`
@@ -93,12 +93,13 @@ struct Options {
     std::vector<std::string> properties = {};       ///< option of `check`: names of properties; all if empty
     std::optional<std::string> property_file = {};  ///< option of `check`: if present, the operands are PLC programs
     std::string marked = {};                        ///< option of `supervise`: a term
-    Held held = Held::Both;                         ///< option of `supervise`: the elements that get conditions
+    /// Option of `supervise`: the elements to which conditions are added.
+    Held held = Held::Both;
     Engine engine = Engine::Embedded;
     bool whole = false;               ///< true: do not decide independent subsystems or fragments separately
     unsigned jobs = 0;                ///< number of threads; 0 selects one per core
     std::string engine_command = {};  ///< command for Engine::Hwmcc
-    bool check_untimed = false;       ///< true for --untimed, or an engine without time
+    bool check_untimed = false;       ///< true: check untimed models
     Ablations without = {};           ///< corrections of the method that are disabled
     std::vector<std::string> disabled_corrections = {};  ///< names of the disabled corrections
     std::optional<std::uint64_t> max_states = {};
@@ -110,19 +111,19 @@ struct Options {
     bool list = false;                                           ///< option of `check`: list the properties
     std::optional<std::string> state_file = {}, survivors = {};  ///< options of `mutate`
     std::optional<std::uint64_t> limit = {},
-                                 /// Options of `mutate`: number of mutants; time limit for each.
+                                 /// Options of `mutate`: maximum number of mutants; time limit for each mutant.
         mutant_timeout_ms = {};
     std::uint64_t seed = 1;  ///< option of `mutate`
     std::string date = {};   ///< option of `report`: the displayed date
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    EventRange events = {};    ///< events of the trace in the timing diagram
+    EventRange events = {};    ///< range of events that the timing diagram shows
     std::string against = {};  ///< option of `test`: the command that runs the controller under test
     /// Option of `test`: the table to run; generated from the chart if empty.
     std::optional<std::string> sequence = {};
     std::optional<std::uint64_t> response_timeout_ms =
         {};                                            ///< `test`: limit for one response; `serve`: limit for one check
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
-    std::uint64_t max_evolutions = 1000;               ///< option of `st`; must fit into 32 bits
+    std::uint64_t max_evolutions = 1000;               ///< option of `st`; at most 32 bits
     std::optional<std::string> script = {};            ///< option of `simulate`
     std::optional<std::string> exclusions = {};        ///< option of `analyse`
     std::optional<std::uint64_t> random_seed = {};
@@ -165,12 +166,12 @@ struct NamedPath {
     std::string path = {};
     PathUse use = PathUse::Written;
 };
-/// Returns the paths that `options` name, in the order of the list.
+/// Returns the paths that `options` contain, in the order of `path_options`.
 std::vector<NamedPath> named_paths(const Options& options);
 
 /// The groups of options that a command may accept, in addition to those that all commands accept. File: commands that
-/// read a file; Timeout: commands without another time limit; Writes: commands that may write files; Command: a command
-/// that runs another command, and to which all following arguments belong.
+/// read a file; Timeout: commands without another time limit; Writes: commands that may write files; Command: commands
+/// that run another command and pass all arguments after its name to it.
 enum class OptionGroup {
     Always,
     File,
@@ -219,7 +220,7 @@ enum class OptionGroup {
     Command
 };
 
-/// Operand count of a command that processes several files sequentially.
+/// Maximum number of operands of a command that processes any number of files sequentially.
 inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 struct CliCommand {
@@ -237,7 +238,7 @@ struct FormerName {
     std::string former = {}, name = {};
 };
 
-/// The options in `arguments`, which do not include the command's name, or an error message.
+/// The result of parsing the arguments after the command's name: the options, or an error message.
 struct ParsedOptions {
     std::optional<Options> options = {};
     std::string error_text = {};

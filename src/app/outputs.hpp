@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks the outputs of a command against its inputs and against each other: no file may be both input and output, and
-// no two outputs may be one file. Paths that the options name are checked before any work begins.
+// Checks that no file is both input and output of a command, and that no two outputs are the same file. Paths that the
+// options name are checked before any work begins.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ bool names_output(const std::string& path);
 /// True if a report or similar document is written to standard output, so that other messages must be written
 /// elsewhere.
 bool reports_on_output(const Options& options);
-/// True if files must be written even if the reader of standard output has gone.
+/// True if files must be written even if the reader of standard output has closed the pipe.
 bool writes_files(const Options& options);
 
 /// Checks that the options name distinct files as outputs. Returns false after an error.

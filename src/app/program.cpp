@@ -120,7 +120,8 @@ WatchdogOptions orders(const CommandContext& job, const Streams& streams) {
     return orders;
 }
 
-/// True for errors that a limit of this run causes, and not its input. With another limit they may not occur.
+/// True for an error that is caused by a limit of this run, not by the input. The error may not occur with a higher
+/// limit.
 bool about_bounds(const Diagnostic& diagnostic) {
     return diagnostic.code == "stopped" || diagnostic.code == "out-of-memory" || diagnostic.code == "threads-refused" ||
            diagnostic.code == "bound-reached";
@@ -191,7 +192,7 @@ private:
         job_.closing.clear();
     }
 
-    /// Executes `work` and reports exceptions of the system like any other error.
+    /// Executes `work`, and reports std::bad_alloc and std::system_error as diagnostics.
     template <class Work>
     ExitCode attempt(const Work& work) {
         ExitCode code = ExitCode::Done;
@@ -251,7 +252,7 @@ private:
     Reports reports_ = {};
     ExitCode code_ = ExitCode::Done;
     bool failed_ = false;
-    bool reported_ = true;  ///< true if the reports were written
+    bool reported_ = true;  ///< false if the options name invalid outputs; reports are then not written
 };
 
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
@@ -305,7 +306,8 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         streams.out << "grafverif " GRAFVERIF_VERSION "\n";
         return ExitCode::Done;
     }
-    const std::string& verb = asks ? arguments[1] : name;  // this also applies to `help check` and `--help check`
+    // For `help check` and `--help check`, the command is the second argument.
+    const std::string& verb = asks ? arguments[1] : name;
     for (const Entry& entry : entries) {
         if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);

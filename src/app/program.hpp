@@ -12,7 +12,7 @@
 
 namespace grafverif::app {
 
-/// Exit codes. If several apply, the precedence is Failure, Input, Verdict, Unknown.
+/// Exit codes. If several codes apply, the precedence is Failure, Input, Verdict, Unknown.
 enum class ExitCode {
     Done = 0,     ///< completed, and every verdict is as expected
     Verdict = 1,  ///< a verdict is unexpected
@@ -21,7 +21,7 @@ enum class ExitCode {
     Failure = 4,  ///< internal failure
 };
 
-/// Returns the combined code of two executions, by this precedence.
+/// Returns the code with the higher precedence.
 ExitCode worse(ExitCode one, ExitCode other);
 
 /// The standard streams and the properties of their terminals. Control characters in documents are removed before they
@@ -30,10 +30,11 @@ struct Streams {
     std::istream& in;
     std::ostream& out;
     std::ostream& err;
-    bool alone = false;  ///< true if this process executes only the program, which may then limit and end the process
+    /// True if the process executes only this program, which may then limit and end the process.
+    bool alone = false;
     Screen out_screen = {}, err_screen = {};
-    bool typed = false;  ///< true if `in` is a terminal and `out` is shown on it
-    /// Stream for outputs called `-`, and the properties of its terminal, if it is not `out`.
+    bool typed = false;  ///< true if `in` is a terminal, and `out` is one that can overwrite a line
+    /// Stream for outputs with the name `-`; null selects `out`. `documents_screen` has the properties of its terminal.
     std::ostream* documents = nullptr;
     Screen documents_screen = {};
 };
@@ -43,7 +44,7 @@ struct CliCommand;
 /// Returns all commands, in the order of --help.
 std::vector<CliCommand> all_commands();
 
-/// Returns the message that the command does not exist, with the most similar command.
+/// Returns an error message for an unknown command, which suggests the most similar command.
 std::string unknown_command(const std::string& name);
 
 /// Executes `grafverif ARGUMENTS`. The arguments do not include the program's name.

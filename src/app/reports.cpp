@@ -34,7 +34,7 @@ bool ends_in_tally(std::string_view text) {
             std::ranges::any_of(endings, [&](std::string_view ending) { return rest.ends_with(ending); }));
 }
 
-/// True if a file with this beginning is a report of this program.
+/// True if `text` is the beginning of a report of this program.
 bool is_report(std::string_view text) {
     constexpr std::array<std::string_view, 6> beginnings = {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>",
                                                             "{\n  \"$schema\": \"https://json.schemastore.org/sarif",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Report files of an invocation. Each either belongs to the invocation that requested it or does not exist. Before any
-// work, an old JUnit or SARIF report is replaced by one that states that the run did not finish. Other old reports
-// (traces, pages, findings) are removed. Therefore no report of an earlier invocation remains if this one is killed.
-// The reports are written after the work, also after errors. Until the inputs are known, only missing files and reports
-// are modified, so that a chart that was named by mistake is kept.
+// Report files of an invocation. No report of an earlier invocation remains, even if this invocation is killed. Before
+// any work, an old JUnit or SARIF report is replaced by one that states that the run did not finish. Other old reports
+// (traces, pages, findings) are removed. The reports are written after the work, also after errors. Until the inputs
+// are known, only missing files and reports are modified. Therefore a chart is not overwritten if the user names it as
+// a report by mistake.
 #pragma once
 
 #include <string>

@@ -130,7 +130,7 @@ std::string validate_limits(Options& options) {
     return {};
 }
 
-/// Options that exist only for plant automata select them.
+/// Selects plant automata if an option requires them and `--plant` is missing.
 std::string validate_untimed(Options& options) {
     ScheduleOptions& untimed = options.untimed;
     const bool discrete = untimed.time == TimeModel::Discrete;

@@ -10,9 +10,9 @@
 
 namespace grafverif::app {
 
-/// Validates inputs and outputs. The options must be sufficient to write the outputs, at most one option may read
-/// standard input, and at most one document may be written to standard output. Returns an error message or an empty
-/// string.
+/// Validates inputs and outputs. The options must name every output file that the command requires. At most one option
+/// may read standard input, and at most one document may be written to standard output. Returns an error message or an
+/// empty string.
 std::string validate_outputs(const CliCommand& verb, const Options& options);
 
 /// Validates options that require or exclude another option. `given` is true if the option of that name was given.
@@ -27,7 +27,8 @@ std::string validate_untimed(Options& options);
 
 /// Parses arguments of the form `NAME=VALUE` with distinct names. Returns an error message or an empty string.
 std::string take_constants(const std::vector<std::string>& given, Options& options);
-/// Handles `--ablate CORRECTION`, which omits a correction of the method. A page of the documentation uses it.
+/// Parses the values of `--ablate CORRECTION`, which disables a correction of the method (see
+/// docs/explanation/modelling-rules.md).
 std::string disable_corrections(const std::vector<std::string>& cures, Options& options);
 std::string take_jobs(const std::vector<std::string>& given, Options& options);
 

@@ -2,18 +2,17 @@
 // Bdd: Boolean functions as reduced ordered binary decision diagrams with complement edges (Bryant 1986; Brace, Rudell
 // and Bryant 1990).
 //
-// A BddSpace owns variables, nodes and memory; there may be several, each used by one thread at a time. Variables are
-// added at the bottom of the order and keep their positions unless reordering is requested. The caller therefore
-// determines the order, and the order determines the cost.
+// A BddSpace owns variables, nodes and memory. Several spaces may exist; each is used by only one thread at a time.
+// Variables are added at the bottom of the order and keep their positions unless reordering is requested. The caller
+// therefore determines the order, and the order determines the cost.
 //
 // A Bdd is a handle: equal functions are equal handles, and copies are cheap. A handle refers to its space. Constants
-// do not belong to a space and can be combined with handles of every space. Handles and renamings must be destroyed
-// before their space.
+// do not belong to a space and can be combined with handles of every space. All handles and renamings of a space must
+// be destroyed before the space.
 //
-// Every operation may throw BddExhausted: the memory limit is reached, the system refuses memory, or the stop flag is
-// set, which is detected within milliseconds. This is the only exception that crosses module boundaries. The function
-// that created the space catches it and returns an unknown result. Afterwards all handles still denote the same
-// functions.
+// Every operation throws BddExhausted if a limit of the space is reached, an allocation fails, or the stop flag is set.
+// The stop flag is detected within milliseconds. The function that created the space catches the exception and returns
+// an unknown result. After the exception, all handles denote the same functions as before.
 #pragma once
 
 #include <atomic>
@@ -36,9 +35,10 @@ struct BddLimits {
     std::uint64_t memory = std::uint64_t{2} << 30U;  ///< memory limit for nodes, tables and cache, in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
-    /// Maximum number of operation steps: a deterministic deadline.
+    /// Maximum number of operation steps; unlike a deadline, this limit does not depend on the speed of the processor.
     std::uint64_t work = std::numeric_limits<std::uint64_t>::max();
-    std::atomic<std::uint64_t>* worked = nullptr;  ///< the number of operation steps is periodically added to it
+    /// Counter to which the number of operation steps is periodically added.
+    std::atomic<std::uint64_t>* worked = nullptr;
 };
 
 class BddExhausted : public std::exception {
@@ -88,15 +88,16 @@ public:
     /// True if both handles denote the same function.
     bool operator==(const Bdd& other) const = default;
 
-    /// Return the topmost variable on which the function depends, and its cofactors for the values false and true of
-    /// this variable. Requires a function that is not constant.
+    /// The functions return the topmost variable on which the function depends, and the cofactors for the values false
+    /// and true of this variable. Requires a function that is not constant.
     std::uint32_t top() const;
     Bdd low() const;
     Bdd high() const;
 
     std::size_t hash() const { return std::size_t{edge_} * 0x9E3779B97F4A7C15U; }
 
-    /// Only for the implementation: creates the handle of a function. The kernel is null for a constant.
+    /// Creates the handle of a function; only for the implementation. A handle of a constant does not refer to
+    /// `kernel`.
     Bdd(bdd::Kernel& kernel, std::uint32_t edge);
     bdd::Kernel* kernel() const { return kernel_; }
     std::uint32_t edge() const { return edge_; }
@@ -116,26 +117,29 @@ public:
     BddSpace& operator=(const BddSpace&) = delete;
     ~BddSpace();
 
-    /// Adds `count` variables below all others. Returns the index of the first.
+    /// Adds `count` variables at the end of the order. Returns the index of the first new variable.
     std::uint32_t add_variables(std::size_t count);
     std::size_t variables() const;
     Bdd variable(std::uint32_t index) const;
 
     std::uint64_t nodes() const;  ///< nodes in use, including garbage
     std::uint64_t bytes() const;  ///< memory allocated for nodes, tables and cache
-    std::uint64_t work() const;   ///< operation steps so far, a measure of work that does not depend on time
+    /// Number of operation steps so far: a measure of work that does not depend on the processor.
+    std::uint64_t work() const;
 
-    /// Frees unused nodes. It is called automatically when memory is needed.
+    /// Frees unused nodes. The space calls this function automatically when it needs memory.
     void collect_garbage();
 
     /// Returns the variables in their order, topmost first.
     std::vector<std::uint32_t> order() const;
-    /// Makes a group of `count` adjacent variables, starting with `first`. Reordering moves them together.
+    /// Makes a group of `count` adjacent variables, starting with `first`. Reordering moves the variables of a group
+    /// together.
     void keep_together(std::uint32_t first, std::size_t count);
-    /// Searches for an order with fewer nodes, as far as the memory limit allows. All handles keep their functions.
+    /// Searches for an order with fewer nodes. The search ends early if it needs more memory than the limit. All
+    /// handles keep their functions.
     void reorder();
-    /// Enables automatic reordering before an operation if more than `nodes` nodes are in use, and again whenever their
-    /// number has doubled. 0 (the default) disables it.
+    /// Enables automatic reordering: an operation first reorders if more than `nodes` nodes are in use, and again
+    /// whenever the number of nodes has doubled. 0 (the default) disables it.
     void reorder_above(std::uint64_t nodes);
 
     /// Only for the implementation.
@@ -167,19 +171,19 @@ struct BddLiteral {
 
 /// Returns the conjunction of the literals; true if there are none.
 Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals);
-/// Returns the conjunction of the variables. Quantifiers use this form of a set of variables.
+/// Returns the conjunction of the variables, which represents a set of variables in the quantifiers.
 Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables);
 
 Bdd exists(const Bdd& f, const Bdd& variables);
 /// Returns exists(f & g, variables) without computing f & g: the relational product.
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables);
-/// Returns the cofactor of f for the literals of the cube. The result does not depend on their variables.
+/// Returns the cofactor of f for the literals of the cube. The result does not depend on the variables of the cube.
 Bdd cofactor(const Bdd& f, const Bdd& cube);
 /// Returns a function, small if possible, that equals f for all assignments that satisfy `care` (Coudert and Madre
 /// 1990). Requires that `care` is not false.
 Bdd simplify(const Bdd& f, const Bdd& care);
 
-/// Simultaneous renaming of variables.
+/// A simultaneous renaming of variables.
 class BddRenaming {
 public:
     /// Maps the first variable of each pair to the second. The second variables must be distinct.
@@ -188,8 +192,8 @@ public:
     BddRenaming& operator=(const BddRenaming&) = delete;
     ~BddRenaming();
 
-    /// Returns f with renamed variables. Requires that no variable of f which is not renamed is the new name of another
-    /// variable.
+    /// Returns f with renamed variables. Requires that f does not depend on a new variable unless that variable is also
+    /// renamed.
     Bdd operator()(const Bdd& f) const;
 
     struct Map;  ///< only for the implementation
@@ -205,16 +209,16 @@ std::size_t size(const Bdd& f);
 /// Returns f under the assignment of values[i] to variable i. `values` contains all variables on which f depends.
 bool evaluate(const Bdd& f, const std::vector<bool>& values);
 
-/// Returns literals, in increasing order of their variables, that make f true, or nothing if f is false.
+/// Returns literals that make f true, in increasing order of their variables, or nullopt if f is false.
 std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f);
-/// Enumerates disjoint cubes whose disjunction is f, false branches first, until `visit` returns false. The number of
-/// cubes can be exponential in the size of f.
+/// Enumerates disjoint cubes whose disjunction is f, until `visit` returns false. False branches are enumerated first.
+/// The number of cubes can be exponential in the size of f.
 void for_each_cube(const Bdd& f, const std::function<bool(std::span<const BddLiteral>)>& visit);
 
 /// Returns the exact number of assignments to `variables` that make f true, in decimal. `variables` is increasing and
 /// contains every variable on which f depends.
 std::string count(const Bdd& f, std::span<const std::uint32_t> variables);
-/// Returns the number if it fits into 64 bits.
+/// Returns the same number, or nullopt if it does not fit into 64 bits.
 std::optional<std::uint64_t> small_count(const Bdd& f, std::span<const std::uint32_t> variables);
 
 }  // namespace grafverif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Block: an array in memory that is counted against a limit and whose growth may fail. All memory that grows with the
-// diagrams is in Blocks, so that the limit is exact. If growing a block would exceed the limit, or if the system
-// refuses memory, the block is unchanged and an error is returned.
+// Block: an array in memory with a limit. Its memory is charged to a budget, and its growth may fail. All memory that
+// grows with the diagrams is allocated as Blocks, so that the memory limit is exact. If growing a block would exceed
+// the limit, or if the system refuses memory, the block is unchanged and an error is returned.
 //
 // A block is resized in place or moved as a unit. For large blocks this requires no second copy, because pages are
 // remapped.
@@ -50,8 +50,8 @@ public:
     T* data() { return data_; }
     std::size_t size() const { return size_; }
 
-    /// Resizes to `size` > 0 elements. New elements are uninitialized. If memory is refused, returns false and leaves
-    /// the block unchanged.
+    /// Resizes to `size` > 0 elements. New elements are uninitialized. If the memory is not available, returns false
+    /// and leaves the block unchanged.
     [[nodiscard]] bool resize(std::size_t size) {
         if (size > size_ && !budget_.charge((size - size_) * sizeof(T))) return false;
         void* const moved = std::realloc(data_, size * sizeof(T));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Cache of operation results: maps an operation and its operands to the resulting edge. The cache is lossy: a new
-// result replaces an old one in the same slot. All operations share one table, which grows with the number of nodes.
+// result replaces the result that was in the same slot. All operations share one table, which grows with the number of
+// nodes.
 //
-// An entry survives a garbage collection if all its nodes do. The operation is encoded in the two unused bits of each
-// operand edge. An entry with all bits zero is empty, because operations with constant operands are never looked up.
+// A garbage collection keeps an entry if it keeps all nodes of the entry. Two unused bits of each of the first two
+// operand edges encode the operation. An entry with all bits zero is empty; it cannot be a result, because the cache is
+// not used for operations with constant operands.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +43,8 @@ public:
         entries_[slot(entry)] = entry;
     }
 
-    /// Doubles the size and keeps all entries. If memory is refused, the cache is unchanged. The first call allocates
-    /// the initial entries.
+    /// Doubles the size and keeps all entries. If the memory is not available, the cache is unchanged. The first call
+    /// allocates the initial entries.
     bool grow(InterruptPoll& watch);
     std::size_t size() const { return size_; }
     /// Removes all entries.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact counting of satisfying assignments, bottom-up. The numbers have up to one bit per variable; therefore they are
-// charged to the memory of the space. Each is freed after its last use.
+// Exact counting of satisfying assignments, bottom-up. A number has up to one bit per variable; therefore its memory is
+// charged to the space. Each number is freed after its last use.
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
@@ -38,7 +38,7 @@ public:
         const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
         counts_.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
-            ++counts_[n].parents;  // one more than necessary for the root, so that its number is kept
+            ++counts_[n].parents;  // the root has one more, so that its number is not freed
             meet(kernel_.table.nodes[n].low);
             meet(kernel_.table.nodes[n].high);
         }
@@ -80,7 +80,7 @@ private:
     void drop(Edge edge) {
         if (bdd::is_constant(edge)) return;
         Count& count = counts_[bdd::index_of(edge)];
-        if (--count.parents != 1) return;  // the number is still needed
+        if (--count.parents != 1) return;  // the number of this node is still needed
         const std::uint64_t less = bytes(count.number);
         kernel_.budget.used -= less;
         charged_ -= less;

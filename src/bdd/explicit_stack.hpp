@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Explicit-stack recursion for BDD operations. An operation splits its operands at their topmost level, processes both
-// cofactors and combines the results; known results come from the cache. Pending calls are frames in the BDD space:
-// native stack use is constant, garbage collection sees all live operands, and an operation is cancelled by dropping
-// its frames.
+// cofactors and combines the results; known results come from the cache. Pending calls are frames in the BDD space: the
+// depth of the native stack is constant, garbage collection sees all live operands, and removing its frames cancels an
+// operation.
 //
 // A Rule defines one operation:
 //   Operation operation             cache key
@@ -54,7 +54,7 @@ Edge run(Kernel& kernel, const Rule& rule, Call call) {
             }
         }
         result ^= static_cast<Edge>(flip);
-        for (;;) {  // returns to the first frame with a pending branch
+        for (;;) {  // continues with the topmost frame that has a pending branch
             if (kernel.frames.size() == base) return result;
             Frame& waiting = kernel.frames.top();
             if (!waiting.has_low && !rule.enough(kernel, waiting, result)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Public operations. Terminal cases are handled first, so that constants need no space.
+// Public operations. Each function handles terminal cases first, so that operations on constants do not need a space.
 #include <algorithm>
 #include <cassert>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polls the stop flag, the deadline and the work limit every N operations. The cost is negligible and the delay is
-// short, because one operation step takes far less than a microsecond.
+// Polls the stop flag, the deadline and the work limit every N operations. The cost of polling is negligible. The flag
+// is detected soon after it is set, because one operation step takes far less than a microsecond.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Allocation of nodes. When a small table is full, it doubles, because a collection would only delay this. A larger
-// table is collected first, and doubles if more than half of its nodes are alive. If neither the limit nor the system
-// allows growth, the collection must free at least a sixteenth of the nodes; otherwise collections would repeat without
-// progress.
+// Allocation of nodes. A small table that is full is doubled, because a collection would only delay this. In a larger
+// table, garbage is collected first, and the table is doubled if more than half of its nodes are alive. If the table
+// cannot grow, the collection must free at least a sixteenth of the nodes; otherwise collections would be repeated
+// without progress.
 #include "bdd/kernel.hpp"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ constexpr std::uint32_t marks_per_word = 64;
 
 [[noreturn]] void out_of_memory() { throw BddExhausted(BddExhausted::Cause::Memory); }
 
-/// Resizes the blocks for `capacity` nodes and initializes the new parts where required.
+/// Enlarges the blocks for `capacity` nodes, and initializes the new entries of the blocks that require it. Returns
+/// false if the memory is not available.
 bool has_blocks(Kernel& kernel, std::uint32_t capacity) {
     NodeTable& table = kernel.table;
     const auto at_least = [](auto& block, std::size_t size) { return block.size() >= size || block.resize(size); };
@@ -77,7 +78,7 @@ bool grow(Kernel& kernel) {
     add_buckets(kernel);
     if (table.buckets.size() == 0) return false;
     if (table.stale) relink(kernel);
-    // Larger caches have slightly more hits, but do not fit into the processor cache.
+    // A larger cache would have slightly more hits, but would not fit into the processor cache.
     while (kernel.cache.size() < table.capacity / 2 && kernel.cache.grow(kernel.watch)) {
     }
     return kernel.cache.size() != 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Kernel: all data of a space, which are its order, nodes, cache, and the frames of the running operation. Its
-// operations are functions, one file per topic: kernel.cpp (allocation), collect.cpp, connectives.cpp, quantify.cpp,
-// restrict.cpp, compose.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp are read-only.
+// Kernel: all data of a space, which are its order, nodes, cache, and the frames of the running operation. The
+// operations on a kernel are functions in several files: kernel.cpp (allocation), collect.cpp, connectives.cpp,
+// quantify.cpp, restrict.cpp, compose.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp are read-only.
 //
-// Whenever an operation creates a node, it may collect garbage or end early. Edges that it still needs must be in its
-// frames or arguments of `make`; its operands are protected by handles.
+// The creation of a node may collect garbage or throw BddExhausted. Therefore each edge that an operation still needs
+// must be in one of its frames or be an argument of `make`. Handles protect the operands of the operation.
 #pragma once
 
 #include <initializer_list>
@@ -21,7 +21,7 @@ struct Frame {
     Edge f = 0, g = 0, h = 0;            ///< operands of the call
     Edge low = 0;                        ///< result of the low branch, valid if `has_low`
     std::uint32_t level = 0;             ///< branching level
-    bool has_low = false, flip = false;  ///< `flip`: the result must be complemented
+    bool has_low = false, flip = false;  ///< `flip` is true if the result must be complemented
 };
 
 /// The stack of frames.
@@ -52,12 +52,12 @@ public:
     explicit Order(Budget& budget) : level_of(budget), variable_at(budget), group_of(budget) {}
 
     std::uint32_t size() const { return size_; }
-    /// Returns false if memory is refused.
+    /// Returns false if the memory is not available.
     bool add(std::uint32_t count);
 
     Block<std::uint32_t> level_of, variable_at;
     Block<std::uint32_t> group_of;  ///< for each variable: the first variable of its group; a group is contiguous
-    std::uint64_t version = 0;      ///< increased by every change of the order
+    std::uint64_t version = 0;      ///< number that is increased by every change of the order
 
 private:
     std::uint32_t size_ = 0;
@@ -73,7 +73,7 @@ struct Kernel {
     std::uint32_t level(Edge edge) const { return node(edge).level; }
     Edge low(Edge edge) const { return node(edge).low ^ complement_bit(edge); }
     Edge high(Edge edge) const { return node(edge).high ^ complement_bit(edge); }
-    /// Return the branches of an edge; the edge itself if it does not branch at `level`.
+    /// Return the low or high branch of an edge, or the edge itself if its node is not at `level`.
     Edge low(Edge edge, std::uint32_t level) const { return node(edge).level == level ? low(edge) : edge; }
     Edge high(Edge edge, std::uint32_t level) const { return node(edge).level == level ? high(edge) : edge; }
 
@@ -83,22 +83,25 @@ struct Kernel {
     NodeTable table;
     Cache cache;
     Frames frames;
-    std::uint32_t numbers = 0;        ///< number of renamings and substitutions that have a cache number
-    std::uint64_t handles = 0;        ///< sum of `refs`
-    std::uint64_t reorder_above = 0;  ///< threshold in nodes; 0 disables automatic reordering
+    std::uint32_t numbers = 0;  ///< number that was given last to the map of a renaming, for its entries in the cache
+    std::uint64_t handles = 0;  ///< sum of `refs`
+    /// Number of nodes above which operations reorder; 0 disables automatic reordering.
+    std::uint64_t reorder_above = 0;
 };
 
-/// Obtains memory for a node by growth or by a collection, which keeps `low` and `high`. Throws BddExhausted if this
-/// fails.
+/// Obtains memory for a node by growth or by a collection, which does not free `low` and `high`. Throws BddExhausted if
+/// this fails.
 void free_memory(Kernel& kernel, Edge low, Edge high);
 /// Rebuilds the chains and the free list, and completes an interrupted sweep.
 void relink(Kernel& kernel);
-/// Frees unreachable nodes.
+/// Frees the nodes that are not reachable from handles, frames or the edges `spared`.
 void collect(Kernel& kernel, std::initializer_list<Edge> spared);
-/// Doubles the number of nodes, or grows as far as the limit permits. Returns true if the gain is substantial.
+/// Doubles the number of nodes, or grows as far as the limit permits. Returns false if not even a sixteenth more can be
+/// allocated, or if there is no memory for the hash table or the cache.
 bool grow(Kernel& kernel);
 
-/// Returns the function "if the variable of `level` then high else low". Both operands must be below that level.
+/// Returns the function "if the variable of `level` then high else low". Both operands must depend only on variables
+/// below `level`.
 inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     if (low == high) return low;
     const Edge flip = complement_bit(low);
@@ -120,7 +123,8 @@ inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     return n << 1U | flip;
 }
 
-/// Scope of one public operation. Completes interrupted work before it, and removes its frames after it.
+/// A Session exists during one public operation. The constructor completes an interrupted sweep, and the destructor
+/// removes the frames of the operation.
 class Session {
 public:
     explicit Session(Kernel& kernel);

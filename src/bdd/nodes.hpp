@@ -2,20 +2,20 @@
 // Node table of a space.
 //
 // An edge is the doubled index of a node, plus one if the function is the complement of the node's function (Brace,
-// Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is true. A node means "if my variable then
-// high else low". Its low edge is never complemented, which makes nodes canonical. Of each function and its complement,
-// the table stores only the one that is false if all variables are false.
+// Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is true. A node represents the function "if
+// the variable of the node then high else low". Its low edge is never complemented, which makes nodes canonical. A
+// function and its complement share one node, whose function is false if all variables are false.
 //
 // A node stores its level, which is the position of its variable in the order. Deeper levels are larger, and the
 // constant has the largest level. One hash table, with chains through the nodes, maps a triple (level, low, high) to
-// its node. No node is stored twice, so that equal functions are equal edges.
+// its node. The table contains each triple at most once, so that equal functions have equal edges.
 //
-// Nodes have no reference counts for edges; handles are counted per node (`refs`). Nodes that are unreachable from
-// handles, frames of a running operation and live nodes are garbage. They stay in the table, and can be found again,
+// Nodes have no reference counts for edges; handles are counted per node (`refs`). Nodes that are reachable neither
+// from handles nor from frames of a running operation are garbage. Garbage stays in the table, and can be used again,
 // until memory is needed.
 //
-// While the chains are being rebuilt they are `stale`. An interrupted rebuild leaves them stale, and the next operation
-// completes it first.
+// `stale` is true until the chains are rebuilt. If the rebuild is interrupted, `stale` stays true, and the next
+// operation first completes the rebuild.
 #pragma once
 
 #include <cstdint>
@@ -63,7 +63,7 @@ public:
     bool has_room() const { return free != 0 || used < capacity; }
     std::uint64_t room() const { return capacity - in_use; }
 
-    /// Creates the node of a triple that does not have one. Requires a free node.
+    /// Creates a node for a triple that does not have a node yet. Requires a free node.
     std::uint32_t add(std::uint32_t level, Edge low, Edge high) {
         const std::uint32_t n = take();
         nodes[n] = {level, low, high, 0};
@@ -107,13 +107,13 @@ public:
     Block<std::uint32_t> refs;     ///< number of handles per node; 0 for free nodes
     Block<std::uint64_t> marks;    ///< one bit per node, 0 except during a walk or a collection
     Block<std::uint32_t> buckets;  ///< first node of each chain; the size is a power of two
-    unsigned shift = 63;           ///< maps a hash to a bucket
+    unsigned shift = 63;           ///< number of bits by which a hash is shifted to select a bucket
     std::uint32_t capacity = 0;    ///< number of usable nodes; the blocks may be larger
     std::uint32_t used = 0;        ///< nodes from this index on were never used
     std::uint32_t in_use = 0;      ///< number of nodes in use, including garbage
     std::uint32_t free = 0;        ///< list of unused nodes below `used`
-    bool stale = false;            ///< true if chains and the free list must be rebuilt,
-    bool sweeping = false;         ///< and if unmarked nodes must be freed at the same time
+    bool stale = false;            ///< true if the chains and the free list must be rebuilt
+    bool sweeping = false;         ///< true if the rebuild must also free unmarked nodes
 };
 
 }  // namespace grafverif::bdd

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Quantification, and the relational product, which quantifies during the conjunction (Burch, Clarke and Long 1990).
-// The variables form a cube. Its levels above the operands are skipped, and when no variable remains, the operands are
-// returned. If the first branch of a quantified variable is already true, the other branch is skipped.
+// The variables form a cube. Levels of the cube above the operands are skipped. If the cube has no further variable,
+// the function returns its operand, or the conjunction of its operands. If the result of the first branch of a
+// quantified variable is true, the other branch is skipped.
 #include <algorithm>
 #include <utility>
 
@@ -40,7 +41,7 @@ struct Some : Branching {
                                               : make(kernel, at.level, at.low, high);
     }
 
-    // The low branch of the cube is false; its high branch is the rest of the cube.
+    // The low branch of a cube is false; its high branch is the cube of the remaining variables.
     static Call low(const Kernel& kernel, const Frame& at) {
         return {kernel.low(at.f), kernel.high(at.g, at.level), 0};
     }
@@ -68,7 +69,8 @@ struct Product : Branching {
 
     static bool enough(const Kernel& kernel, const Frame& at, Edge& low) {
         if (kernel.level(at.h) != at.level) return false;
-        // The result of the other branch implies each of its operands.
+        // If an operand of the high branch equals `low`, the high branch adds nothing: its result implies `low`,
+        // because `low` does not depend on quantified variables.
         return low == true_edge || low == kernel.high(at.f, at.level) || low == kernel.high(at.g, at.level);
     }
 

@@ -12,10 +12,10 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Size up to which parts are conjoined. The conjunction of larger parts costs more than it saves.
+/// Maximum size of the conjunction of parts, in nodes. Conjoining larger parts costs more time than it saves.
 constexpr std::size_t part_size = 600;
-/// Maximum number of parts that are arranged. More parts keep the order of their bits, because the search for a better
-/// order is quadratic.
+/// Maximum number of parts for which an order is computed. If there are more parts, they remain in the order of their
+/// bits, because the computation is quadratic.
 constexpr std::size_t most_arranged = 2000;
 
 std::vector<NextBit> sorted(std::vector<NextBit> bits) {
@@ -49,7 +49,7 @@ Relation::Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector
     end_after();
 }
 
-/// If the result is small, conjoins all parts that read a choice, and quantifies the choice.
+/// Conjoins all parts that read a choice and quantifies the choice, if the result is small.
 void Relation::free_of_choices() {
     std::vector<std::uint32_t> left;
     for (const std::uint32_t choice : choices_) {
@@ -68,7 +68,8 @@ void Relation::free_of_choices() {
     choices_ = std::move(left);
 }
 
-/// Orders the parts greedily. The next part permits many of its variables to be quantified and introduces few new ones.
+/// Orders the parts greedily. The next part is the one after which many of its variables can be quantified and which
+/// introduces few new variables.
 void Relation::arrange() {
     if (parts_.size() > most_arranged) return;
     std::unordered_set<std::uint32_t> after;
@@ -126,7 +127,7 @@ void Relation::end_after() {
 }
 
 Relation::Quantified Relation::quantified(std::span<const std::uint32_t> variables) const {
-    std::map<std::uint32_t, std::size_t> last;  // for each variable: the last part that reads it
+    std::map<std::uint32_t, std::size_t> last;  // for each variable: the last part that reads the variable
     for (std::size_t part = 0; part < parts_.size(); ++part)
         for (const std::uint32_t variable : parts_[part].reads) last[variable] = part;
     std::vector<std::uint32_t> unread;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Simultaneous renaming of variables. Both branches are renamed first. If the new variable is above all variables of
-// the results, a node combines them; otherwise if-then-else does.
+// the results, the results are combined by a node, otherwise by if-then-else.
 //
-// The map is indexed by level; it is computed at the first use and after each change of the order. The cache identifies
-// it by a number.
+// The map from old to new variables is indexed by level. It is computed at the first use and after each change of the
+// order. Cache entries identify a map by a number.
 #include <utility>
 #include <vector>
 
@@ -12,13 +12,13 @@
 
 namespace grafverif {
 
-/// Pairs of variables, and the map by level that was used last.
+/// Pairs of variables, and the map by level that was computed last.
 struct BddRenaming::Map {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = {};
     bdd::Kernel* kernel = nullptr;       ///< kernel to which the following members belong
     std::uint64_t version = 0;           ///< version of the order for which the map was computed
     std::uint32_t number = 0;            ///< number of the map in the cache
-    std::vector<std::uint32_t> to = {};  ///< new variable per level, up to the deepest level that is renamed
+    std::vector<std::uint32_t> to = {};  ///< new variable for each level, up to the deepest level that is renamed
 };
 
 namespace bdd {
@@ -46,13 +46,13 @@ struct Renamed : Branching {
     Edge join(Kernel& kernel, Frame at, Edge high) const {
         const std::uint32_t level = map.to[at.level];
         if (level < kernel.level(at.low) && level < kernel.level(high)) return make(kernel, level, at.low, high);
-        kernel.frames.top().h = high;  // the frame protects `high` while the variable is created
+        kernel.frames.top().h = high;  // the frame protects `high` from a collection while the variable is created
         return if_then_else(kernel, make(kernel, level, false_edge, true_edge), high, at.low);
     }
 };
 
 std::uint32_t new_number(Kernel& kernel) {
-    if (++kernel.numbers == 0) {  // all numbers are used: cached results of old ones are discarded
+    if (++kernel.numbers == 0) {  // all numbers have been used: the cached results of old maps are discarded
         kernel.cache.clear(kernel.watch);
         kernel.numbers = 1;
     }

@@ -3,11 +3,11 @@
 // positions by exchanges of adjacent levels, and placed at the position with the smallest number of nodes. The largest
 // groups are moved first. A direction is abandoned if the diagrams grow by a fifth.
 //
-// An exchange rewrites the nodes of two levels in place. A node denotes the same function before and after it, so that
-// handles remain valid. Between exchanges the space is consistent, so that reordering can be interrupted with the order
-// reached so far. If the memory limit does not permit an exchange, reordering ends. Groups that were split by an
-// interruption are reassembled at the start of the next reordering. During reordering there is no garbage, and edges to
-// nodes are counted.
+// An exchange rewrites the nodes of two levels in place. A node denotes the same function before and after the
+// exchange, so that handles remain valid. Between exchanges the space is consistent. Therefore reordering can be
+// interrupted; the space then keeps the order reached so far. If the memory limit does not permit an exchange,
+// reordering ends. Groups that were split by an interruption are reassembled at the start of the next reordering.
+// During reordering there is no garbage, and edges to nodes are counted.
 #include <algorithm>
 #include <new>
 #include <numeric>
@@ -18,7 +18,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Maximum number of nodes in an exchanged level, because an exchange cannot be interrupted.
+/// Maximum number of nodes in two exchanged levels, because an exchange cannot be interrupted.
 constexpr std::size_t longest_exchange = 1U << 18U;
 
 struct NoMemory {};
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    /// The current position of a group.
+    /// The current position of a group: its first level and its number of levels.
     struct Span {
         std::uint32_t first = 0, count = 0;
         std::uint32_t end() const { return first + count; }
@@ -64,7 +64,7 @@ private:
         return span;
     }
 
-    /// Makes groups contiguous. Each is placed at the position of its topmost variable.
+    /// Makes groups contiguous. Each group is placed at the position of its topmost variable.
     void gather() {
         for (std::uint32_t level = 0; level < at_.size();) {
             const std::uint32_t group = group_at(level);
@@ -94,7 +94,7 @@ private:
         return groups;
     }
 
-    /// Exchanges a group with the one below it.
+    /// Exchanges a group with the next lower group.
     void move_down(Span upper, Span lower) {
         for (std::uint32_t i = 0; i < lower.count; ++i)
             for (std::uint32_t level = lower.first + i; level > upper.first + i; --level) exchange(level - 1);
@@ -187,8 +187,8 @@ private:
         ++order.version;
     }
 
-    /// Rewrites a node of the upper variable that depends on the lower one, so that the lower variable becomes its top
-    /// variable.
+    /// Rewrites a node of the upper variable that also depends on the lower variable; afterwards it is a node of the
+    /// lower variable.
     void rewrite(std::uint32_t n, std::uint32_t level, std::vector<std::uint32_t>& lower, std::size_t) {
         const Edge low = table_.nodes[n].low, high = table_.nodes[n].high;
         const Edge first = made(level + 1, kernel_.low(low, level + 1), kernel_.low(high, level + 1), lower);
@@ -221,7 +221,7 @@ private:
     std::vector<std::vector<std::uint32_t>> at_;  ///< nodes of each level
 };
 
-/// Charges memory to the budget for as long as the object exists.
+/// Charges memory to the budget during the lifetime of the object.
 struct Charge {
     Charge(Budget& all, std::uint64_t wanted) : budget(all), bytes(all.charge(wanted) ? wanted : 0) {}
     Charge(const Charge&) = delete;
@@ -240,7 +240,7 @@ void reorder(Kernel& kernel) {
     kernel.cache.clear(kernel.watch);
     const Charge charge(kernel.budget,
                         16 * std::uint64_t{kernel.table.capacity} + 64 * std::uint64_t{kernel.order.size()});
-    if (charge.bytes == 0) return;  // the remaining memory is reserved for nodes
+    if (charge.bytes == 0) return;  // not enough memory for reordering
     try {
         Sifter(kernel).sift();
     } catch (const NoMemory&) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Simplification under an assumption. `restricted` applies literals (exact cofactor). `simplified` applies a care set,
-// outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). Variables on which only the care set
-// depends are quantified in it. If the care set is false in one branch, the function of the other branch is used.
+// Simplification under an assumption. `restricted` sets variables to constants (exact cofactor). `simplified` applies a
+// care set, outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). In the care set, variables
+// on which only the care set depends are quantified. If the care set is false in one branch of a variable, the result
+// is that of the other branch.
 #include <algorithm>
 
 #include "bdd/explicit_stack.hpp"
@@ -10,7 +11,8 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Removes the complement bit before the cache is accessed, because complement commutes with both operations.
+/// Removes the complement bit, and returns true if it was set. Then a function and its complement share cache entries;
+/// both operations commute with complementation.
 bool made_regular(Edge& f) {
     const bool flip = complement_bit(f) != 0;
     f &= ~1U;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rings: layers of a breadth-first search with sets of states. Each ring contains the successors of the previous ring
-// that are not in any earlier ring. The first ring with a goal state contains the nearest goal states, and a shortest
-// path leads back through the rings.
+// that are not in any earlier ring. The first ring with a goal state contains the nearest goal states. A shortest path
+// to a goal state has one state in each ring up to this ring.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,8 @@ struct Rings {
     std::vector<Bdd> each = {};
     Bdd reached = {};  ///< union of all rings
 
-    /// Adds the new states of `states` as a ring. Returns false if there are none.
+    /// Adds a ring with the states of `states` that are not in earlier rings. Returns false if there are no such
+    /// states.
     bool add(const Bdd& states) {
         const Bdd ring = states & ~reached;
         if (ring.is_false()) return false;
@@ -27,7 +28,7 @@ struct Rings {
         return true;
     }
 
-    /// Returns the first ring with a state of `goal`, or nothing if there is none.
+    /// Returns the index of the first ring with a state of `goal`, or nullopt if there is none.
     std::optional<std::size_t> nearest(const Bdd& goal) const {
         if ((reached & goal).is_false()) return {};
         for (std::size_t ring = 0; ring < each.size(); ++ring)
@@ -36,8 +37,8 @@ struct Rings {
     }
 };
 
-/// Returns a path to `last` over `steps` rings. `before(k, state)` returns a state of ring k with `state` as a
-/// successor.
+/// Returns a path to `last`, which is in ring `steps`, with one state in each previous ring. `before(k, state)` returns
+/// a state of ring k with `state` as a successor.
 template <class State, class Before>
 std::vector<State> path_back(std::size_t steps, State last, const Before& before) {
     std::vector<State> path{std::move(last)};

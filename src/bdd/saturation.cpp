@@ -11,7 +11,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Number of bytes charged for each stored result.
+/// Number of bytes that are charged to the budget for each stored result.
 constexpr std::uint64_t result_size = 96;
 
 std::vector<std::uint32_t> written(const std::vector<NextBit>& bits, std::span<const std::uint32_t> free) {
@@ -30,7 +30,7 @@ ClusterSteps::ClusterSteps(const BddSpace& space, std::vector<NextBit> bits, std
 Saturation::Saturation(const BddSpace& space, const std::deque<ClusterSteps>& kinds) : space_(space) {
     std::map<std::uint32_t, std::vector<const ClusterSteps*>> by_level;
     for (const ClusterSteps& kind : kinds) {
-        if (kind.relation.bits().empty()) continue;  // the cluster changes no bit
+        if (kind.relation.bits().empty()) continue;  // the cluster does not change any bit
         std::uint32_t top = constant_level;
         for (const std::uint32_t variable : kind.relation.variables())
             top = std::min(top, space.kernel().order.level_of[variable]);
@@ -39,8 +39,8 @@ Saturation::Saturation(const BddSpace& space, const std::deque<ClusterSteps>& ki
     for (auto& [level, found] : by_level) levels_.push_back({level, std::move(found)});
 }
 
-/// Returns the closure of `states` under the clusters of the levels from index `from` on. The recursion depth is at
-/// most the number of levels.
+/// Returns the closure of `states` under all clusters of the levels with index `from` or greater. The recursion depth
+/// is at most the number of levels.
 Bdd Saturation::closed(const Bdd& states, std::size_t from) {
     if (states.is_constant() || from == levels_.size()) return states;
     const CacheKey requested{states, from};
@@ -62,8 +62,7 @@ Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
         before = result;
         for (const ClusterSteps* kind : levels_[from].kinds) {
             const Bdd found = kind->relation.image(result, kind->gone) & ~result;
-            if (!found.is_false())
-                result |= closed(found, from + 1);  // states whose closure was computed remain closed in the union
+            if (!found.is_false()) result |= closed(found, from + 1);  // a union of closed sets is closed
         }
     }
     return result;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Saturation (Ciardo, Luettgen, Siminiscu 2001): computes the reachable states of a disjunctively partitioned
-// transition relation whose clusters read and write few variables each. A diagram is closed bottom-up. First each
-// subdiagram is closed under the steps that concern only lower variables. Then the complete diagram is closed under the
-// steps whose topmost variable is its top variable. This is repeated up to a fixed point. Results for subdiagrams are
-// cached and reused, and no diagram of a breadth-first layer is computed.
+// transition relation. Each cluster of the relation should read and write only few variables. A diagram is closed
+// bottom-up. First each subdiagram is closed under the steps that concern only lower variables. Then the complete
+// diagram is closed under the steps whose topmost variable is its top variable. This is repeated up to a fixed point.
+// Results for subdiagrams are cached and reused. The algorithm does not compute diagrams of breadth-first layers.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Terms as Boolean functions: the bits of an Expr of any IR as functions of the variables of a BddSpace (see
-// ir/bit_terms.hpp).
+// Represents the bits of an Expr of any IR by functions of the variables of a BddSpace (see ir/bit_terms.hpp).
 #pragma once
 
 #include <cstdint>
@@ -37,7 +36,8 @@ std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment);
 /// Returns the bits of a word of `type` with the value of the term, which must be in the range of the type.
 std::vector<Bdd> word_bits(const BddTerm& term, Type type);
 
-/// Returns the value of a term under an assignment to all variables on which it depends. Requires that it has a value.
+/// Returns the value of a term under an assignment to all variables on which it depends. Requires that the term has a
+/// value under this assignment.
 std::int64_t value_of(const BddTerm& term, const std::vector<bool>& assignment);
 
 extern template class BitTerms<Bdd>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks the invariants of a space between operations, independently of stored results.
+// Checks the invariants of a space between operations, without using cached results.
 #include <string>
 #include <unordered_set>
 
@@ -88,7 +88,7 @@ private:
         return edge == true_edge;
     }
 
-    /// Returns a value of a level in a pseudo-random assignment.
+    /// Returns the value of the variable of a level in a pseudo-random assignment.
     static bool assigned(std::uint64_t level, std::uint64_t seed) {
         const std::uint64_t mixed = (level + seed * 1000003U + 1) * 0x9E3779B97F4A7C15U;
         return ((mixed ^ mixed >> 29U) * 0xD6E8FEB86659FD93U >> 63U) != 0;
@@ -119,7 +119,7 @@ private:
                 case Operation::Simplify:
                     demand(r == f || !g, "the cached simplification is wrong in slot", slot);
                     break;
-                case Operation::Rename: break;  // its third operand is a number, not an edge
+                case Operation::Rename: break;  // the third operand is a number, not an edge
                 }
             }
         }

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// One pass over the states: checks that they form a run, and determines in which states the given terms hold.
+/// Checks that the states of a trace form a run, and determines in which states the given terms hold.
 class ExternalTraceImport {
 public:
     ExternalTraceImport(const FlatSystem& flat, const ExternalTrace& told, std::vector<Id<Expr>> terms)
@@ -24,7 +24,7 @@ public:
         return truths_[static_cast<std::size_t>(std::ranges::find(terms_, term) - terms_.begin())][state];
     }
 
-    /// True if the states of the loop satisfy each justice condition.
+    /// True if each justice condition holds in some state of the loop.
     bool fair() const {
         return told_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
                    for (std::size_t state = *told_.loop; state < size(); ++state)
@@ -51,12 +51,12 @@ private:
         else if (!all_hold(flat_.invariants)) why = "violates an invariant of the model";
         else if (const std::string first = state == 0 ? differs(values, &FlatSystem::Variable::initial, 0) : "";
                  !first.empty())
-            why = "is not an initial state: `" + first + "`";
+            why = "is not an initial state: the value of `" + first + "` differs";
         else if (next && !all_hold(flat_.transitions))
             why = "is followed by a step that violates the transition relation";
         else if (const std::string then = next ? differs(values, &FlatSystem::Variable::next, *next) : "";
                  !then.empty())
-            why = "is followed by a state that is not a successor: `" + then + "`";
+            why = "is followed by a state that is not a successor: the value of `" + then + "` differs";
         if (!why.empty()) broken_ = "state " + std::to_string(state + 1) + " of its trace " + why;
     }
 
@@ -70,7 +70,7 @@ private:
         return {};
     }
 
-    /// Returns the first variable whose value in the state `to` differs from the one that `values` requires.
+    /// Returns the first variable with a value in the state `to` that differs from its required value in `values`.
     std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term,
                         std::size_t to) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
@@ -83,13 +83,14 @@ private:
     const FlatSystem& flat_;
     const ExternalTrace& told_;
     std::vector<Id<Expr>> terms_ = {};
-    std::vector<std::vector<bool>> truths_ = {};  ///< truth value per term and state
+    std::vector<std::vector<bool>> truths_ = {};  ///< truth value of each term in each state
     std::string broken_ = {};
 };
 
-/// True if some state with `from` exists after which no state with `never` occurs, in any repetition of the loop.
+/// True if `from` holds in some state, and `never` holds neither in this state nor in any later state, also when the
+/// loop is repeated.
 bool avoids(const ExternalTraceImport& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
-    std::size_t without = evidence.size();  // first state from which no state with `never` occurs up to the end
+    std::size_t without = evidence.size();  // first state from which `never` is false up to the end
     while (without > 0 && !evidence.holds(without - 1, never)) --without;
     if (without > loop) return false;
     for (std::size_t state = without; state < evidence.size(); ++state)
@@ -133,7 +134,7 @@ bool shows(const ExternalTraceImport& evidence, const Property& property, const 
 }  // namespace
 
 std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property,
-                  const ExternalTrace& told) {
+                  const ExternalTrace& trace) {
     const Id<Expr> settled = property.at_stable ? flattened(system, flat, system.settled) : flat.exprs.constant(true);
     const bool about_paths = property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo;
     std::vector<Id<Expr>> operands;
@@ -144,9 +145,9 @@ std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Proper
     std::vector<Id<Expr>> terms = flat.justice;
     terms.insert(terms.end(), operands.begin(), operands.end());
     terms.push_back(settled);
-    const ExternalTraceImport evidence(flat, told, std::move(terms));
+    const ExternalTraceImport evidence(flat, trace, std::move(terms));
     if (!evidence.broken().empty()) return evidence.broken();
-    return shows(evidence, property, operands, settled, told.loop.value_or(0))
+    return shows(evidence, property, operands, settled, trace.loop.value_or(0))
                ? ""
                : "its trace does not establish the verdict";
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Validates the run that an external program gives for its verdict, with the system that was checked.
+// Checks the run that an external program returns with its verdict: it must be a run of the system and show the
+// verdict.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +13,17 @@
 
 namespace grafverif {
 
-/// A run given by an external program. A state has one value per variable of a FlatSystem. Its choices are those of the
-/// step that leaves the state.
+/// A run given by an external program. A state has one value per variable of a FlatSystem; the values of choices are
+/// those of the step from this state.
 struct ExternalTrace {
     std::vector<std::vector<std::int64_t>> states = {};  ///< never empty
-    std::optional<std::size_t> loop = {};  ///< a further step leads from the last state back to this state
+    std::optional<std::size_t> loop = {};  ///< index of the state to which a further step leads from the last state
 };
 
-/// Returns the reason why `told` does not show that `property` is violated (for `reachable`: that it holds); empty if
-/// it does. For `always possible` and for formulas passed to the program unchanged, the function only checks that
-/// `told` is a run of the system. `flat` is flattened(system); terms are added to it.
+/// Returns the reason why `trace` does not show that `property` is violated (for `reachable`: that it holds); empty if
+/// it shows this. For `always possible` and for formulas passed to the program unchanged, the function only checks that
+/// `trace` is a run of the system. `flat` must be flattened(system); the function adds terms to it.
 std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property,
-                  const ExternalTrace& told);
+                  const ExternalTrace& trace);
 
 }  // namespace grafverif

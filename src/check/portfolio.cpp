@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 bool is_decided(const Verdict& verdict) { return verdict.outcome != Outcome::Unknown; }
 
-/// Text of a verdict: `holds (decided by pdr)`.
+/// Returns the text of a verdict, such as `holds (decided by pdr)`.
 std::string said(const Verdict& verdict) {
     return std::string(word(verdict.outcome)) + (verdict.notes.empty() ? "" : " (" + verdict.notes.back() + ")");
 }
@@ -53,8 +53,7 @@ private:
         ~AtEnd() { stop = true; }
     };
 
-    // -- scheduling of the engines
-    // --------------------------------------------------------------------------------------
+    // -- scheduling of the engines ------------------------------------------------------------------------------------
 
     /// Runs the engines in threads. Returns false if the thread of the symbolic engine cannot be started.
     bool in_threads() {
@@ -64,7 +63,7 @@ private:
         bool refused = false;
         {
             std::jthread diagrams, solvers;
-            const AtEnd end{stop_};  // stops the engines before they are joined, also after exceptions
+            const AtEnd end{stop_};  // stops the engines before their threads are joined, also after an exception
             if (!start(diagrams, [this] { by_diagrams(options_.max_memory / 4 * 3, options_.deadline); })) {
                 threaded_ = false;
                 return false;
@@ -97,8 +96,8 @@ private:
         }
     }
 
-    /// Runs the engines sequentially, each except the last for a share of the time. PDR continues its search when it is
-    /// called again; decision diagrams restart from the initial states.
+    /// Runs the engines sequentially. They first run for a bounded time each, and then up to the deadline. An engine
+    /// that is called again restarts its search.
     void in_sequence() {
         constexpr std::chrono::seconds look(1), longest(20);
         const auto at_most = [this](std::chrono::seconds time, std::size_t shares) {
@@ -117,7 +116,7 @@ private:
     bool is_stopped() const { return is_over(options_.deadline, options_.stop); }
     bool goes_on() const { return (!open_.empty() || moot_.empty()) && !is_faulty() && !is_stopped(); }
 
-    /// True if the decision diagrams left a property open when they had three quarters of the memory.
+    /// True if the symbolic engine left a property open because three quarters of the memory were not sufficient.
     bool memory_was_short() const {
         return most_memory_ < options_.max_memory && goes_on() &&
                std::ranges::any_of(symbolic_.verdicts, [this](const Verdict& verdict) {
@@ -142,7 +141,8 @@ private:
 
     // -- the engines -------------------------------------------------------------------------------------------------
 
-    /// Cancellation flag of the engines. In threads, wait() also sets it when the caller requests cancellation.
+    /// Returns the cancellation flag of the engines. If the engines run in threads, wait() also sets this flag when the
+    /// caller requests cancellation.
     const std::atomic<bool>* stop() const { return threaded_ ? &stop_ : options_.stop; }
 
     void report(const auto& change) {
@@ -202,14 +202,15 @@ private:
         if (circuits_.fault) stop_ = true;
     }
 
-    /// Stores the first verdict. A later verdict that contradicts it is an internal failure.
+    /// Stores the first verdict on a property. A later verdict that contradicts the first verdict is an internal
+    /// failure.
     void take(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (!is_decided(verdict)) return;
         const auto [place, fresh] = first_.try_emplace(verdict.about.index, verdict, run);
         Verdict& first = place->second.first;
         if (fresh) {
             settle(verdict.about);
-            // Probes for the vacuity of a violated property are not needed.
+            // After a violation, the probes for the vacuity of the property are not needed.
             for (const Id<Property> id : system_.properties.ids())
                 if (verdict.outcome == Outcome::Violated && probed_by(system_.properties[id]) == verdict.property)
                     settle(id);
@@ -231,7 +232,7 @@ private:
 
     // -- the caller's thread -----------------------------------------------------------------------------------------
 
-    /// Waits for all threads, or until `over` is true. Forwards cancellation by the caller and reports progress.
+    /// Waits until all threads have ended or `over` is true. Forwards cancellation by the caller and reports progress.
     template <class Over>
     void wait(const Over& over) {
         Lock lock(mutex_);
@@ -261,7 +262,7 @@ private:
         return result;
     }
 
-    /// Adds the reason of the other engine if both engines support the property.
+    /// Adds the reason of the other engine to an unknown verdict, if both engines support the property.
     static void add_reason(Verdict& verdict, const Verdict& other) {
         if (verdict.obstacle == UnknownReason::Unsupported || other.obstacle == UnknownReason::Unsupported) return;
         verdict.reason = "symbolic: " + verdict.reason + "; pdr and bmc: " + other.reason;
@@ -271,13 +272,14 @@ private:
     const TransitionSystem& system_;
     const PortfolioOptions& options_;
     std::atomic<bool> stop_ = false;
-    std::atomic<std::uint64_t> worked_ = 0;  ///< number of steps of operations on diagrams
+    std::atomic<std::uint64_t> worked_ = 0;  ///< number of operation steps of decision diagrams
     std::vector<std::atomic<bool>> moot_;  ///< for each property of the system: true if its verdict is no longer needed
-    bool threaded_ = false;                ///< changes only while no thread is running, as does the next member
-    std::uint64_t most_memory_ = 0;        ///< memory limit of the last run of the symbolic engine
+    bool threaded_ = false;                ///< changes only while no thread is running
+    /// Memory limit of the last run of the symbolic engine; read only when this run has ended.
+    std::uint64_t most_memory_ = 0;
     bool has_tried_first_ = false;
 
-    std::mutex mutex_ = {};  ///< protects the following members
+    std::mutex mutex_ = {};  ///< mutex for the following members
     std::condition_variable changed_ = {};
     std::size_t working_ = 0;
     bool joined_;  ///< true if engines other than the symbolic one take part

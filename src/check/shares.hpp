@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Time shares for several searches under one limit: a preliminary search gets a share of the remaining time. A verdict
-// that a later search leaves unknown mentions the states that earlier searches explored.
+// Shares of a time limit for several searches: a preliminary search may use only a share of the remaining time. If a
+// verdict is unknown after all searches, its reason includes the number of states that earlier searches explored.
 #pragma once
 
 #include <atomic>
@@ -37,8 +37,8 @@ inline Deadline most_of(const Deadline& deadline) {
     return *deadline - (*deadline - now) / 4;
 }
 
-/// Adds the number of states that `searches` explored to the reason of a verdict that a time or memory limit left
-/// unknown. Has no effect if the searches did not begin.
+/// Adds the number of states that `searches` explored to the reason of a verdict that is unknown because of a time or
+/// memory limit. Has no effect if these searches did not begin.
 inline void report_earlier(Verdict& verdict, std::string_view searches, std::uint64_t states) {
     const bool limited = verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Memory;
     if (verdict.outcome != Outcome::Unknown || !limited || states < 2) return;

@@ -9,8 +9,8 @@
 
 namespace grafverif {
 
-/// Returns the reason why no embedded engine decides a property of this pattern on a transition system, or an empty
-/// string if one does.
+/// Returns the reason why no embedded engine decides properties of this pattern on a transition system, or an empty
+/// string if an engine decides them.
 inline std::string unsupported_reason(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock:

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Evaluates the probes of one property that holds.
+/// Evaluates the probes of a property that holds.
 void apply_probes(const Table<Property>& properties, const std::vector<Verdict>& verdicts, Verdict& verdict) {
     std::string undecided;
     for (const Verdict& probe : verdicts) {

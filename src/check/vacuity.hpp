@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vacuity detection by probes: evaluates the verdicts on probes (ir/probes.hpp) for their properties.
+// Detects vacuous properties by the verdicts on their probes (ir/probes.hpp).
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace grafverif {
 
-/// Marks properties that hold vacuously, according to the first of their probes that is violated. If no probe is
-/// violated but one is undecided, a note is added. The verdicts on probes, which are also in `properties`, are not
-/// results and stay in the list.
+/// Marks the properties that hold vacuously: a property is vacuous if one of its probes is violated, and the first
+/// violated probe determines the note. If no probe is violated, but a probe is undecided, a note is added. `properties`
+/// also contains the probes. Their verdicts are not results, but remain in `verdicts`.
 void apply_probes(const Table<Property>& properties, std::vector<Verdict>& verdicts);
 
-/// Adds probes for properties that external programs decide without regard to vacuity: declared `leads to`, and, if
-/// `settled`, properties of all states with `at stable`. `settled` is true if the model represents quiescence.
+/// Adds probes for properties for which external programs do not detect vacuity: declared `leads to`, and, if `settled`
+/// is true, properties of all states with `at stable`. `settled` is true if the model represents quiescence.
 void add_external_probes(Exprs& exprs, Table<Property>& properties, bool settled);
 
 }  // namespace grafverif

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Circuit: bit-level form of a TransitionSystem and its properties. Latches are initially false and get the value of a
-// function in each step; inputs have any value in each step. AIGER, the programs that read it, and the PDR engine use
-// this form.
+// Circuit: bit-level form of a TransitionSystem and its properties. A latch is initially false, and its next value is a
+// function of latches and inputs; an input has any value in each step. AIGER, the programs that read it, and the PDR
+// engine use this form.
 //
-// Coding: a Boolean is one bit. An integer is its binary value, its two's complement if the range includes negative
-// numbers, or its offset from the least value if that needs fewer bits. A bit that is initially true is stored inverted
-// in its latch. If the first value is not constant, the latch `started` selects between this value and the latch of the
-// bit.
+// Coding: a Boolean is one bit. An integer is coded as its binary value, as its two's complement if the range includes
+// negative numbers, or as its offset from the minimum if this needs fewer bits. A bit that is initially true is stored
+// inverted in its latch. If the first value is not constant, the latch `started` selects between this value and the
+// latch of the bit.
 //
-// Invariants, constraints on steps and the ranges of free variables are folded into the latch `broken`, which is true
-// from the first step on that violates them. Targets concern only states in which it is false and the invariants hold.
-// After that, the values of the bits have no meaning.
+// The latch `broken` represents the invariants, the constraints on steps and the ranges of free variables. It becomes
+// true in the first step that violates one of them, and remains true. Targets concern only states in which `broken` is
+// false and the invariants hold. In all other states, the values of the bits have no meaning.
 //
-// Invariants of the circuit (see verify): gates come after their operands; words, latches and targets name existing
-// nodes; inputs and the nodes of latches are sources, each exactly once, and there are no other sources.
+// Invariants of the circuit (see verify): gates come after their operands; words, latches and targets refer to existing
+// nodes. Each source is the node of exactly one input or latch, and each input and latch has a source.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +40,8 @@ struct Circuit {
         std::string name = {};  ///< name such as `n[2]`; `!n[2]` if it is stored inverted
         bool operator==(const Latch&) const = default;
     };
-    /// A value as literals, least significant bit first: `base` plus the number that they represent. If `with_sign`,
-    /// the last bit is a two's complement sign.
+    /// A value: `base` plus the number that the literals represent, least significant bit first. If `with_sign`, the
+    /// last bit is a two's complement sign.
     struct Word {
         Type type = {};
         std::int64_t base = 0;
@@ -49,14 +49,14 @@ struct Circuit {
         std::vector<Literal> bits = {};
         bool operator==(const Word&) const = default;
     };
-    /// One property to decide. A state property is the reachability of a state with `bad`, which violates it or, for
-    /// `reachable`, is the witness. A property of runs is the existence of a run on which each literal of `justice`
-    /// holds infinitely often, which violates it; `bad` is then `no`.
+    /// One property to decide. A state property is decided by the reachability of a state in which `bad` is true. Such
+    /// a state violates the property or, for `reachable`, is the witness. A property of runs is violated if there is a
+    /// run on which each literal of `justice` holds infinitely often; `bad` is then `no`.
     struct Target {
         Id<Property> about = {};
         Literal bad = Gates::no;
         std::vector<Literal> justice = {};
-        /// States in which the property has no value. If one of them is reachable, the property is undefined.
+        /// True in states in which the property has no value. If such a state is reachable, the property is undefined.
         Literal undefined = Gates::no;
         bool operator==(const Target&) const = default;
     };
@@ -74,15 +74,16 @@ struct Circuit {
     std::vector<Word> words = {};    ///< value of each variable of the flat system in the current state or step
     std::vector<Word> symbols = {};  ///< value of each symbol of the system's main module
     Literal possible = Gates::yes;   ///< true if the current state satisfies the system's invariants
-    Literal settled = Gates::no;     ///< true if it also is quiescent, provided that the system has this symbol
-    Literal in_range = Gates::yes;   ///< true if every variable has a value of its type
+    /// True if the current state is possible and quiescent. Valid only if the system has the term `settled`.
+    Literal settled = Gates::no;
+    Literal in_range = Gates::yes;  ///< true if every variable has a value of its type
     std::vector<Target> targets = {};
     std::vector<Leak> leaks = {};
 
     bool operator==(const Circuit&) const = default;
 };
 
-/// A property that is not among the targets, with the reason.
+/// A property that is not a target, with the reason.
 struct NotInCircuit {
     Id<Property> about = {};
     std::string reason = {};
@@ -92,12 +93,13 @@ struct CircuitOf {
     Circuit circuit = {};
     std::vector<NotInCircuit> omitted = {};
 };
-/// Translates the system. `flat` is flattened(system); terms are added to it. Requires verify(system).empty().
+/// Translates the system. `flat` must be flattened(system); the function adds terms to it. Requires
+/// verify(system).empty().
 CircuitOf circuit_of(const TransitionSystem& system, FlatSystem& flat);
 
 std::vector<std::string> verify(const Circuit& circuit);
 
-/// One bit per node of a circuit.
+/// A bit for each node of a circuit.
 using NodeValues = std::vector<bool>;
 /// Computes all gates from the latches and inputs, which `values` already contains.
 void evaluate_gates(const Circuit& circuit, NodeValues& values);

@@ -16,7 +16,7 @@ using Variable = FlatSystem::Variable;
 /// Returns the number of bits of a value in two's complement, including the sign.
 std::size_t signed_width(std::int64_t value) { return bits::constant<Gate>(value).size(); }
 
-/// Returns the coding of `type`, without bits.
+/// Returns a word with the coding of `type`, without its bits.
 Circuit::Word coding(Type type) {
     if (type.boolean || bit_count(type) == 0) return {type, type.boolean ? 0 : type.low, false, {}};
     const std::size_t least = bit_count(type);
@@ -100,7 +100,8 @@ private:
 
     // -- current values ----------------------------------------------------------------------------------------------
 
-    /// Returns the first value of a variable as a term; an input if the variable is free.
+    /// Returns the initial value of a variable as a term. If the variable has no initial value, the bits of the term
+    /// are inputs.
     const Term& first_value(Id<Variable> id) {
         if (const auto known = firsts_.find(id.index); known != firsts_.end()) return known->second;
         const Variable& variable = flat_.variables[id];
@@ -126,7 +127,8 @@ private:
         return bits;
     }
 
-    /// Selects `first` in the first state, and `later` (latch or input) from the second state on.
+    /// Returns a literal that is equal to `first` in the first state, and to `later` (latch or input) in all later
+    /// states.
     Gate after_first(const Gate& later, const Gate& first) {
         if (started_.is_false()) started_ = add_latch("started");
         return ite(started_, later, first);
@@ -255,8 +257,8 @@ private:
     }
 
     /// Returns justice conditions for a run that has a state with `from` (default: its first state), but no state with
-    /// `goal` at that time or later. Such a run exists exactly if these conditions and those of the system can all hold
-    /// infinitely often. A free input selects the state with `from`.
+    /// `goal` at that time or later. Such a run exists if and only if these conditions and the justice conditions of
+    /// the system can all hold infinitely often. A free input selects a state with `from`.
     std::vector<Literal> never_again(const Gate& goal, const std::optional<Gate>& from) {
         const std::string number = std::to_string(circuit().targets.size());
         Gate waits = yes();
@@ -291,7 +293,7 @@ private:
     std::vector<GateWord> words_ = {};  ///< bits of each variable
     BitTerms<Gate> now_, first_;
     std::unordered_map<std::uint32_t, Term> firsts_ = {};
-    Gate first_kept_ = Gate::constant(true);  ///< true if first values are in their ranges
+    Gate first_kept_ = Gate::constant(true);  ///< true if all initial values are in their ranges
     std::vector<std::vector<Gate>> nexts_ = {};
     std::vector<LatchOf> latches_of_ = {};
     Term settled_ = {};

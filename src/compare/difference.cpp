@@ -55,7 +55,8 @@ private:
         of_[1][of_b.index] = of_a;
     }
 
-    /// Returns the features of an unmatched step. If `whole`, they include its transitions and their conditions.
+    /// Returns the features of an unmatched step. If `whole` is true, they include its transitions and their
+    /// conditions.
     std::string looks(std::size_t k, Step step, bool whole) const {
         const Wording words(*charts_[k], [&](Step each) {
             return each == step ? "@" : of_[k][each.index].valid() ? common_name(k, each) : std::string("?");
@@ -71,7 +72,7 @@ private:
         return words.head(step) + '\n' + sorted_text(std::move(lines));
     }
 
-    /// Matches steps whose features are unique in both charts. Returns true if it found any.
+    /// Matches steps whose features are unique in both charts. Returns true if there were such steps.
     bool pair_by_looks(bool whole) {
         std::map<std::string, std::array<std::vector<Step>, 2>> alike;
         for (const std::size_t k : {0U, 1U})
@@ -107,7 +108,7 @@ private:
         changes_.push_back({kind, std::move(subject), std::move(before), std::move(after)});
     }
 
-    /// Returns the texts with the chart's names.
+    /// Returns the texts with the names of the chart itself.
     Wording own(std::size_t k) const {
         return {*charts_[k], [chart = charts_[k]](Step step) { return name_of(*chart, step).text(); }};
     }
@@ -160,8 +161,8 @@ private:
         return lines;
     }
 
-    /// Adds the entries that only one of the lists contains. If two entries begin with the same word, they are one
-    /// changed entry.
+    /// Adds the entries that only one of the lists contains. Two such entries that begin with the same word are
+    /// reported as one changed entry.
     void add_lists(const std::string& subject, std::vector<Line> before, std::vector<Line> after) {
         for (auto line = before.begin(); line != before.end();) {
             const auto same = std::ranges::find(after, line->common, &Line::common);

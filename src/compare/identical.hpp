@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// identical_up_to_names: true if two Equations have the same tables, entry by entry. Positions in the text are ignored,
-// and so are all names except those of inputs and outputs. This is sufficient for the same behaviour, but not
-// necessary.
+// identical_up_to_names: true if two Equations have the same tables, entry by entry. Positions in the text are ignored.
+// Names are also ignored, except for the names of inputs and outputs. This condition is sufficient for equal behaviour,
+// but not necessary.
 #pragma once
 
 #include "grafverif/ir/equations.hpp"

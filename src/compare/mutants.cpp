@@ -23,7 +23,7 @@ void collect_lists(Items& items, std::vector<Items*>& lists) {
         if (auto* partial = std::get_if<tree::Partial>(&item)) collect_lists(partial->items, lists);
 }
 
-/// A position in a chart that is valid in every copy of the file.
+/// A position in a chart, which denotes the same item in every copy of the file.
 struct At {
     std::size_t list = 0, item = 0, action = 0;
 };
@@ -82,8 +82,8 @@ private:
                    .substr(std::string("transition ").size());
     }
 
-    /// Adds a mutant, unless its text already exists. The mutant is the file with `change` applied to the item at `at`
-    /// and to its list.
+    /// Adds a mutant if no other mutant has the same text. The mutant is the file with `change` applied to the item at
+    /// `at` and to its list.
     template <class Change>
     void add(const char* kind, At at, const Change& change) {
         tree::File file = file_;
@@ -99,9 +99,9 @@ private:
         if (made.text != original_ && texts_.insert(made.text).second) mutants_.push_back(std::move(made));
     }
 
-    // -- terms -----------------------------------------------------------------------------------------------------------
+    // -- terms --------------------------------------------------------------------------------------------------------
 
-    /// Overwrites the node. Its siblings are kept.
+    /// Overwrites the node. The siblings of the node do not change.
     static void put(tree::File& file, Id<tree::Expr> place, tree::Expr node) {
         node.next = file.exprs[place].next;
         file.exprs[place] = node;
@@ -121,7 +121,7 @@ private:
             found.push_back(each);
         return found;
     }
-    /// Removes an operand. If a single operand remains, it replaces the node.
+    /// Removes an operand. If only one operand remains, this operand replaces the node.
     static void drop(tree::File& file, Id<tree::Expr> place, std::size_t operand) {
         std::vector<Id<tree::Expr>> left = operands(file, place);
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(operand));
@@ -132,8 +132,8 @@ private:
             file.exprs[left[k]].next = k + 1 < left.size() ? left[k + 1] : Id<tree::Expr>{};
     }
 
-    /// Adds the mutants of a Boolean term. Edges, time conditions and comparisons are not changed inside, except for
-    /// durations.
+    /// Adds the mutants of a Boolean term. Operands of edges, time conditions and comparisons are not changed, except
+    /// for durations.
     void change_condition(At at, Id<tree::Expr> term) {
         if (!term.valid()) return;
         add("term-negated", at, [term](tree::File& file, Items&, tree::ChartItem&) { negate(file, term); });
@@ -162,7 +162,7 @@ private:
         for (const Id<tree::Expr> operand : operands(file_, term)) change_durations(at, operand);
     }
 
-    // -- transitions -----------------------------------------------------------------------------------------------------
+    // -- transitions --------------------------------------------------------------------------------------------------
 
     static bool same_names(const tree::File& file, const std::vector<tree::Name>& one,
                            const std::vector<tree::Name>& other) {
@@ -197,7 +197,7 @@ private:
         }
     }
 
-    /// Replaces the successor by the next step in the list, cyclically.
+    /// Replaces the successor by the next step in the list, cyclically, that is not already a successor.
     void change_successor(At at, const tree::Transition& transition, std::size_t place, const Items& list) {
         std::vector<tree::Name> steps;
         for (const tree::ChartItem& item : list)
@@ -217,7 +217,7 @@ private:
         }
     }
 
-    // -- steps -----------------------------------------------------------------------------------------------------------
+    // -- steps --------------------------------------------------------------------------------------------------------
 
     void change_step(At at, const tree::Step& step, const Items& list) {
         const auto initial = [](const tree::ChartItem& item) {

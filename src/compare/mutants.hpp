@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mutants: creates mutants of one of the charts of a file, each with one plausible mistake. A mutant is the text of the
-// complete file in canonical form, so that it is read like any other file.
+// mutants: creates mutants of a chart of a file. Each mutant has one plausible mistake. A mutant is the text of the
+// complete file in canonical form, and can be read like any other file.
 //
 //   term-dropped        one operand of an `and` or `or` is missing
 //   term-negated        one operand, or a complete condition, is negated; the `not` of a negation is missing
@@ -24,8 +24,8 @@
 
 namespace grafverif {
 
-/// Returns the mutants in the order of the declarations. The texts are distinct and differ from that of the file. The
-/// result is empty if the file is `broken` or does not contain a chart with this name.
+/// Returns the mutants in the order of the declarations. All texts are distinct and differ from the text of the file.
+/// The result is empty if the file is `broken` or does not contain a chart with this name.
 std::vector<Mutant> mutants(const tree::File& file, std::string_view chart);
 
 }  // namespace grafverif

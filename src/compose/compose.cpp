@@ -29,8 +29,8 @@ ControllerParts parts_of(const ClosedLoop& loop, Id<ClosedLoop::Controller> id, 
     return parts;
 }
 
-/// Reports a variable that two controllers assign. The reader has already reported this, but compose does not depend on
-/// it.
+/// Reports a variable that two controllers assign. The reader has already reported such a variable, but compose does
+/// not rely on the reader.
 void check_writers(const Composition& composition, const ClosedLoop& loop, Diagnostics& diagnostics) {
     std::vector<const ControllerParts*> writers(composition.network.variables.size(), nullptr);
     for (const ControllerParts& parts : composition.controllers) {

@@ -3,8 +3,9 @@
 // sections 5.4 and 6).
 //
 // Each controller has the generic PLC cycle of CEP13 Fig. 33a (`plc_cycle`), one timer per time condition (Fig. 33b,
-// corrected: see timers.hpp), and the flags that couple it with the plant:
-//   EVOL_PL   an edge of the plant or its environment has assigned an input     set there, reset when a cycle starts
+// corrected: see timers.cpp), and the flags that couple it with the plant:
+//   EVOL_PL   an edge of the plant, its environment or another controller       set there, reset when a cycle starts
+//             has assigned an input
 //   EVOL_TI   the output of a timer has changed                                 set by the timers, reset with EVOL_PL
 //   stable    one more cycle with the same inputs would change nothing          false at power-on
 //
@@ -16,14 +17,14 @@
 //     P2 -> W  [stable] write()    outputs
 //     P2 -> W  [!stable]
 //   every_cycle: P2 -> W write(), whether stable or not.
-// All these edges are urgent. A location `init` before W calls start() if the initial steps have actions on activation,
-// or in mode every_cycle; in this mode it also writes the outputs.
+// All edges of the cycle are urgent. If the first evolution has an effect, an edge from the location `init` to W calls
+// start(). This is always the case in mode every_cycle, in which this edge also writes the outputs.
 //
-// Assignments are sequential. If an update would read a variable that an earlier one of its procedure has overwritten,
-// a scratch variable (`COUNT_old`) keeps its value. Inputs and timer outputs that evolve() and write() read are sampled
-// in fire(), because in the phased grain they may change during the cycle. Outputs of stored actions have an image
-// (`LOCK_image`) that evolve() changes and write() copies. With several controllers, names are qualified by the
-// controller: `press_X_2`.
+// Assignments are sequential. If an update would read a variable that an earlier update of the procedure has
+// overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer outputs that evolve() and
+// write() read are sampled in fire(), because in the phased grain they may change during the cycle. Outputs of stored
+// actions have an image (`LOCK_image`) that evolve() changes and write() copies. If there are several controllers,
+// names begin with the name of the controller: `press_X_2`.
 #pragma once
 
 #include <optional>
@@ -36,16 +37,14 @@
 
 namespace grafverif {
 
-/// The corrections of the published method. Each can be disabled to show the failure that it prevents. They are
-/// disabled only by tests and by the documentation of the method.
+/// The corrections of the published method. Each correction can be disabled to show the failure that it prevents. Only
+/// tests and the documentation of the method disable corrections.
 struct Ablations {
     bool cycle_always = false;         ///< guard of W -> P0 without flags: the cycle of CEP13 Fig. 17
     bool cycle_unless_stable = false;  ///< guard of W -> P0 without `stable`, outputs in every cycle: CEP13 Fig. 24
-    bool timers_as_published =
-        /// CEP13 Fig. 33b: if a step is deactivated and activated again within one instant, the timer does not detect
-        /// this.
-        false;
-    bool sensors_not_urgent = false;  ///< edges that assign an input of a controller let time pass: CEP13 Fig. 12b
+    /// CEP13 Fig. 33b: a timer does not detect that a step is deactivated and activated again within one instant.
+    bool timers_as_published = false;
+    bool sensors_not_urgent = false;  ///< edges that assign an input of a controller are not urgent: CEP13 Fig. 12b
 
     bool operator==(const Ablations&) const = default;
 };

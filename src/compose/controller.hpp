@@ -14,20 +14,22 @@ namespace grafverif {
 struct ControllerParts {
     const Equations* equations = nullptr;
     std::string name = {};
-    std::string prefix = {};  ///< prefix of its names; empty if there is only one controller
+    std::string prefix = {};  ///< prefix of the controller's names; empty if there is only one controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    bool starts = false;  ///< the first evolution has an effect and therefore a separate edge
+    bool starts = false;  ///< true if the first evolution has an effect and therefore a separate edge
     Span origin = {};
 
-    /// For each variable of the equations: the variable that other processes read; the variable that stores an output
-    /// until it is written; the variable that stores an input from fire() on. Invalid if it does not exist.
+    /// Three variables for each variable of the equations: the variable that other processes read, the variable that
+    /// stores an output until it is written, and the variable that stores an input after fire(). An id is invalid if
+    /// there is no such variable.
     std::vector<Id<Network::Variable>> variable = {}, image = {}, sample = {};
     std::vector<Id<Equations::Variable>> sampled = {};  ///< variables of the equations with a sample, in order
-    std::vector<bool> sample_written = {};  ///< for each variable: true if its sample is needed until write()
+    std::vector<bool> sample_written = {};              ///< for each variable: true if write() reads its sample
 
-    /// Flags of the controller; evol_ti only if there are timers.
+    /// Flags of the controller. `evol_ti` is valid only if there are timers.
     Id<Network::Variable> evol_pl = {}, evol_ti = {}, stable = {};
-    std::vector<Id<Network::Variable>> pending = {};  ///< request of each timer; empty for timers as published
+    /// Request of each timer; empty if Ablations::timers_as_published.
+    std::vector<Id<Network::Variable>> pending = {};
 };
 
 /// Data shared while a network is composed.
@@ -36,16 +38,18 @@ struct Composition {
     UniqueNames names = {};  ///< names of variables, templates and processes
     Ablations ablations = {};
     std::vector<ControllerParts> controllers = {};
-    std::vector<std::vector<std::uint32_t>> readers = {};  ///< controllers with this input, per variable of the plant
-    Id<Network::Variable> race = {};                       ///< valid only if two stored actions can race
-    /// Templates of timers (t1/v, v/t2, t1/v/t2). Each is added with the first timer of its type.
+    /// For each variable of the plant: controllers with this input.
+    std::vector<std::vector<std::uint32_t>> readers = {};
+    Id<Network::Variable> race = {};  ///< valid only if a race of stored actions is possible
+    /// Templates of timers (t1/v, v/t2, t1/v/t2). A template is added with the first timer of its type.
     Id<Network::Template> on_delay = {}, off_delay = {}, both_delays = {};
 };
 
 /// Adds the variables of a controller: steps, internal variables, firing conditions, images, samples, timers, flags.
 void declare(Composition& composition, const ClosedLoop& loop, ControllerParts& parts);
 
-/// Adds the template and the process of its PLC cycle, and the controller. Its timers are added later.
+/// Adds the template and the process of the controller's PLC cycle, and the controller. The timers of the controller
+/// are added later.
 Id<Network::Controller> add_cycle(Composition& composition, const ControllerParts& parts);
 
 /// Adds the timers of `controller`.

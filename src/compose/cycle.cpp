@@ -12,7 +12,8 @@ namespace {
 using Location = Id<Network::Location>;
 using Procedure = Id<Network::Procedure>;
 
-/// Guard of `W -> P0` and its variants: (!stable || EVOL_PL || EVOL_TI) and no timer to start or stop.
+/// Returns the guard of `W -> P0`, with its variants: (!stable || EVOL_PL || EVOL_TI), and no request to a timer is
+/// pending.
 Id<Expr> cycle_guard(Composition& composition, const ControllerParts& parts) {
     Network& network = composition.network;
     std::vector<Id<Expr>> reasons;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Declares the variables of a controller, in the order in which its equations use them.
+// Declares the variables of a controller, role by role.
 #include "compose/controller.hpp"
 #include "ir/reads.hpp"
 #include "ir/shared_by_name.hpp"
@@ -17,7 +17,8 @@ std::vector<Id<Equations::Variable>> stored_outputs(const Equations& equations) 
     return found;
 }
 
-/// Returns the inputs and timer outputs that evolve() and write() read. `written` marks those that write() reads.
+/// Returns the inputs and timer outputs that evolve() or write() reads. `written` is set to one flag for each variable:
+/// true if write() reads the variable.
 std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std::vector<bool>& written) {
     std::vector<bool> read(equations.variables.size());
     written.assign(equations.variables.size(), false);
@@ -47,7 +48,7 @@ std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std
     return found;
 }
 
-/// Adds the variables of one controller with its prefix.
+/// Adds the variables of a controller. Their names begin with the prefix of the controller.
 class Declarer {
 public:
     Declarer(Composition& composition, ControllerParts& parts) : composition_(composition), parts_(parts) {}

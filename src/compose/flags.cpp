@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// EVOL_PL is set by exactly those edges of the plant that assign an input of a controller (CEP13 6.2). If edges of
-// processes with the same template set different flags, the processes get copies of the template (`sensor_2`).
-// Components are unchanged.
+// Of the edges of the plant, exactly those that assign an input of a controller set its EVOL_PL (CEP13 6.2). If the
+// edges of two processes with the same template set different flags, a process uses a copy of the template
+// (`sensor_2`). Components are unchanged.
 #include <algorithm>
 #include <map>
 
@@ -11,12 +11,13 @@ namespace grafverif {
 
 namespace {
 
-/// The flags that each edge sets, numbered in the order of first use. Processes with equal patterns share a template.
+/// The flags that each edge sets, numbered in the order of first use. Processes for which these patterns are equal
+/// share a template.
 using FlagPattern = std::vector<std::vector<std::uint32_t>>;
 
 struct Flags {
     FlagPattern pattern = {};
-    std::vector<std::uint32_t> controllers = {};  ///< controller of each flag number
+    std::vector<std::uint32_t> controllers = {};  ///< controller that is represented by each flag number
 };
 
 Flags flags_of(const Composition& composition, const Network::Process& process, const Network::Template& automaton) {

@@ -32,14 +32,15 @@ public:
 
     /// Returns a copy of `term` that guards can read.
     Id<Expr> readable(Id<Expr> term) {
-        const Exprs from = network_.exprs;  // copied, because the table grows
+        const Exprs from = network_.exprs;  // a copy, because the function adds terms to the table
         return translate(from, term, network_.exprs, [&](const Expr& leaf) {
             return leaf.op == Op::At ? at(leaf) : network_.exprs.leaf(leaf.op, static_cast<std::uint32_t>(leaf.value));
         });
     }
 
 private:
-    /// Makes the edges of a template write the variable. All its processes get the same parameter.
+    /// Adds a parameter to a template, assignments of the location to this parameter on its edges, and a variable as
+    /// the argument of each of its processes.
     void add_location_variable(Id<Network::Template> id) {
         Network::Template& automaton = network_.templates[id];
         UniqueNames own;
@@ -65,7 +66,8 @@ private:
     std::vector<Id<Network::Variable>> variables_;
 };
 
-/// Makes every edge of the loop wait until all observers have processed the current state, and then start a new round.
+/// Changes every edge of the loop such that it is enabled only after all observers have processed the current state,
+/// and starts a new round of the observers.
 void show_every_state(Network& network, Id<Expr> look) {
     const Id<Expr> seen = network.exprs.apply(Op::Equal, look, network.exprs.integer(0));
     const Id<Expr> first = network.exprs.integer(1);
@@ -108,8 +110,8 @@ Network observed(const Network& network, const std::vector<Id<Property>>& chosen
     for (const Network::Template& automaton : network.templates) names.fresh(automaton.name);
     for (const Network::Process& process : network.processes) names.fresh(process.name);
 
-    // First the terms that observers read are translated, and then the writes of their variables are added: edges of
-    // observers must not wait for these.
+    // First translates the terms that observers read, and then adds the assignments of their variables. The edges of
+    // observers, which are added afterwards, do not need these assignments.
     Places places(made, names);
     std::vector<ObserverTerms> terms;
     for (const Id<Property> id : chosen) {

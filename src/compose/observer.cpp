@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Observer automata. Each implements the formula of its pattern in the table of docs/reference/properties.md; a
-// randomized test compares the automaton with the formula.
+// Observer automata. Each automaton implements the formula of its pattern in the table of docs/reference/properties.md.
+// A randomized test compares the automata with the formulas.
 #include "compose/observer.hpp"
 
 #include <fmt/format.h>
@@ -57,8 +57,8 @@ public:
                                   .guard = both(terms_.judged, when),
                                   .constraint = {{clock_, relation, exprs_.integer(duration_)}}});
     }
-    /// Adds an edge to `to` that can be taken after the duration, independently of the current state: only states that
-    /// have been read are relevant.
+    /// Adds an edge to `to` that can be taken after the duration, independently of the current state, because only
+    /// states that have been read are relevant.
     void expires(Location from, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
@@ -66,7 +66,7 @@ public:
                                   .constraint = {{clock_, Op::Greater, exprs_.integer(duration_)}}});
     }
 
-    /// Completes the automaton: in all other cases, it reads the state and stays in its location.
+    /// Completes the automaton with edges for all other cases, which read the state and do not change the location.
     ObserverMade whole(Location initial) {
         for (const Location at : made.automaton.locations.ids())
             look(at, at, either(no(terms_.judged), rest_[at.index]), false);
@@ -86,14 +86,14 @@ private:
     const ObserverTerms& terms_;
     std::int64_t duration_;
     Id<Network::Clock> clock_ = {};
-    /// For each location: condition under which no edge that was added so far is taken.
+    /// For each location: condition that no edge that was added so far can be taken.
     std::vector<Id<Expr>> rest_ = {};
 };
 
 // -- durations --------------------------------------------------------------------------------------------------------
 
-/// Common part of all scopes. In a scope that is relevant only if it closes, a violation is stored in `spoilt` until
-/// then.
+/// Locations and terms of a scope, for observers of durations and counts. If a scope is relevant only if it closes, the
+/// location `spoilt` represents a violation until the scope closes.
 struct Scoped {
     Location out = {};     ///< location outside the scope; for `before`: after the scope
     Location failed = {};  ///< location reached by a violation inside the scope
@@ -165,7 +165,7 @@ ObserverMade recurs(Observer of, Id<Expr> p, Sentence::Scope scope) {
     return of.whole(scope == Sentence::Scope::Before ? due : in.out);
 }
 
-/// `p holds for d`: whenever p becomes false, it has held for at least d.
+/// `p holds for d`: whenever p becomes false, p has held for at least d.
 ObserverMade holds_for(Observer of) {
     const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
     of.clock();
@@ -202,8 +202,8 @@ ObserverMade since(Observer of) {
 
 // -- counts -----------------------------------------------------------------------------------------------------------
 
-/// `p at most count times`: counts the states with p whose predecessor lacks p or is outside the scope. The count from
-/// the first state that opens the scope is at least the count from any later one.
+/// `p at most count times`: counts the states with p that have no predecessor in the scope or a predecessor without p.
+/// The count that starts in the first state that opens the scope is not less than a count that starts in a later state.
 ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count) {
     using enum Sentence::Scope;
     const Id<Expr> p = of.p();
@@ -227,8 +227,7 @@ ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count)
     return of.whole(scope == Globally || scope == Before ? first : in.out);
 }
 
-// -- scopes: r opens a scope, s closes it
-// -------------------------------------------------------------------------------
+// -- scopes: r opens a scope, s closes it -----------------------------------------------------------------------------
 
 /// `never p`.
 ObserverMade absence(Observer of, Id<Expr> p, Sentence::Scope scope) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builds the observer automaton of a sentence: its reactions to the states that it reads.
+// Builds the observer automaton of a Sentence, the form of a watched property.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,24 @@
 
 namespace grafverif {
 
-/// Terms that an observer reads, in a form that guards can contain.
+/// Terms that an observer reads. All of them can be used in guards.
 struct ObserverTerms {
     std::vector<Id<Expr>> operands = {};  ///< operands of the property
-    Id<Expr> judged = {};                 ///< true if the property considers the state
-    Id<Expr> turn = {};                   ///< true if it is this observer's turn to read
-    Id<Expr> look = {}, next = {};        ///< variable that is assigned after reading, and its new value
+    Id<Expr> judged = {};                 ///< true if the current state is relevant for the property
+    Id<Expr> turn = {};                   ///< true if this observer must read the state next
+    /// Variable that the observer assigns when it has read the state, and the new value.
+    Id<Expr> look = {}, next = {};
 };
 
 struct ObserverMade {
     Network::Template automaton = {};
-    /// Encoding of the property. If `settled` is empty, no location of `pending` is ever reached; otherwise `pending`
-    /// leads to `settled`.
+    /// Locations that encode the property. If `settled` is empty, the property states that no location of `pending` is
+    /// reached; otherwise it states that `pending` leads to `settled`.
     std::vector<Id<Network::Location>> pending = {}, settled = {};
 };
 
-/// Builds the observer. `duration` is that of the sentence, in time units.
+/// Builds the observer. `duration` is the duration that the property states (`watch.duration_ms`), in time units of the
+/// network; 0 if it states none.
 ObserverMade observer_of(Exprs& exprs, const Sentence& watch, const ObserverTerms& terms, std::int64_t duration);
 
 }  // namespace grafverif

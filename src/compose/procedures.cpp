@@ -13,7 +13,7 @@ namespace {
 using Assignments = std::vector<Network::Assignment>;
 using VariableId = Id<Equations::Variable>;
 
-/// A new value of `target`, with the terms that it requires. All terms are over the values before the procedure.
+/// An assignment of a new value to `target`. All terms are over the values before the procedure.
 struct Update {
     VariableId target = {};
     std::vector<Id<Expr>> terms = {};
@@ -55,8 +55,8 @@ private:
         return image.valid() ? image : parts_.variable[variable.index];
     }
 
-    /// Returns a translator of terms of the equations to the network. Inputs are read directly or as sampled; `olds`
-    /// are read with their old value.
+    /// Returns a copier of terms that translates the equations to the network. Inputs are read directly or from their
+    /// samples; for variables in `olds`, the old value is read.
     TermCopier reading(bool sampled, const std::vector<VariableId>& olds = {}) {
         std::vector<Id<Expr>> leaves = stored_;
         if (sampled)
@@ -83,8 +83,8 @@ private:
         return list;
     }
 
-    /// Updates step activities, stored actions, `stable` and timer requests. All are computed from the values before
-    /// the cycle.
+    /// Updates step activities, stored actions, `stable` and timer requests. All new values are computed from the
+    /// values before the cycle.
     Assignments evolve() {
         TermCopier before = reading(true);
         Assignments list = pending(before);
@@ -122,7 +122,7 @@ private:
         return exprs().conditional(trigger, value, target);
     }
 
-    /// Updates the observed levels after the current procedure, and sets the requests to the timers of those that
+    /// Updates the observed levels after the current procedure, and sets the requests to the timers whose levels
     /// changed.
     void watch(bool sampled, Assignments& list) {
         if (equations_.watches.empty()) return;
@@ -161,8 +161,8 @@ private:
         list.push_back({races.front(), exprs().disjunction(races)});
     }
 
-    /// Finds the variables that an update reads after an earlier update has overwritten them, and stores their old
-    /// values first.
+    /// Determines the variables that an update reads after an earlier update has overwritten them. Assignments that
+    /// store their old values are added first.
     std::vector<VariableId> keep_old(const std::vector<Update>& updates, Assignments& list) {
         std::vector<bool> overwritten(equations_.variables.size()), kept(equations_.variables.size());
         std::vector<VariableId> olds;
@@ -206,7 +206,7 @@ private:
         return list;
     }
 
-    /// Assigns `output := value`. If the value changes, the flags of the controllers that read the output are set.
+    /// Assigns `output := value`. If the value changes, also sets the flags of the controllers that read the output.
     void put(Id<Network::Variable> output, Id<Expr> value, Assignments& list) {
         const Id<Expr> target = leaf_of(output);
         if (!phased_ && !every_cycle_) value = exprs().conditional(leaf_of(parts_.stable), value, target);
@@ -217,8 +217,8 @@ private:
         list.push_back({target, value});
     }
 
-    /// The first evolution: actions on activation of the initial steps (Stored::first), previous values and observed
-    /// levels. Timers of the initial steps start.
+    /// Returns the updates of the first evolution: actions on activation of the initial steps (Stored::first), previous
+    /// values and observed levels. Also requests that the timers of the initial steps start.
     Assignments start() {
         Assignments list;
         TermCopier now = reading(false);
@@ -226,7 +226,7 @@ private:
         std::vector<Update> updates;
         for (const Kept& each : kept_)
             if (each.first.valid() && !each.after) updates.push_back({each.variable, {each.first}});
-        std::ranges::stable_partition(updates, [&](const Update& update) {  // previous values for edges come first
+        std::ranges::stable_partition(updates, [&](const Update& update) {  // first the previous values for edges
             return equations_.variables[update.target].role == Equations::Role::Previous;
         });
         const std::vector<VariableId> olds = keep_old(updates, list);
@@ -250,8 +250,8 @@ private:
     bool phased_;
     bool every_cycle_;
     std::vector<Kept> kept_;
-    std::vector<Id<Expr>> stored_;  ///< for each variable of the equations: the leaf of the variable that stores it
-    /// For each variable of the equations: the scratch variable with its old value.
+    std::vector<Id<Expr>> stored_;  ///< for each variable of the equations: the leaf of its network variable
+    /// For each variable of the equations: the scratch variable that stores its old value.
     std::vector<Id<Network::Variable>> old_;
 };
 

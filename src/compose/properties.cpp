@@ -34,7 +34,7 @@ Id<Expr> formula_of(const ClosedLoop& loop, const ClosedLoop::Symbol& symbol, Co
                               const ControllerParts& parts = composition.controllers[of.controller.index];
                               return in_controller(parts, end_of(*parts.equations, of));
                           },
-                          // reads_observer excludes this.
+                          // This case is excluded by reads_observer.
                           [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },
                       },
                       symbol);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Timers: one process per distinct time condition t1/v/t2. Timers for t1/v share the template of CEP13 Fig. 33b, with
-// two corrections. As published, a timer follows its step by level and sets EVOL_TI only when it expires. It does not
-// detect a step that is deactivated and activated again within one instant. As a result, the pulse chart `1 -> 2 when
-// 5s/X1; 2 -> 1 when true` clears transitions forever after the first 5 s. In this implementation, the step update sets
-// a request (P) whenever it changes the level, and the timer accepts it immediately and restarts. No cycle starts
-// before the request is accepted, and every change of Q sets EVOL_TI. If the step is inactive at the end of the update,
-// only a request to stop remains.
+// two corrections. As published, a timer follows the level of its step and sets EVOL_TI only when it expires. Such a
+// timer does not detect that a step is deactivated and activated again within one instant. As a result, the pulse chart
+// `1 -> 2 when 5s/X1; 2 -> 1 when true` clears transitions forever after the first 5 s. In this implementation, the
+// step update sets a request (P) whenever it changes the level, and the timer accepts the request immediately and
+// restarts. No cycle starts before the request is accepted, and every change of Q sets EVOL_TI. If the step is inactive
+// at the end of the update, only a request to stop remains.
 //
-// With t2, Q remains true for t2 after the level falls. The two delays follow each other. If the level rises again
-// during t2, the new t1 (rise, clock t) elapses concurrently with the rest of the previous t2 (fall, clock u).
+// With t2, Q remains true for t2 after the level falls. The delay t1 ends before the delay t2 begins. If the level
+// rises again during t2, the new t1 (rise, clock t) elapses concurrently with the rest of the previous t2 (fall, clock
+// u).
 //
 //   t1/v            v/t2                  t1/v/t2
 //   idle -> run     off -> on             idle -> run -> done -> fall -> idle
@@ -93,12 +94,12 @@ private:
         assert(added == done);
     }
 
-    /// Returns assignments that set Q to `value` and request a cycle.
+    /// Returns assignments that set Q to `value` and request a PLC cycle.
     std::vector<Network::Assignment> change(bool value) {
         return {{end_, exprs_.constant(value)}, {flag_, exprs_.constant(true)}};
     }
 
-    /// Adds an edge that accepts a request. `starts` is the clock that is reset.
+    /// Adds an edge that accepts a request. The edge resets the clock `starts`.
     void take(Location from, Location to, Id<Expr> request, std::vector<Network::Assignment> assignments,
               Id<Network::Clock> starts = {}) {
         if (!as_published_) assignments.push_back({pending_, exprs_.constant(false)});
@@ -108,7 +109,7 @@ private:
         automaton_.edges.add(std::move(edge));
     }
 
-    /// Adds an edge at the end of a delay. It is disabled while a request is pending.
+    /// Adds an edge at the end of a delay. The edge is disabled while a request is pending.
     void elapse(Location from, Location to, const Delay& delay, std::vector<Network::Assignment> assignments) {
         automaton_.edges.add({.from = from,
                               .to = to,
@@ -179,7 +180,8 @@ Id<Network::Template>& template_of(Composition& composition, Delays delays) {
     return composition.on_delay;
 }
 
-/// Returns the template for `timer`, whose parameters are the durations. It is added for the first timer of its type.
+/// Returns the template for `timer`, whose parameters are the durations. The template is added for the first timer of
+/// its type.
 Id<Network::Template> template_for(Composition& composition, const Equations::Timer& timer,
                                    const std::vector<std::int64_t>& durations) {
     Network& network = composition.network;

@@ -15,10 +15,11 @@ namespace {
 
 using Scope = Sentence::Scope;
 
-/// A condition that must occur in a scope. If it does not, the property holds vacuously in that scope.
+/// A condition that must occur in a scope. If the condition does not occur, the property holds vacuously in that scope.
 struct Premise {
     Id<Expr> term = {};
-    std::string never = {};  ///< text if the condition never occurs; empty if every state satisfies the condition
+    /// Note for the case that the condition never occurs; empty if every state satisfies the condition.
+    std::string never = {};
 };
 
 Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<Expr>>& operands) {
@@ -38,10 +39,10 @@ Premise premise_of(Exprs& exprs, const Sentence& sentence, const std::vector<Id<
     unreachable();
 }
 
-/// True if the scope is relevant only if it closes.
+/// True if scopes of this type are relevant only if they close.
 bool must_close(Scope scope) { return scope == Scope::Before || scope == Scope::Between; }
 
-/// The terms that open and close the scope, and the conditions under which a run is inside it.
+/// The terms that open and close the scope of a property.
 class ScopeTerms {
 public:
     ScopeTerms(Network& network, const Property& property, const ObserverTerms& terms)
@@ -55,9 +56,9 @@ public:
         opens = exprs_.conjunction(terms.operands[count - 2], exprs_.negation(closes));
     }
 
-    Id<Expr> opens = {}, closes = {};  ///< invalid if the scope does not have the term
+    Id<Expr> opens = {}, closes = {};  ///< invalid if the type of scope has no such term
 
-    /// True while the observer reads a state that the property considers and in which `term` holds.
+    /// Returns a term that is true while the observer reads a relevant state in which `term` holds.
     Id<Expr> looked_at(Id<Expr> term) { return exprs_.conjunction(std::vector{terms_.turn, terms_.judged, term}); }
 
 private:
@@ -66,7 +67,7 @@ private:
     Scope scope_;
 };
 
-constexpr std::int64_t none_yet = 0, met = 1, over = 2;  ///< values of the variable that follows the scope
+constexpr std::int64_t none_yet = 0, met = 1, over = 2;  ///< values of the variable that records the state of the scope
 
 }  // namespace
 

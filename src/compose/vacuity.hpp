@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vacuity of observed properties: their probes (ir/probes.hpp). A probe is violated exactly if its property, which
-// holds, does so vacuously. docs/reference/properties.md has a table of all forms.
+// Probes that detect the vacuity of observed properties (ir/probes.hpp). A probe is violated if and only if its
+// property holds vacuously. docs/reference/properties.md has a table of all forms.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,14 @@
 
 namespace grafverif {
 
-/// Adds the variable for probes of scopes that must close. It records if a state with the premise has occurred in the
-/// open scope. The result is invalid if the scope does not need the variable. The observer is otherwise unchanged.
+/// Adds the variable for probes of scopes that must close. The variable records if a state with the premise has
+/// occurred in the open scope. The result is invalid if the scope need not close, or if an operand contains a division.
+/// The function does not change the observer in any other way.
 Id<Network::Variable> follow_scope(Network& network, UniqueNames& names, const Property& property,
                                    const ObserverTerms& terms, Network::Template& automaton);
 
-/// Returns the probes of `property`, the most general first. The first violated probe states why the property is
-/// vacuous. `followed` is the result of follow_scope.
+/// Returns the probes of `property`, beginning with the most general probe. The first violated probe states why the
+/// property is vacuous. `followed` is the result of follow_scope.
 std::vector<Property> vacuity_probes(Network& network, const Property& property, const ObserverTerms& terms,
                                      Id<Network::Process> observer, Id<Network::Variable> followed);
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A location is a state in which the controller waits for its next scan. No timer is marked fresh or falling, because
-// no event has yet occurred in the instant that begins. Each location is processed once, in the order of discovery.
+// A location is a state in which the controller waits for its next scan. In a location, no timer is marked as fresh or
+// falling, because no event has yet occurred in the new instant. Each location is processed once, in the order of
+// discovery.
 //
-// In every_cycle mode, a move is an evolution of the automaton, unless it changes nothing.
+// In every_cycle mode, each move that changes something is an evolution of the automaton.
 //
 // With stability search, the inputs of a move that is not stable are kept constant and followed through transient
-// states. In each of these states, its moves split the inputs. Moves of a state are disjoint and cover all inputs.
-// Therefore each input has one path, and a set shrinks along a path. A path ends with a stable move (an arrival), or
-// when it revisits one of its states. In the latter case, since constant inputs make the next state unique, the path
-// cycles forever: total instability. The number of states is finite. Therefore one of the two cases occurs for every
-// input.
+// states. The moves of each of these states split the set of inputs. They are disjoint and cover all inputs. Therefore,
+// each input has exactly one path, and a set of inputs becomes smaller along a path. A path ends with a stable move (an
+// arrival), or when it revisits one of its states. In the latter case, the path cycles forever, because the next state
+// is unique for constant inputs: total instability. The number of states is finite. Therefore, one of the two cases
+// occurs for every input.
 //
-// Marks of timers are kept along a path, because the path takes no time. They are recorded in the resulting evolution.
+// Marks of timers are kept along a path, because no time passes on it. The marks are recorded in the resulting
+// evolution.
 #include "conform/automaton.hpp"
 
 #include <algorithm>
@@ -32,9 +34,9 @@ using Role = Equations::Role;
 
 // -- paths under constant inputs --------------------------------------------------------------------------------------
 
-/// The final state of a set of inputs.
+/// A stable state, and the set of constant inputs under which the evolutions end in this state.
 struct Arrival {
-    StateId state = 0;  ///< timers that were started on the path are marked fresh
+    StateId state = 0;  ///< timers that were started on the path are marked as fresh
     Bdd set = {};
 };
 struct Loop {
@@ -52,13 +54,13 @@ struct Followed {
     }
 };
 
-/// Returns the results of following `moves`. `origin` is the location in which they start, if any. A stable move back
-/// to it is not an arrival.
+/// Follows the moves in `first` and returns the results. `origin` is the location in which they start, if any. A stable
+/// move to `origin` is not an arrival.
 Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId origin = no_state) {
     struct Leg {
         StateId state = 0;
         Bdd set = {};
-        std::size_t depth = 0;  ///< number of states that precede it on the path
+        std::size_t depth = 0;  ///< number of preceding states on the path
     };
     Followed result;
     std::vector<StateId> path;
@@ -88,7 +90,7 @@ Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId ori
     return result;
 }
 
-/// Merges cycles through the same states. Each cycle begins with its least state.
+/// Merges cycles through the same states. Each resulting cycle begins with its state of least number.
 std::vector<Loop> merged(std::vector<Loop> loops) {
     for (Loop& loop : loops) std::ranges::rotate(loop.states, std::ranges::min_element(loop.states));
     std::ranges::stable_sort(loops, {}, &Loop::states);
@@ -119,8 +121,8 @@ public:
                                                              : Id<Automaton::Output>{});
     }
 
-    /// Fills the automaton, whose variables are declared. Throws if an evolution has no result; other errors are added
-    /// to `diagnostics`.
+    /// Computes the automaton, whose variables have already been declared. Throws if an evolution has no result; other
+    /// errors are added to `diagnostics`.
     void run() {
         automaton_.complete = false;
         start();
@@ -161,8 +163,8 @@ private:
         add_instabilities(automaton_.init, all.loops);
     }
 
-    /// True if the first evolution, which leads to `reached`, changed no variable and emits the same outputs as
-    /// power-on.
+    /// True if the first evolution, which leads to `reached`, changes no variable, and `reached` emits the same outputs
+    /// as `init`.
     static bool nothing_happened(const Location& init, const Location& reached) {
         return reached.values == init.values && reached.emissions == init.emissions;
     }
@@ -255,7 +257,7 @@ private:
         return result;
     }
 
-    /// Returns the outputs with stored actions that are not 0.
+    /// Returns the emissions of outputs with stored actions whose stored values are not 0.
     std::vector<Automaton::Emission> stored_emissions(const std::vector<std::int64_t>& values) {
         std::vector<Automaton::Emission> result;
         for (std::size_t k = 0; k < equations_.stored.size(); ++k) {
@@ -269,7 +271,8 @@ private:
         return result;
     }
 
-    /// The outputs of the automaton are those of the equations, in order.
+    /// Returns the output of the automaton for a variable. The outputs of the automaton have the order of the
+    /// equations.
     Id<Automaton::Output> output_of(Id<Equations::Variable> variable) const { return outputs_[variable.index]; }
 
     std::string inputs_text(const Bdd& set) const { return space_.witness_text(set & space_.assumed()); }
@@ -296,13 +299,13 @@ private:
 
 // -- declarations ------------------------------------------------------------------------------------------------------
 
-/// Returns the name in the notation of conditions: `3s/X2`, `3s/a/2s`.
+/// Returns the name of a timer in the notation of conditions, such as `3s/X2` or `3s/a/2s`.
 std::string name_of(const Equations& equations, const Equations::Timer& timer) {
     const std::string watched = watched_name(equations, timer);
     return time_text(timer.rise_ms, watched.empty() ? equations.variables[timer.watched].name : watched, timer.fall_ms);
 }
 
-/// Declares the inputs of the chart, then the outputs of its timers. Returns the input of each variable of the
+/// Declares the inputs of the chart, followed by the outputs of its timers. Returns the input for each variable of the
 /// equations.
 InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     InputOf inputs(equations.variables.size());
@@ -325,8 +328,8 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     return inputs;
 }
 
-/// Excludes impossible combinations of timers with the same observed term: a timer that rises later and falls earlier
-/// implies the other.
+/// Excludes impossible combinations of outputs of timers with the same observed term: the output of a timer that rises
+/// later and falls earlier implies the output of the other timer.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)
@@ -336,7 +339,7 @@ void order_timers(const Equations& equations, const InputOf& inputs, InputSpace&
                 space.assume(~end(one) | end(other));
 }
 
-/// Declares the variables. Returns false after an error: JESA13 section 2.2 requires inputs and outputs.
+/// Declares the variables. Returns false after an error. JESA13 section 2.2 requires inputs and outputs.
 bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diagnostics) {
     for (const Equations::Variable& variable : equations.variables)
         if (variable.role == Role::Output) automaton.outputs.add({variable.name, variable.type});

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Computes the value of a term if no transition fires: firing conditions in it are replaced by `false`, and constant
-// folding simplifies the rest. If the next value of a variable is then the variable itself, it changes only if a
-// transition that it reads fires. Similarly, a race that becomes `false` requires such a transition.
+// Computes the value of a term for the case that no transition fires: firing conditions in the term are replaced by
+// `false`, and the result is simplified by constant folding. If the next value of a variable is then the variable
+// itself, the variable changes only if a transition that the next value reads fires. Similarly, if a race condition
+// becomes `false`, the race requires such a transition.
 #include "conform/dependencies.hpp"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ private:
         return firing_of_[static_cast<std::size_t>(leaf.value)];
     }
 
-    /// Adds the guards. A condition begins with the upstream step, if there is one.
+    /// Adds `guarded` and `unguarded`. The first operand of a firing condition is an upstream step, if there is one.
     void add_guards(Dependencies& result) const {
         result.guarded.resize(layout_.fields.size());
         std::vector<std::optional<std::uint32_t>> field_of(equations_.variables.size());
@@ -77,8 +78,8 @@ private:
             if (const auto firing = firing_of(exprs_[leaf])) computed.by_firing[*firing].push_back(number);
     }
 
-    /// True if `stable` is the negation of a disjunction that contains the firing condition of every transition that
-    /// can fire.
+    /// True if `stable` is the negation of a disjunction of terms that include the firing condition of every transition
+    /// that can fire.
     bool firing_unsettles() const {
         if (exprs_[equations_.stable].op != Op::Not) return false;
         const Id<Expr> changes = exprs_.operands(equations_.stable)[0];

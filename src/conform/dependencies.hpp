@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Dependencies of an evolution. Only the conditions of transitions whose upstream step is active, and the equations
-// that depend on a firing transition, must be evaluated. The others are known in advance. A large chart has many
-// transitions and variables, but an evolution concerns few of them.
+// Dependencies of an evolution. A condition of a transition that has an upstream step must be evaluated only if this
+// step (the first one, if there are several) is active. An equation whose value changes only by firing must be
+// evaluated only if a transition on which it depends fires. All other conditions of transitions and all other equations
+// are always evaluated. The results of the conditions and equations that are not evaluated are known in advance. This
+// is efficient, because an evolution concerns only few of the many transitions and variables in a large chart.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +17,17 @@ namespace grafverif::conform {
 struct Dependencies {
     using Numbers = std::vector<std::uint32_t>;
 
-    /// Equations that an evolution evaluates, either always or if one of these transitions fires.
+    /// Equations that an evolution evaluates: always (`always`), or only if a specific transition fires (`by_firing`).
     struct Computed {
         std::vector<Numbers> by_firing = {};
         Numbers always = {};
     };
 
-    /// For each field that is a step activity: transitions that fire only if it holds.
+    /// For each field that is a step activity: transitions that fire only if the step is active.
     std::vector<Numbers> guarded = {};
     Numbers unguarded = {};         ///< all other transitions
-    Computed fields = {};           ///< fields that may change; all others keep their values
-    Computed races = {};            ///< stored variables that may have a race; all others cannot
+    Computed fields = {};           ///< fields that may change; all other fields keep their values
+    Computed races = {};            ///< stored variables on which a race is possible
     bool firing_unsettles = false;  ///< true if a situation in which a transition fires is never stable
 };
 

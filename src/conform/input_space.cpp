@@ -73,7 +73,8 @@ Id<Expr> Conditions::written(const Bdd& function) {
     return sum_of_products(function);
 }
 
-/// Returns cases over the values of an integer input. Values with the same remaining function are merged.
+/// Returns `function` as a disjunction of cases, one for each value of an integer input. Values with the same remaining
+/// function are merged.
 Id<Expr> Conditions::by_values(const Bdd& function, std::size_t input) {
     struct Case {
         Bdd rest = {};
@@ -93,7 +94,8 @@ Id<Expr> Conditions::by_values(const Bdd& function, std::size_t input) {
     return exprs_.disjunction(terms);
 }
 
-/// Returns the condition that the input has one of `values`, which are increasing, as intervals.
+/// Returns the condition that the input has one of `values`, as a disjunction of intervals. `values` must be
+/// increasing.
 Id<Expr> Conditions::one_of(std::size_t input, const std::vector<std::int64_t>& values) {
     const Type type = space_.word(input).type;
     const Id<Expr> leaf = exprs_.leaf(Op::Variable, static_cast<std::uint32_t>(input));
@@ -139,7 +141,8 @@ Id<Expr> Conditions::sum_of_products(const Bdd& function) {
 }
 
 /// Returns an irredundant sum of products between `least` and `most` (Minato 1993, ISOP). The recursion depth is at
-/// most the number of variables. They are in the order of their indices, because these spaces are not reordered.
+/// most the number of variables. The variables are in the order of their indices, because these spaces are not
+/// reordered.
 Conditions::Cover Conditions::cover(const Bdd& least, const Bdd& most) {
     if (least.is_false()) return {};
     if (most.is_true()) return {{{}}, Bdd::constant(true)};

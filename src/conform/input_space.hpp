@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inputs of a chart as variables of decision diagrams, and functions of inputs as readable terms.
+// Represents the inputs of a chart as variables of decision diagrams, and functions of inputs as readable terms.
 #pragma once
 
 #include <atomic>
@@ -50,7 +50,7 @@ public:
     const std::vector<std::uint32_t>& bits() const { return bits_; }
     const BddSpace& space() const { return space_; }
 
-    /// Returns the considered input combinations: those in the ranges of their types, restricted by `assume`.
+    /// Returns the considered input combinations: all values within the ranges of their types, restricted by `assume`.
     const Bdd& assumed() const { return assumed_; }
     void assume(const Bdd& condition) { assumed_ &= condition; }
 
@@ -58,7 +58,7 @@ public:
     std::vector<bool> assignment(const Bdd& set) const;
     /// Returns a value for each input such that `set` holds. Requires that `set` is not false.
     std::vector<std::int64_t> witness(const Bdd& set) const;
-    /// Returns the witness as text: `s, not h1, level = 3`.
+    /// Returns the witness as text, such as `s, not h1, level = 3`.
     std::string witness_text(const Bdd& set) const;
 
 private:
@@ -86,8 +86,8 @@ private:
     BddTerms terms_;
 };
 
-/// Functions of inputs as terms of an Exprs whose Variable leaves are the inputs: irredundant sums of products (Minato
-/// 1993), equal to the function under the assumed inputs. Each function is translated once.
+/// Translates functions of inputs to terms of an Exprs whose Variable leaves are the inputs. The terms are irredundant
+/// sums of products (Minato 1993) and equal the function for all assumed inputs. Each function is translated once.
 class Conditions {
 public:
     Conditions(const InputSpace& space, Exprs& exprs) : space_(space), exprs_(exprs) {}

@@ -90,14 +90,15 @@ LocationValue LocationTerms::fixed(Id<Expr> term, const Values& at) const {
     return {number.value_or(0), !number, {}};
 }
 
-/// Terms that read only inputs are always defined. Therefore their order among the other operands is irrelevant.
+/// Returns the value of a Mixed And or Or. The operands that are combined in `inputs` are always defined; therefore,
+/// their position among the other operands is irrelevant.
 LocationValue LocationTerms::joined(Id<Expr> term, const Values& at) {
     const bool decides = equations_.exprs[term].op == Op::Or;
     const Split& parts = *split(term);
     std::optional<BddTerm> result;
     for (const Id<Expr> operand : parts.others) {
         LocationValue other = value(operand, at);
-        if (other.none) return anyhow(term, at);  // the evaluation of the others depends on the inputs
+        if (other.none) return anyhow(term, at);  // the evaluation of the other operands depends on the inputs
         if (!other.function) {
             if ((other.number != 0) == decides) return other;
             continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of terms of the equations in a location. Variables of the chart are constant in a location, so that a term is
-// a number or a function of the inputs. Terms that read only inputs are evaluated once for all locations.
+// Values of terms of the equations in a location. Variables of the chart are constant in a location, so that the value
+// of a term is a number or a function of the inputs. Terms that read only inputs are evaluated once for all locations.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@ namespace grafverif::conform {
 
 /// The value of each variable of the equations in one location; the entries of inputs are unused.
 using Values = std::vector<std::int64_t>;
-/// The input of each variable of the equations; empty if it is not an input.
+/// For each variable of the equations: the input that it represents; empty if it is not an input.
 using InputOf = std::vector<std::optional<std::size_t>>;
 
-/// Value of a term in a location: `number`, or a function of the inputs if `function` is set.
+/// The value of a term in a location: `number`, or a function of the inputs if `function` is set.
 struct LocationValue {
     std::int64_t number = 0;
     bool none = false;  ///< true if the constant is undefined: division by zero, or a value that is too large
     std::optional<BddTerm> function = {};
 };
 
-/// A Boolean term in a location.
+/// The value of a Boolean term in a location.
 struct LocationCondition {
     Bdd holds = {};
     Bdd undefined = {};  ///< assignments for which the term is undefined
@@ -43,7 +43,8 @@ public:
 
 private:
     enum class Kind : std::uint8_t { Fixed, OfInputs, Mixed };
-    /// The operands of a Mixed And or Or. Those that read only inputs and are always defined are combined.
+    /// The operands of a Mixed And or Or. Operands that read only inputs and are always defined are combined in
+    /// `inputs`.
     struct Split {
         Bdd inputs = {};
         std::vector<Id<Expr>> others = {};

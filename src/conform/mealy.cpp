@@ -18,19 +18,19 @@ using Automaton = LocationAutomaton;
 using Location = Automaton::Location;
 using State = MealyMachine::State;
 
-/// A location with the elapsed times of its timers. For each level that timers observe, it contains the time since the
-/// level became true, capped at the longest rise time, or -1 if it is false. For each timer with a fall time, it
-/// contains the time since the fall, or -1 if the timer is not running.
+/// A location with the elapsed times of its timers. For each level that timers observe, `ages` contains the time since
+/// the level became true, capped at the longest rise time, or -1 if the level is false. For each timer with a fall
+/// time, `falls` contains the time since the fall, or -1 if the timer is not running.
 struct Place {
     Id<Location> location = {};
     std::vector<std::int64_t> ages = {}, falls = {};
     auto operator<=>(const Place&) const = default;
 };
 
-/// Successors of a place: the inputs that lead to each next place, and the inputs without a successor.
+/// The successors of a place: the inputs that lead to each next place, and the inputs without a successor.
 struct Departures {
     std::map<Place, Bdd> to = {};
-    Bdd staying = {};  ///< subset of `to`
+    Bdd staying = {};  ///< inputs for which the place is stable; they are also contained in `to`
     Bdd unstable = {};
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
@@ -107,7 +107,7 @@ private:
         return grafverif::level(automaton_.locations[location], level.watched);
     }
 
-    /// Returns the place after `evolution`: the times of `before`, except those that are restarted.
+    /// Returns the place after `evolution`, with the times of `before`, except for times that are restarted.
     Place arrival(const Place& before, const Automaton::Evolution& evolution) const {
         Place place{evolution.to, {}, before.falls};
         for (std::size_t k = 0; k < levels_.size(); ++k)
@@ -127,7 +127,7 @@ private:
         return place;
     }
 
-    /// Returns the outputs of the timers in `place` as a cube. All are false before the first cycle.
+    /// Returns the outputs of the timers in `place` as a cube. All outputs are false before the first cycle.
     Bdd timer_ends(const Place& place) const {
         std::vector<BddLiteral> literals;
         for (const Timer& timer : timers_) {
@@ -159,8 +159,8 @@ private:
         return result;
     }
 
-    /// Returns the place if no event occurs. With stability search, the controller may stay in INIT, which is
-    /// equivalent to the location of the initial situation.
+    /// Returns the place in which the controller stays if no event occurs. INIT is replaced by the location with the
+    /// same situation and values, if there is one.
     Place staying_place(const Place& place) const {
         if (place.location != automaton_.init) return place;
         Place same = place;
@@ -276,7 +276,7 @@ private:
             machine_.transitions.push_back({from, state(to), conditions_.term(part), answer, wait});
     }
 
-    /// Returns the outputs written on arrival in `place`, as functions of the inputs.
+    /// Returns the output words that are written on arrival in `place` under inputs in `set`, each with its inputs.
     std::vector<std::pair<Id<MealyMachine::OutputWord>, Bdd>> answers(const Place& place, const Bdd& set) {
         struct OutputClass {
             Bdd set = {};

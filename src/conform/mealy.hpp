@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts a LocationAutomaton to a MealyMachine (JESA13 section 6) symbolically. There is one transition per next
-// state and output, with a set of inputs.
+// Converts a LocationAutomaton to a MealyMachine (JESA13 section 6) symbolically. Each state has one transition per
+// next state and output, labelled with a set of inputs.
 //
 // A chart with timers becomes a machine whose states include the elapsed times of all timers, so that its outputs are
 // exact. Time passes only in `wait` transitions, each until the next timer event, from states that are stable under the

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The result of an evolution is computed by successive partitions of the inputs:
 //
-//   classes   In a state the variables of the chart are constant, so the condition of each transition is a set of
-//             inputs. These sets partition the inputs into classes in each of which exactly one set of transitions
-//             fires (JESA13 (11) to (13)). Single inputs are never enumerated. Only those of the 2^n sets of
-//             transitions that occur are enumerated.
-//   parts     In a class the firing conditions are constant too. A next value is then a number or, rarely, a function
+//   classes   In a state, the variables of the chart are constant, so the condition of each transition is a set of
+//             inputs. These sets partition the inputs into classes. For all inputs of a class, the same set of
+//             transitions fires (JESA13 (11) to (13)). Single inputs are never enumerated. Of the 2^n sets of
+//             transitions, only sets that occur are enumerated.
+//   parts     In a class, the firing conditions are also constant. A next value is then a number or, rarely, a function
 //             of the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp)
 //             are unchanged.
-//   stable    A part is split by the stability condition of the equations: nothing changes where it holds.
-//   levels    The levels that timers observe are terms over the new values and the inputs: they are split once more.
+//   stable    A part is split by the stability condition of the equations. If it holds, nothing changes.
+//   levels    The levels that timers observe are terms over the new values and the inputs. They split the parts again.
 //
-// Each step is a partition. Therefore the moves are disjoint and cover the initial set: the assumed inputs that are
-// consistent with the known timer outputs. Every step is a function that maps values to values; the state before the
-// evolution, `at`, is constant. If some input of a part has an undefined or out-of-range value, or a race, the search
-// ends (NoResult): the chart has no location automaton.
+// Each step is a partition. Therefore, the moves are disjoint and cover the initial set: the assumed inputs that are
+// consistent with the known timer outputs. All steps read the state before the evolution, `at`, which is constant. If
+// some input of a part has an undefined or out-of-range value, or a race, the search ends (NoResult): the chart has no
+// location automaton.
 #include "conform/moves.hpp"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves)
     return moves;
 }
 
-/// Sorts the moves, stable ones first. Moves that lead to one state by different sets of transitions are merged.
+/// Sorts the moves, stable ones first. Moves that lead to the same state by different sets of transitions are merged.
 std::vector<StateMove> merged(std::vector<StateMove> moves) {
     std::ranges::stable_partition(moves, &StateMove::stable);
     std::vector<StateMove> result;
@@ -80,7 +80,7 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     const Values before = values(state);
     const Bdd known = known_ends(state, before);
     std::vector<StateMove> moves;
-    // Also contains the transitions that fire in the current class; one copy is used for all classes.
+    // `at` also contains the transitions that fire in the current class; one copy is used for all classes.
     Values at = before;
     for (const Cell& cell : cells(before, space_.assumed() & known)) {
         for (const std::uint32_t firing : cell.fired) at[equations_.firings[firing].variable.index] = 1;
@@ -93,7 +93,7 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
 
 // -- classes ----------------------------------------------------------------------------------------------------------
 
-/// The classes in which some transition fires, refined for one transition after the other.
+/// The classes in which some transition fires. The partition is refined by one transition at a time.
 class Moves::Partition {
 public:
     /// Refines the classes: transition `firing` fires under `condition`.
@@ -192,7 +192,7 @@ std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bd
 
 }  // namespace
 
-/// Sets `field` to the value of `term` in each part. If the value depends on the inputs in a part, the part is split.
+/// Sets `field` to the value of `term` in each part. A part in which the value depends on the inputs is split.
 std::vector<Moves::Region> Moves::given(std::vector<Region> parts, std::uint32_t field, Id<Expr> term,
                                         const Values& at) {
     const Equations::Variable& variable = equations_.variables[layout_.fields[field].kept.variable];
@@ -246,8 +246,8 @@ std::vector<Moves::Region> Moves::with_levels(Region part, const Values& at) {
 
 // -- states ------------------------------------------------------------------------------------------------------------
 
-/// Returns `state` after the changes. Its timers are marked according to the changes of their levels, whose old values
-/// are in `before`.
+/// Returns `state` after the changes. Timers are marked according to the changes of their levels. `before` contains the
+/// old values of the levels.
 StateId Moves::changed(StateId state, const Changes& changes, const Values& before) {
     const std::span<const std::uint64_t> old = store_.at(state);
     PackedState now(old.begin(), old.end());
@@ -281,7 +281,7 @@ std::vector<std::size_t> Moves::marked(StateId state, std::uint32_t StateLayout:
     return timers;
 }
 
-/// Returns the outputs of timers that are determined by the events of the current instant.
+/// Returns the outputs of those timers whose outputs are determined by the events of the current instant.
 Bdd Moves::known_ends(StateId state, const Values& at) const {
     std::vector<BddLiteral> known;
     for (std::size_t k = 0; k < layout_.timers.size(); ++k) {
@@ -296,8 +296,8 @@ Bdd Moves::known_ends(StateId state, const Values& at) const {
     return cube(space_.space(), known);
 }
 
-/// Before power-on, no level holds and no timer has expired. This is also included in the sets if an output can remain
-/// true longer than its level.
+/// Returns the moves from power-on. Before power-on, no level holds and no timer has expired. For timers with a fall
+/// time, whose output can remain true longer than the level, the sets contain the condition that the output is false.
 std::vector<StateMove> Moves::first() {
     const Values& at = initial_;
     PackedState initial(layout_.words);

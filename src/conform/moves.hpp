@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Moves: one evolution of the chart from a state, for all inputs simultaneously. The moves have disjoint sets of inputs
-// that cover the assumed inputs, each with the next state.
+// Moves: one evolution of the chart from a state, for all inputs simultaneously. Each move has a set of inputs and the
+// next state. The sets are disjoint and cover the assumed inputs.
 //
 // Timer outputs are inputs. Timer outputs with known values do not occur in the sets of a state: `3s/v` is false if v
 // is false or has just become true; `v/2s` is true if v is true or has just become false.
@@ -25,7 +25,7 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    bool stable = false;  ///< true if these inputs change, once, only levels that timers observe
+    bool stable = false;  ///< true if, under these inputs, nothing changes except levels that timers observe
 };
 
 /// Thrown if an evolution has no result: a race, or a value that is undefined or out of range.
@@ -35,7 +35,7 @@ struct NoResult {
 
 class Moves {
 public:
-    /// All arguments must outlive this object. The constructor and the functions below throw NoResult.
+    /// All arguments must outlive this object. The constructor and the member functions below throw NoResult.
     Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
     /// Returns the moves of the evolution that activates the initial steps.
@@ -43,13 +43,13 @@ public:
     /// Returns the moves of `state`, stable ones first.
     const std::vector<StateMove>& of(StateId state);
 
-    /// Returns the state with no timer marked fresh or falling.
+    /// Returns `state` without marks of timers as fresh or falling.
     StateId settled(StateId state);
     /// Return the indices of the timers of the equations that are fresh, or falling, in `state`.
     std::vector<std::size_t> fresh(StateId state) const { return marked(state, &StateLayout::Timer::fresh); }
     std::vector<std::size_t> falling(StateId state) const { return marked(state, &StateLayout::Timer::falling); }
 
-    /// Returns the values in `state`. Variables that it does not contain never change.
+    /// Returns the values in `state`. Variables that the state does not contain never change.
     Values values(StateId state) const;
     LocationCondition condition(Id<Expr> term, const Values& at) { return terms_.condition(term, at); }
 
@@ -60,7 +60,7 @@ private:
     };
     class Partition;
     using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< pairs of field and value
-    /// A part of a class, and the changes that the evolution makes in it.
+    /// A part of a class, together with the changes that the evolution makes for its inputs.
     struct Region {
         Bdd set = {};
         Changes changes = {};

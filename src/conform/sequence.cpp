@@ -84,7 +84,7 @@ private:
     }
 
     /// Adds one arc per state and input combination. A transition that stays in its state needs no separate step if
-    /// another one arrives with its inputs and keeps them, or if a wait follows.
+    /// another transition arrives with the same inputs and keeps them, or if a wait follows.
     void list_all() {
         combinations_ = 1;
         for (const MealyMachine::Variable& input : machine_.inputs)
@@ -113,8 +113,8 @@ private:
         }
     }
 
-    /// Adds one arc per transition to another state, or by waiting. For a cover of locations, transitions that stay are
-    /// also added.
+    /// Adds one arc per transition that leads to another state or waits. For a cover of locations, transitions that
+    /// stay in their state are also added.
     void list_one_each() {
         for (const MealyMachine::Transition& transition : machine_.transitions) {
             const bool loop = transition.from == transition.to && transition.wait_ms == 0;
@@ -132,8 +132,8 @@ private:
         to_cover_ = static_cast<std::uint64_t>(std::ranges::count(entered, true));
     }
 
-    /// Returns the inputs under which the machine stays in the target of `arrival` with the same output. If states were
-    /// merged, the output may differ.
+    /// Returns the inputs under which the machine stays in the target of `arrival` with the same output. The output may
+    /// differ if states were merged.
     const Bdd& staying(const MealyMachine::Transition& arrival) {
         const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
@@ -205,8 +205,8 @@ private:
     InputSpace space_;
     InputSets sets_;
     std::uint64_t combinations_ = 0;
-    std::vector<std::uint32_t> strides_ = {};  ///< factor of each input in the numbers of combinations
-    std::vector<std::uint32_t> weights_ = {};  ///< weight of each variable of the space
+    std::vector<std::uint32_t> strides_ = {};  ///< factor of each input in the number of a combination
+    std::vector<std::uint32_t> weights_ = {};  ///< weight of each variable of the space in the number of a combination
     std::vector<TourArc> arcs_ = {};
     std::vector<std::vector<std::int64_t>> witnesses_ = {};
     std::map<std::pair<Id<State>, Id<MealyMachine::OutputWord>>, Bdd> staying_ = {};

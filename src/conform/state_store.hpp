@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// States: the values that the chart stores between evolutions. They are packed into words and hash-consed.
+// States: the values that the chart stores between evolutions. States are packed into words and stored only once (hash
+// consing).
 //
 // A state contains step activities, stored variables, previous values, and the levels that timers observe. For each
-// timer, it also contains the events of its level in the current instant: the level became true (`fresh`), or its fall
-// time may have started (`falling`).
+// timer, it also contains the events of the observed level in the current instant: the level became true (`fresh`), or
+// the fall time of the timer may have started (`falling`).
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct StateLayout {
         Kept kept = {};
         Type type = {};
         std::uint32_t word = 0, shift = 0;
-        std::uint64_t mask = 0;  ///< mask before the shift
+        std::uint64_t mask = 0;  ///< mask of the value, not shifted
     };
     struct Timer {
         std::uint32_t fresh = 0, falling = 0;  ///< bit positions
@@ -36,8 +37,8 @@ struct StateLayout {
     std::int64_t value(std::span<const std::uint64_t> state, std::uint32_t field) const;
     void set(PackedState& state, std::uint32_t field, std::int64_t value) const;
 
-    std::vector<Field> fields = {};  ///< fields; those of observed levels come last
-    std::size_t evolving = 0;        ///< number of fields that precede those of observed levels
+    std::vector<Field> fields = {};  ///< fields of a state; the fields of observed levels are last
+    std::size_t evolving = 0;        ///< number of fields before the fields of observed levels
     std::vector<Timer> timers = {};
     std::size_t words = 1;  ///< number of 64-bit words
 };
@@ -48,7 +49,7 @@ void set_bit(PackedState& state, std::uint32_t bit, bool value);
 using StateId = std::uint32_t;
 inline constexpr StateId no_state = std::numeric_limits<StateId>::max();
 
-/// States of one layout, numbered in the order in which they are stored.
+/// The states of one layout, numbered in the order in which they are stored.
 class StateStore {
 public:
     explicit StateStore(std::size_t words) : words_(words) {}
@@ -58,7 +59,7 @@ public:
         return {packed_.data() + std::size_t{state} * words_, words_};
     }
 
-    /// Returns the number of the state, which is stored if it is new.
+    /// Returns the number of the state. Stores the state if it is new.
     StateId intern(std::span<const std::uint64_t> state);
 
 private:

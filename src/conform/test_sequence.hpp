@@ -3,16 +3,17 @@
 // minimal length.
 //
 // The elements to cover are arcs of a graph whose nodes are the states; a tour that traverses each of them at least
-// once is a directed rural postman tour. The arcs to cover reach every state. Therefore a minimum-cost flow that
-// balances incoming and outgoing arcs of each state has the minimal number of repeated arcs (Edmonds and Johnson 1973).
-// An Eulerian circuit traverses all arcs. The flow proves that the length is minimal, and the tour attains it.
+// once is a directed rural postman tour. Every state is reachable through arcs to cover. Therefore, a minimum-cost flow
+// that balances incoming and outgoing arcs of each state has the minimal number of repeated arcs (Edmonds and Johnson
+// 1973). An Eulerian circuit traverses all arcs. The flow proves that the length is minimal, and the tour attains it.
 //
-// A step of two cycles also traverses the stable transition to the same state. Such transitions need no separate step
-// if the tour arrives with their inputs. If the graph is strongly connected, there is one sequence. Otherwise there are
-// several, each from power-on, with minimal total length and then with the minimal number of sequences.
+// A step of two cycles also traverses the stable transition to the same state. Such a transition needs no separate step
+// if the tour arrives in its state with the same inputs. If the graph is strongly connected, there is one sequence.
+// Otherwise, there are several sequences, each from power-on. Their total length is minimal, and among all solutions of
+// this length, their number is minimal.
 //
-// A cover of locations repeatedly goes to the nearest state that was not visited. The result is short, but proved
-// minimal only if no step is repeated.
+// For a cover of locations, the tour repeatedly goes to the nearest unvisited state. The result is short, but it is
+// proved minimal only if no step is repeated.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +28,13 @@ namespace grafverif {
 struct TestOptions {
     TestCover cover = TestCover::Transitions;
     bool one_cycle_each = false;
-    std::size_t max_input_bits = 20;        ///< for TestCover::Transitions: limit of 2^20 combinations
-    std::uint64_t max_pairs = 100'000'000;  ///< for TestCover::Transitions: limit for pairs of states and combinations
+    std::size_t max_input_bits = 20;        ///< for TestCover::Transitions: maximum number of bits of all inputs
+    std::uint64_t max_pairs = 100'000'000;  ///< for TestCover::Transitions: maximum number of pairs of a state and an
+                                            ///< input combination
 };
 
-/// Returns the sequences for `machine`, or nothing after an error: there are too many input combinations, or nothing to
-/// cover. Requires verify(machine).empty().
+/// Returns the sequences for `machine`, or nothing after an error: too many input combinations, or no element to cover.
+/// Requires verify(machine).empty().
 std::optional<TestSequence> test_sequence(const MealyMachine& machine, const TestOptions& options, Span chart,
                                           Diagnostics& diagnostics);
 

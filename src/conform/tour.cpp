@@ -17,8 +17,8 @@ namespace grafverif::conform {
 
 namespace {
 
-// Minimum-cost flow on arcs with unlimited capacity, by the primal-dual method. It alternates between shortest
-// distances under reduced costs and a maximum flow along arcs of reduced cost zero.
+// Minimum-cost flow on arcs with unlimited capacity, by the primal-dual method. The method alternately computes
+// shortest distances under reduced costs and a maximum flow along arcs of reduced cost zero.
 
 class Flow {
 public:
@@ -26,7 +26,7 @@ public:
 
     /// Adds an arc with unlimited capacity and returns its index. Requires `cost` >= 0.
     std::size_t add_arc(std::uint32_t from, std::uint32_t to, std::int64_t cost);
-    /// Adds supply (if negative, demand) at `node`. The sum of all supplies must be 0.
+    /// Adds supply at `node`; a negative supply is a demand. The sum of all supplies must be 0.
     void add_supply(std::uint32_t node, std::int64_t amount) { supply_[node] += amount; }
 
     /// Computes a flow of minimal cost that satisfies the supplies as far as possible.
@@ -52,7 +52,7 @@ private:
     }
 
     std::vector<Half> halves_ = {};
-    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< half arcs that leave each node
+    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< half arcs from each node
     std::vector<std::int64_t> supply_ = {};             ///< remaining supply or demand
     std::vector<std::int64_t> potential_ = {};
 };
@@ -167,7 +167,7 @@ void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<st
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-/// Arcs by source node. Those of node n are order[first[n]] to order[first[n + 1] - 1].
+/// Arcs by source node. The arcs of node n are order[first[n]] to order[first[n + 1] - 1].
 struct Leaving {
     std::vector<std::uint32_t> first = {}, order = {};
 
@@ -179,7 +179,8 @@ struct Leaving {
     }
 };
 
-/// Returns one arc per pair of different nodes, the first of several.
+/// Returns one arc per pair of different nodes: the first arc without a waiting time, or the first arc if all arcs have
+/// one.
 std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
@@ -213,14 +214,14 @@ bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vec
     return count == nodes;
 }
 
-/// The number of traversals of each arc, and the number of times that the controller is power-cycled in each node.
+/// How often a tour traverses each arc and ends in each node.
 struct Crossings {
     std::vector<std::uint32_t> arcs = {};
     std::vector<std::int64_t> ends = {};  ///< number of power cycles in each node
     std::int64_t starts = 1;
 };
 
-/// Balances incoming and outgoing arcs of each node at minimum cost. Node `nodes` represents the controller without
+/// Balances the incoming and outgoing arcs of each node at minimum cost. Node `nodes` represents the controller without
 /// power; sequences start and end there.
 Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
     const std::vector<std::uint32_t> distinct = distinct_arcs(arcs);
@@ -312,7 +313,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Crossings left_;
     Leaving leaving_;
-    /// For each node: the first of its arcs that may not have been traversed as often as necessary.
+    /// For each node: the first of its arcs for which traversals may remain.
     std::vector<std::uint32_t> next_;
     std::unordered_map<std::uint64_t, std::uint32_t> waits_ = {};
 };
@@ -365,7 +366,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Leaving leaving_;
     std::uint32_t round_ = 0;
-    /// For each node: the last search that visited it, and the arc by which it was reached.
+    /// For each node: the last search that visited the node, and the arc by which the search reached it.
     std::vector<std::uint32_t> seen_in_, by_;
 };
 
@@ -380,7 +381,7 @@ Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<T
     std::uint32_t here = start;
     for (auto open = std::ranges::count(wanted, true); open > 0;) {
         const std::vector<std::uint32_t> path = search.path(here, wanted);
-        if (path.empty()) {  // the remaining nodes are reachable only from power-on
+        if (path.empty()) {  // the remaining nodes are reachable only after a power cycle
             here = start;
             tour.sequences.emplace_back();
             continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tours: walks of minimal length through a directed graph from `start` that traverse every arc to cover.
+// Tours: walks through a directed graph that begin at `start` and together traverse every arc, or visit every node.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace grafverif::conform {
 
-/// An arc of the graph, which one step traverses. If `wait` is true, it must follow a step with the same inputs.
+/// An arc of the graph, which one step traverses. An arc with a waiting time must follow a step with the same inputs.
 struct TourArc {
     std::uint32_t from = 0, to = 0;
     std::uint32_t inputs = 0;  ///< an arbitrary number that identifies the inputs
@@ -18,15 +18,15 @@ struct TourArc {
 
 struct Tour {
     std::vector<std::vector<std::uint32_t>> sequences = {};  ///< sequences of arcs; each starts at `start`
-    std::uint64_t length = 0;                                ///< total number of arcs, which is proved minimal
+    std::uint64_t length = 0;                                ///< total number of arcs
 };
 
-/// Returns a tour that traverses every arc of `arcs`, all of which must be reachable from `start` through arcs of
-/// `arcs`. If the graph is strongly connected, there is one sequence. Otherwise the total length is minimal, and among
-/// such tours the number of sequences is minimal.
+/// Returns a tour that traverses every arc in `arcs`. Requires that every arc is reachable from `start` through arcs in
+/// `arcs`. If the graph is strongly connected, the result is a single sequence of minimum length. Otherwise the result
+/// has the minimum total length and, among the tours of this length, the minimum number of sequences.
 Tour least_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs);
 
-/// Returns a tour through every node that an arc enters. It always goes to the nearest unvisited node.
+/// Returns a tour through every node that an arc enters. The tour always goes to the nearest unvisited node.
 Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs);
 
 }  // namespace grafverif::conform

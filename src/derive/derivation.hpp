@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derivation: data shared by the parts of derive. It contains the chart, the equations so far, the map from elements of
-// the chart to the equations, and the size limits of substitution.
+// Derivation: data shared by all functions of derive. A Derivation contains the chart, the equations so far, the map
+// from elements of the chart to the equations, and the size limits of substitution.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +21,22 @@ namespace grafverif {
 
 // Hierarchy of a chart: reduces macro-steps, enclosing steps and forcing orders to plain steps.
 //
-// An expansion belongs to the chart of its macro-step: if the macro-step is activated, its entry step is activated, and
+// An expansion belongs to the chart of its macro-step. The activation of the macro-step activates the entry step, and
 // the exit step replaces the macro-step upstream of transitions (IEC 60848). The region of a partial chart consists of
-// its steps and those of its expansions; a region is enclosed or forced as a unit.
+// its steps and those of its expansions; an enclosing step or a forcing order applies to the complete region.
 //
 // The relation "encloses or forces" between charts is acyclic, which defines an order of the charts.
 
 struct Hierarchy {
     /// For each step: the step that is activated in its place, and the step that must be active for its transitions to
-    /// be enabled. Both are the step itself, or the entry and exit step of the expansion of a macro-step.
+    /// be enabled. For a macro-step, they are the entry and exit step of its expansion; otherwise both are the step
+    /// itself.
     std::vector<Id<Chart::Step>> entered = {}, left = {};
     /// For each partial chart: the chart that contains it as a (nested) expansion; otherwise itself.
     std::vector<Id<Chart::PartialChart>> home = {};
-    /// Homes in topological order: each follows those that enclose or force it.
+    /// Homes in topological order: each chart follows the charts that enclose or force it.
     std::vector<Id<Chart::PartialChart>> order = {};
-    std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< steps of the region, per partial chart
+    std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< for each partial chart: steps of its region
     std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =
         {};  ///< for each partial chart: the forcing orders that force its region
     /// For each forcing order: the steps that it activates, sorted.
@@ -43,10 +44,10 @@ struct Hierarchy {
     std::vector<bool> initial = {};  ///< for each step: true if it is active at power-on
 };
 
-/// Computes the hierarchy; empty after an error: a cycle, or a chart that one step forces twice.
+/// Computes the hierarchy. The result is empty after an error: a cycle, or contradictory forcing orders.
 std::optional<Hierarchy> hierarchy(const Chart& chart, Diagnostics& diagnostics);
 
-/// True if the two orders are contradictory.
+/// True if the two orders, which force a common partial chart, are contradictory.
 bool conflict(const Chart& chart, const Hierarchy& hierarchy, Id<Chart::ForcingOrder> one,
               Id<Chart::ForcingOrder> other);
 
@@ -56,7 +57,8 @@ inline constexpr std::size_t total_size_limit = 10'000'000;
 inline constexpr std::size_t term_depth_limit = 2'000;
 inline constexpr std::size_t stored_value_limit = 1'000;  ///< maximum number of distinct values stored in one variable
 
-/// Size and depth of terms as trees, because they are printed as trees. Sizes saturate far above every limit.
+/// Computes the size and depth of terms as trees, because terms are printed as trees. Sizes saturate far above every
+/// limit.
 class Measures {
 public:
     std::uint64_t size(const Exprs& exprs, Id<Expr> term);
@@ -73,7 +75,7 @@ private:
 enum class TermPosition {
     Before,  ///< in a cycle, over the values before it: conditions, events, stored values
     After,   ///< at the end of a cycle, over the values after it: outputs, terms observed by timers
-    First,   ///< in the first evolution, which has no edges: stored values
+    First,   ///< in the first evolution, in which no signal has an edge: stored values
 };
 
 struct Derivation {
@@ -82,13 +84,13 @@ struct Derivation {
     Equations equations = {};
     Hierarchy hierarchy = {};
     UniqueNames names = {};                             ///< names of timers and of variables of the equations
-    std::vector<Id<Equations::Variable>> steps = {};    ///< X_s per step
-    std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t per transition
-    /// X_s as a term; stored because repeated searches for leaves dominate the run time.
+    std::vector<Id<Equations::Variable>> steps = {};    ///< X_s of each step
+    std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t of each transition
+    /// X_s as a term; stored, because repeated searches for leaves would dominate the run time.
     std::vector<Id<Expr>> step_leaves = {};
     std::vector<Id<Expr>> firing_leaves = {};                               ///< CF_t as a term
-    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< continuous actions per variable
-    std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< stored actions per variable
+    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< continuous actions of each variable
+    std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< stored actions of each variable
     std::vector<bool> reads_output = {};  ///< for each term of the chart: true if it contains a continuous output
     std::vector<Id<Expr>> values = {};    ///< for each variable: equation (13) of a continuous output
     std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e for each term e of the equations
@@ -97,8 +99,8 @@ struct Derivation {
     std::map<std::tuple<Id<Equations::Variable>, std::int64_t, std::int64_t>, Id<Equations::Timer>> timers = {};
     Measures measures = {};
     std::uint64_t added = 0;        ///< number of nodes added so far, at most total_size_limit
-    bool exhausted = false;         ///< true if the total limit was exceeded, which has been reported
-    std::size_t errors_before = 0;  ///< number of errors of earlier inputs
+    bool exhausted = false;         ///< true if the total limit was exceeded and the error was reported
+    std::size_t errors_before = 0;  ///< number of errors before this derivation
 };
 
 /// True if an error was found in the current chart.
@@ -112,21 +114,22 @@ inline bool is_initial(const Derivation& derivation, Id<Chart::Step> step) {
     return derivation.equations.variables[derivation.steps[step.index]].initial != 0;
 }
 
-/// Returns a Variable leaf of the equations.
+/// Returns the leaf for `variable` in the equations.
 Id<Expr> variable_leaf(Derivation& derivation, Id<Equations::Variable> variable);
 
-/// Returns false if `term` is a conjunction that contains an operand and its negation; otherwise `term`.
+/// Returns the constant false if `term` is a conjunction that contains an operand and its negation; otherwise `term`.
 Id<Expr> consistent(Exprs& exprs, Id<Expr> term);
 
 /// Translates the term `root` of the chart to the variables of the equations, with outputs replaced by their equations.
-/// The result is invalid after an error: the term, called `what` in the message, would be too large.
+/// The result is invalid if the term would be too large. The error message calls the term `what`.
 Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where,
                         const std::string& what);
 
-/// Returns P_e as a term: the value of `term`, over the equations, in the previous cycle.
+/// Returns P_e as a term, which is the value of `term` (over the equations) in the previous cycle.
 Id<Expr> previous_value(Derivation& derivation, Id<Expr> term, Span where);
 
-/// Returns V_e: the value of `term`, over the equations, after the previous cycle; for a step, its activity.
+/// Returns V_e, the value of `term` (over the equations) after the previous cycle. For a step variable, the result is
+/// the step activity.
 Id<Equations::Variable> level(Derivation& derivation, Id<Expr> term, Span where);
 
 /// Returns the timer t1/v/t2 for the observed variable `watched`.
@@ -139,14 +142,15 @@ Id<Expr> end_leaf(Derivation& derivation, Id<Equations::Timer> timer);
 /// Returns the prefix of variable names for a step of a named partial chart G2: `G2_`; otherwise an empty string.
 std::string qualifier(const StepName& step);
 
-/// Adds `size` nodes to the total. Returns false if the limit is exceeded, which is reported once.
+/// Adds `size` nodes to the total. Returns false if the limit is exceeded. The error is reported only once.
 bool afford(Derivation& derivation, std::uint64_t size);
 
-/// Derives equations (11) and (12), and the conflicts between forcing orders.
+/// `derive_firings` derives equations (11). `derive_steps` derives equations (12) and the conflicts between forcing
+/// orders.
 void derive_firings(Derivation& derivation);
 void derive_steps(Derivation& derivation);
 
-/// Derives equations (13), each output after those that it reads.
+/// Derives equations (13). An output is derived after the outputs that it reads.
 void derive_outputs(Derivation& derivation);
 
 /// Derives next values, race conditions and first values of the variables with stored actions.

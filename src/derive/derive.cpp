@@ -17,13 +17,10 @@ namespace grafverif {
 
 namespace {
 
-// Checks edges: reports each edge that the standard forbids, and each missing edge.
-
-/// Determines per term if it contains an edge, and if it is false whenever no edge occurs. One pass is sufficient,
-/// because children precede parents.
+/// Properties of each term of a chart with respect to edges of signals.
 struct Edges {
-    std::vector<bool> occur = {};
-    std::vector<bool> needed = {};
+    std::vector<bool> occur = {};   ///< true if the term contains an edge
+    std::vector<bool> needed = {};  ///< true if the term is false whenever no edge occurs
     std::vector<bool> nested = {};  ///< true if the term contains an edge of an edge
 };
 
@@ -40,6 +37,7 @@ bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& need
     }
 }
 
+/// Determines the properties in one pass, because children precede parents.
 Edges edges(const Exprs& exprs) {
     Edges result{std::vector<bool>(exprs.size()), std::vector<bool>(exprs.size()), std::vector<bool>(exprs.size())};
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
@@ -55,6 +53,7 @@ Edges edges(const Exprs& exprs) {
     return result;
 }
 
+/// Reports each edge that the standard forbids, and each missing edge.
 struct Refusal {
     const Chart& chart;
     Diagnostics& diagnostics;
@@ -73,14 +72,14 @@ struct Refusal {
                 diagnostics.add(messages::edge_of_edge(action.origin));
     }
 
-    /// With an edge, the action would not be continuous.
+    /// With an edge in its condition, the action would not be continuous.
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
                 diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
-    /// An event is instantaneous. It therefore requires an edge.
+    /// An event is instantaneous; therefore its term must contain an edge.
     void events() const {
         for (const Chart::StoredAction& action : chart.stored)
             if (action.on == Chart::StoredOn::Event && !edge.needed[action.event.index])
@@ -88,8 +87,7 @@ struct Refusal {
     }
 };
 
-/// True if a time condition or an assignation condition contains an edge, or an event does not contain one. Each is
-/// reported.
+/// Reports forbidden and missing edges. Returns true if there are any.
 bool misplaced_edges(const Chart& chart, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const Refusal refusal{chart, diagnostics, edges(chart.exprs)};
@@ -146,7 +144,7 @@ void index_actions(Derivation& derivation) {
         const Expr& node = chart.exprs[Id<Expr>{index}];
         bool reads = node.op == Op::Variable &&
                      is_continuous(derivation, Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)});
-        if (node.op == Op::Timed) {  // the observed term of a time condition precedes it
+        if (node.op == Op::Timed) {  // the observed term of a time condition precedes the time condition
             const Id<Chart::TimeCondition> timed{static_cast<std::uint32_t>(node.value)};
             reads = derivation.reads_output[chart.time_conditions[timed].watched.index];
         }
@@ -156,9 +154,10 @@ void index_actions(Derivation& derivation) {
     }
 }
 
-/// Stability condition: one more cycle with the same inputs would change nothing. Values are stored on clearing, on
-/// changes of steps, which also require a clearing, and on events, which require an edge. From power-on, forced and
-/// enclosed charts follow their forcing order or enclosing step, and change only when these change.
+/// Returns the stability condition: one more cycle with the same inputs would change nothing. A stored value changes
+/// only when a transition is cleared, when a step changes (which also requires a clearing), or at an event (which
+/// requires an edge). Forced and enclosed charts are consistent with their forcing orders and enclosing steps from
+/// power-on, and change only when these change.
 Id<Expr> stable(Derivation& derivation) {
     const Equations& equations = derivation.equations;
     Exprs& exprs = derivation.equations.exprs;
@@ -170,7 +169,8 @@ Id<Expr> stable(Derivation& derivation) {
     return exprs.negation(exprs.disjunction(changes));
 }
 
-/// Inputs keep their indices, because the variables of the chart come first in the equations.
+/// Copies the constraints of the chart. Inputs keep their indices, because the variables of the chart come first in the
+/// equations.
 void derive_assumptions(Derivation& derivation) {
     Exprs& exprs = derivation.equations.exprs;
     for (const Chart::Constraint& constraint : derivation.chart.constraints) {

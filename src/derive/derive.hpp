@@ -12,7 +12,7 @@
 // If a name is already used, a number is appended: `X_2_2`.
 //
 // A continuous output in a condition is replaced by its equation (13), so that no equation depends on the value that
-// was last written. A cycle of outputs that read each other has no meaning and is rejected (`output-cycle`).
+// was last written. A cycle of outputs that read each other has no defined value and is rejected (`output-cycle`).
 // Substitution can increase the size of terms exponentially. A term of more than a million nodes is rejected
 // (`too-large`).
 #pragma once
@@ -25,7 +25,7 @@
 
 namespace grafverif {
 
-/// Returns the equations of `chart`, or nothing after at least one error. Requires verify(chart).empty().
+/// Returns the equations of `chart`, or nullopt after at least one error. Requires verify(chart).empty().
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -35,15 +35,15 @@ public:
 private:
     const Partial& partial(Id<Partial> id) const { return chart_.partial_charts[id]; }
 
-    /// Returns the chart that contains the macro-step or enclosing step of `inner`, or an invalid id if it has no
+    /// Returns the chart that contains the macro-step or enclosing step of `inner`, or an invalid id if `inner` has no
     /// owner.
     Id<Partial> outer(Id<Partial> inner) const {
         const Id<Chart::Step> owner = partial(inner).owner;
         return owner.valid() ? chart_.steps[owner].chart : Id<Partial>{};
     }
 
-    /// Checks that ownership has no cycle. Each chart has one owner. Therefore a traversal outwards that reaches its
-    /// own path has found a cycle.
+    /// Checks that ownership has no cycle. Each chart has one owner. Therefore there is a cycle if a traversal from a
+    /// chart to its owners reaches a chart twice.
     void check_ownership() {
         std::vector<std::uint32_t> trail(chart_.partial_charts.size(), Id<Partial>::none);
         for (const Id<Partial> start : chart_.partial_charts.ids())
@@ -77,7 +77,7 @@ private:
     }
 
     void find_stand_ins() {
-        // Entry and exit step of the expansion.
+        // For each macro-step: the entry and the exit step of its expansion.
         std::vector<Id<Chart::Step>> entry(chart_.steps.size()), exit(chart_.steps.size());
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
             const Chart::Step& step = chart_.steps[id];
@@ -118,7 +118,7 @@ private:
         return inner == region;
     }
 
-    /// Sorts the homes by Kahn's algorithm. Charts that remain lie on a cycle or depend on one.
+    /// Sorts the homes by Kahn's algorithm. Charts that remain lie on a cycle or depend on a chart of a cycle.
     void sort_homes() {
         std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
         std::vector<std::size_t> waits(chart_.partial_charts.size());
@@ -144,14 +144,15 @@ private:
         }
     }
 
-    /// Determines the initial situation by rule 1. First the steps declared as initial become active, except in charts
-    /// whose enclosing step is inactive. Then the forcing orders of these steps are applied.
+    /// Determines the initial situation (IEC 60848, rule 1). First activates the steps declared as initial. Then, in
+    /// topological order of the charts, applies the forcing orders of active steps and deactivates charts whose
+    /// enclosing step is inactive.
     void find_initial() {
         std::vector<bool>& initial = result_.initial;
         initial.resize(chart_.steps.size());
         for (const Id<Chart::Step> step : chart_.steps.ids())
             if (chart_.steps[step].initial) initial[result_.entered[step.index].index] = true;
-        // Initial steps per home.
+        // For each home: forcing orders for it or its expansions.
         std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());
         for (const Id<Chart::ForcingOrder> id : chart_.forcing.ids())
             orders[result_.home[chart_.forcing[id].forced.index].index].push_back(id);
@@ -181,7 +182,7 @@ private:
         }
     }
 
-    /// Checks the forcing orders of each step, and those of steps that are active together at power-on.
+    /// Checks each pair of forcing orders that concern the same partial chart.
     void check_orders() {
         for (const Id<Partial> id : chart_.partial_charts.ids()) {
             const std::vector<Id<Chart::ForcingOrder>>& orders = result_.orders[id.index];
@@ -190,8 +191,8 @@ private:
         }
     }
 
-    /// Checks two forcing orders that concern `forced`. A conflict is reported once, for the chart that one of them
-    /// names and the other contains.
+    /// Checks two forcing orders that concern `forced`. A conflict is reported only once, for the partial chart that
+    /// one order names and that belongs to the region of the other order.
     void check_pair(Id<Partial> forced, Id<Chart::ForcingOrder> one, Id<Chart::ForcingOrder> other) {
         const Chart::ForcingOrder& first = chart_.forcing[one];
         const Chart::ForcingOrder& second = chart_.forcing[other];
@@ -212,8 +213,8 @@ private:
             messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
     }
 
-    /// Checks the forcing orders of partial charts that evolve in parallel. Conflicts are reported once per pair of
-    /// partial charts.
+    /// Checks the forcing orders of partial charts that evolve in parallel. A conflict is reported only once for a pair
+    /// of partial charts.
     void check_parallel(const Chart::ForcingOrder& first, const Chart::ForcingOrder& second) {
         if (first.forced != second.forced || !in_parallel(first.step, second.step)) return;
         const auto key = std::minmax(chart_.steps[first.step].chart.index, chart_.steps[second.step].chart.index);
@@ -221,8 +222,8 @@ private:
             diagnostics_.add(messages::forced_differently(second.origin, partial(first.forced).name, first.origin));
     }
 
-    /// False if the steps, or the steps that contain them, are different steps of one partial chart. Such steps may
-    /// never be active together.
+    /// False if the steps, or the steps that contain them, are different steps of one partial chart. Such steps are
+    /// possibly never active simultaneously.
     bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
         for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
             for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)
@@ -234,7 +235,7 @@ private:
     Diagnostics& diagnostics_;
     Hierarchy result_ = {};
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> parallel_ =
-        {};  ///< each element has the forced chart and the two charts that force it
+        {};  ///< each element contains the forced chart and the two charts that force it
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// An output whose equation is being derived, with the outputs that it reads and the positions of the actions that read
+/// An output whose equation is being derived, the outputs that it reads, and the positions of the actions that read
 /// them.
 struct Visit {
     struct Read {
@@ -45,8 +45,8 @@ Visit visit(const Derivation& derivation, Id<Chart::Variable> output) {
     return result;
 }
 
-/// Returns `3s/X` for a delayed action, and `not 3s/X` for a time-limited action. A limit starts at the end of the
-/// delay.
+/// Returns `3s/X` for a delayed action, and `not 3s/X` for a time-limited action. The time limit begins when the delay
+/// ends.
 Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) {
     Exprs& exprs = derivation.equations.exprs;
     const auto active_for = [&](std::int64_t duration) {
@@ -75,7 +75,7 @@ Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     return exprs.disjunction(terms);
 }
 
-/// Reports the part of `path` that starts with the output which its last element reads.
+/// Reports the cycle at the end of `path`, which begins with the output `closing`.
 void report_cycle(Derivation& derivation, const std::vector<Visit>& path, Id<Chart::Variable> closing) {
     if (derivation.diagnostics.full()) return;
     const auto first = std::ranges::find(path, closing, &Visit::output);
@@ -105,8 +105,8 @@ void derive_outputs(Derivation& derivation) {
                 path.push_back(visit(derivation, read));
                 continue;
             }
-            // An output on a cycle, or an output that is too large, is replaced by false in its readers. The error has
-            // already been reported.
+            // An output on a cycle, or with a term that is too large, is replaced by false in the terms that read it.
+            // The error has already been reported.
             const Id<Expr> value = failed(derivation) ? none : output_value(derivation, top.output);
             derivation.values[top.output.index] = value.valid() ? value : none;
             marks[top.output.index] = Mark::Done;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Equations (11) and (12) of CEP13, with the hierarchy resolved. Charts that force or enclose others are processed
-// first, so that the new activity of a forcing or enclosing step exists as a term before it is needed:
+// Derives equations (11) and (12) of CEP13, extended by the hierarchy. Charts that force or enclose other charts are
+// processed first, because their new step activities are used in the terms of the other charts:
 //
 //   X_s' = X_e' and (raised or ((base or linked) and not cleared))
 //     base      equation (12)
 //     X_e'      the step that encloses the chart of s remains or becomes active
 //     linked    s has an activation link, and the enclosing step becomes active while no order forces the chart
-//     raised    an active order names s; cleared: an active order does not
+//     raised    an active order for the chart of s activates s; cleared: such an order does not activate s
 //   X_M' = disjunction of X_s', s in the expansion of the macro-step M
 //
-// An active order blocks the transitions of its chart. Contradictory orders must not be active together.
+// An active order blocks the transitions of its chart. Contradictory orders must not be active simultaneously.
 #include <algorithm>
 #include <array>
 
@@ -59,7 +59,7 @@ public:
             if (chart_.steps[step].activation_link) linked_[hierarchy_.entered[step.index].index] = true;
         std::vector<Equations::StepActivity>& steps = derivation_.equations.steps;
         steps.resize(chart_.steps.size());
-        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // steps per home
+        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // per home
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (hierarchy_.home[id.index] != id) expansions[hierarchy_.home[id.index].index].push_back(id);
         for (const Id<Chart::PartialChart> home : hierarchy_.order) {
@@ -116,7 +116,7 @@ private:
         return enclosing.valid() ? exprs_.conjunction(of(enclosing).next, forced) : forced;
     }
 
-    /// Returns the activity with the new value `next`, unless it is too large.
+    /// Returns the step activity with the new value `next`. Reports an error if `next` is too large.
     Equations::StepActivity changed(Id<Chart::Step> step, Id<Expr> next) {
         const std::string what = "step `" + chart_.steps[step].name + "`";
         if (derivation_.measures.size(exprs_, next) > term_size_limit)
@@ -142,7 +142,7 @@ private:
     const Chart& chart_;
     const Hierarchy& hierarchy_;
     Exprs& exprs_;
-    /// For each step: the firing conditions that activate it, and those that deactivate it.
+    /// For each step: the firing conditions that activate the step, and the firing conditions that deactivate it.
     std::vector<std::vector<Id<Expr>>> on_, off_;
     std::vector<bool> linked_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stored actions (IEC 60848). Actions that store the same value in a variable form a group; a race occurs if two
-// groups with different values are triggered in one cycle. For constant values, the race condition is built by divide
-// and conquer with size n log n: a race within one half, or a trigger in each half.
+// Stored actions (IEC 60848). Actions that store the same value in a variable form a group. A race occurs if two groups
+// with different values are triggered in one cycle. For constant values, the race condition is built by divide and
+// conquer and has the size n log n: there is a race within one half of the groups, or a trigger in each half.
 #include <algorithm>
 #include <array>
 
@@ -19,7 +19,7 @@ struct Group {
 };
 
 /// Returns the condition under which `action` is executed: its transition is cleared, its step changes, or an event
-/// occurs while its step is active. Invalid after an error.
+/// occurs while its step is active. The result is invalid after an error.
 Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     const std::string& target = derivation.chart.variables[action.target].name;
     switch (action.on) {
@@ -34,10 +34,10 @@ Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     return derivation.equations.exprs.conjunction(derivation.step_leaves[action.step.index], event);
 }
 
-/// The writes of all actions on `variable`, in order; incomplete after an error.
+/// The writes of all actions on `variable`, in order. The list is incomplete after an error.
 struct Writes {
     std::vector<Equations::Write> list = {};
-    std::vector<Id<Expr>> first = {};  ///< values of the initial actions in the first evolution
+    std::vector<Id<Expr>> first = {};  ///< values that initial actions store in the first evolution
 };
 
 Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
@@ -60,7 +60,7 @@ Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
     return result;
 }
 
-/// Groups writes of equal values, in order of first occurrence.
+/// Returns groups of writes with equal values, in the order of their first occurrence.
 std::vector<Group> groups(Exprs& exprs, const std::vector<Equations::Write>& writes) {
     std::vector<Group> result;
     std::unordered_map<std::uint32_t, std::size_t> places;
@@ -73,7 +73,7 @@ std::vector<Group> groups(Exprs& exprs, const std::vector<Equations::Write>& wri
     return result;
 }
 
-/// True if two of the `groups`, whose values are different constants, are triggered together.
+/// Returns the condition that two of the `groups`, which have different constant values, are triggered in one cycle.
 Id<Expr> constant_race(Derivation& derivation, std::span<const Group> groups) {
     Exprs& exprs = derivation.equations.exprs;
     if (groups.size() < 2) return exprs.constant(false);
@@ -90,7 +90,7 @@ Id<Expr> constant_race(Derivation& derivation, std::span<const Group> groups) {
     return exprs.disjunction(std::array{within_left, constant_race(derivation, right), across});
 }
 
-/// True if two groups with different values are triggered together.
+/// Returns the condition that two groups with different values are triggered in one cycle.
 Id<Expr> race(Derivation& derivation, const std::vector<Group>& groups) {
     Exprs& exprs = derivation.equations.exprs;
     std::vector<Group> constants;
@@ -110,7 +110,7 @@ Id<Expr> race(Derivation& derivation, const std::vector<Group>& groups) {
 }
 
 /// Returns the value after the cycle: the value of the first triggered group, otherwise the value before the cycle. If
-/// only true and false are stored, this is `set or (v and not reset)`.
+/// only true and false are stored, the value is `set or (v and not reset)`.
 Id<Expr> next(Exprs& exprs, const std::vector<Group>& groups, Id<Expr> before) {
     const auto is_boolean_constant = [&](const Group& group) {
         return is_true(exprs, group.value) || is_false(exprs, group.value);
@@ -145,7 +145,7 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     result.next = next(exprs, grouped, before);
     result.race = race(derivation, grouped);
     result.first = before;
-    std::vector<Id<Expr>> differing;  // initial writes of values that differ from the first one
+    std::vector<Id<Expr>> differing;  // for initial writes: the value differs from the first value
     if (!written.first.empty()) result.first = written.first.front();
     for (const Id<Expr> value : written.first)
         if (value != result.first) differing.push_back(exprs.apply(Op::NotEqual, result.first, value));

@@ -14,7 +14,8 @@ constexpr std::uint64_t saturated = std::uint64_t{1} << 40U;
 
 std::uint64_t sum(std::uint64_t left, std::uint64_t right) { return std::min(saturated, left + right); }
 
-/// Returns the size of the term `root` of the chart after its outputs are replaced by their equations.
+/// Returns the size of the term `root` of the chart after its outputs are replaced by their equations. A subterm that
+/// reads no output counts as one node.
 std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
                             std::unordered_map<std::uint32_t, std::uint64_t>& known) {
     const Chart& chart = derivation.chart;
@@ -36,8 +37,8 @@ std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
 
 Id<Expr> copied(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where);
 
-/// Returns `e and not P_e` for a rising edge and `P_e and not e` for a falling edge. A rising edge of a complement is a
-/// falling edge.
+/// Returns `e and not P_e` for a rising edge and `P_e and not e` for a falling edge. A rising edge of a negated term is
+/// a falling edge of the term.
 Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, TermPosition reading, Span where) {
     Exprs& exprs = derivation.equations.exprs;
     if (exprs[now].op == Op::Not) {

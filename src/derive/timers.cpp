@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory of the equations: previous values for edges, values observed by timers, and the timers themselves (IEC 60848;
-// CEP13 Fig. 33b). Each is created on first use, so that unused values are not stored.
+// Creates the state variables of the equations: previous values for edges, values observed by timers, and timers (IEC
+// 60848; CEP13 Fig. 33b). A variable is created on first use, so that unused values are not stored.
 #include "derivation.hpp"
 #include "syntax/print/dialect.hpp"
 
@@ -8,7 +8,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns `wish` with the name of the variable if `term` is one, otherwise with a number: `P_START`, `P_1`.
+/// Returns `wish` followed by the name of the variable if `term` is a variable, otherwise by a number: `P_START`,
+/// `P_1`.
 std::string name_for(Derivation& derivation, const std::string& wish, Id<Expr> term, std::size_t number) {
     const Expr& node = derivation.equations.exprs[term];
     if (node.op != Op::Variable) return derivation.names.fresh(wish + std::to_string(number));
@@ -16,7 +17,7 @@ std::string name_for(Derivation& derivation, const std::string& wish, Id<Expr> t
     return derivation.names.fresh(wish + derivation.equations.variables[variable].name);
 }
 
-/// Returns `X2` or `G_X2`; for another term, the name of its stored value.
+/// Returns `X2` or `G_X2` for a step. For any other term, returns the name of its variable without `V_`.
 std::string watched_name(const Derivation& derivation, Id<Equations::Variable> watched) {
     const Equations::Variable& variable = derivation.equations.variables[watched];
     if (variable.role != Equations::Role::Step) return variable.name.substr(2);

@@ -11,19 +11,20 @@ namespace grafverif::draw {
 
 namespace {
 
-/// An edge of the graph that is being reduced, between two ends.
+/// An edge of the graph that is being reduced. It connects two ends.
 struct Edge {
     std::size_t from = 0, to = 0, block = 0;
-    std::vector<std::size_t> hanging = {};  ///< blocks attached at inner ends that are longer than the edge
+    /// Blocks that are attached to inner ends of the edge and longer than the edge.
+    std::vector<std::size_t> hanging = {};
     bool gone = false;
 };
 
-/// A vertex of the reduced graph. If one edge remains on a side, it is the exclusive or of the edge numbers of this
-/// side.
+/// A vertex of the reduced graph. `in` and `out` are the exclusive or of the numbers of all edges on this side; if one
+/// edge remains, they are its number.
 struct End {
     std::size_t in_count = 0, out_count = 0;
     std::size_t in = 0, out = 0;
-    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks attached to the end
+    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks that are attached to this end
     bool gone = false;
 };
 
@@ -120,7 +121,7 @@ private:
         return edge;
     }
 
-    /// Returns a block of `parts`. Parts of the same type are flattened.
+    /// Returns a block that consists of `parts`. A part of the same type is replaced by its own parts.
     std::size_t joined(Block::Kind kind, const std::vector<std::size_t>& parts) {
         if (parts.size() == 1 && kind != Block::Kind::Core) return parts.front();
         Block block{.kind = kind, .key = nowhere};
@@ -140,7 +141,8 @@ private:
         return blocks.size() - 1;
     }
 
-    /// Returns `block` in parallel with those blocks of `hanging` that are not longer, or with all of them.
+    /// Returns a block that contains `block` in parallel with the blocks of `hanging` that are not longer, or with all
+    /// blocks of `hanging`.
     std::size_t beside(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;
         std::vector<std::size_t> parts{block}, others;
@@ -181,7 +183,7 @@ private:
         }
     }
 
-    /// Attaches an edge, with the blocks attached to its free end, to the other end.
+    /// Attaches an edge with a free end, and the blocks attached to this free end, to its other end.
     void hang(const std::vector<std::size_t>& free, Edge& edge, bool below, std::vector<std::size_t>& list) {
         std::size_t block = edge.block;
         if (!free.empty()) {
@@ -226,7 +228,7 @@ private:
             if (!core.empty()) parts_.push_back(joined(Block::Kind::Core, core));
     }
 
-    /// Sets the parents of all descendants of the root; the parts of a Parallel are sorted by their keys.
+    /// Sets the parents of all descendants of the root, and sorts the parts of each Parallel by their keys.
     void settle_parents() {
         std::vector<Block>& blocks = result_.blocks;
         if (blocks.empty()) return;
@@ -248,7 +250,7 @@ private:
     const Flow& flow_;
     const Order& order_;
     Blocks result_ = {};
-    std::vector<End> ends_;  ///< ends of node n: index 2n above it, 2n + 1 below it
+    std::vector<End> ends_;  ///< ends of node n: index 2n for its upper end, 2n + 1 for its lower end
     std::vector<Edge> edges_ = {};
     std::unordered_map<std::uint64_t, std::size_t> between_ = {};
     std::deque<std::size_t> waiting_ = {};

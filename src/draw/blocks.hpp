@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Blocks: the series-parallel decomposition of a flow.
 //
-// Each node is split into two ends with the node between them; arcs connect ends. The graph is reduced by the two rules
-// of series-parallel graphs. Two elements in sequence, at an end without further elements, form a Series. Two elements
-// between the same ends form a Parallel. Charts written as sequences, selections and parallel branches are reduced to
-// one block. An irreducible remainder is a Core: strips that are connected arbitrarily at their ends.
+// Each node connects two ends, above and below it; arcs connect ends of different nodes. The graph is reduced by the
+// two rules of series-parallel graphs. Two elements that meet at an end without further elements form a Series. Two
+// elements between the same ends form a Parallel. Charts written as sequences, selections and parallel branches are
+// reduced to one block. If the result of the reduction is not one block, it is a Core, which consists of strips that
+// are connected arbitrarily at their ends.
 //
-// A branch has no continuation if its last node leads upward or is a sink; similarly, it may have no beginning. Such a
-// branch is placed in parallel with another branch at the end to which it is attached.
+// If the last node of a branch is a sink or has only upward links, the branch has no continuation; similarly, a branch
+// may have no beginning. Such a branch is placed in parallel with another branch, at the end to which it is attached.
 //
-// If an upward link leaves a node together with other links, or enters a bar together with other links, it has a Stub:
-// a separate place on the shared line. The algorithm is linear in the size of the flow.
+// An upward link has a stub if it leaves a node, or enters a bar, together with other links. A stub is a separate
+// position on the shared line. The algorithm is linear in the size of the flow.
 #pragma once
 
 #include <cstddef>
@@ -26,25 +27,26 @@ inline constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 struct Block {
     enum class Kind { Node, Arc, Exit, Entry, Series, Parallel, Core };
     Kind kind = Kind::Node;
-    /// Node: index in the flow; Arc, Exit, Entry: an arc of the flow, which is upward for Exit and Entry.
+    /// Node: index of the node in the flow; Arc, Exit, Entry: index of the arc in the flow, which is upward for Exit
+    /// and Entry.
     std::size_t what = nowhere;
     std::size_t parent = nowhere, first = nowhere, last = nowhere, next = nowhere;  ///< indices of blocks
     std::size_t key = 0;  ///< parallel blocks are placed in the order of their keys
-    bool open = false;    ///< for a Parallel: true if it does not extend from one end to the other
+    bool open = false;    ///< true if this part of a Parallel does not extend from one end to the other
     /// For a strip in a Core: indices of its ends.
     std::size_t above = nowhere, below = nowhere;
     /// Vertical range: row r has index 2r + 1, the channel above it 2r, and the channel below it 2r + 2.
     std::size_t low = nowhere, high = 0;
 };
 
-/// All blocks. A block follows its parts; `root` is a Parallel of all components. Blocks that are not used have no
-/// parent.
+/// All blocks. The index of a block is greater than the indices of its parts. `root` is a Parallel of all components.
+/// Unused blocks have no parent.
 struct Blocks {
     std::vector<Block> blocks = {};
     std::size_t root = nowhere;
     std::vector<std::size_t> of_node = {};              ///< block of each node
     std::vector<std::size_t> of_arc = {};               ///< block of each arc, except upward arcs
-    std::vector<std::size_t> exits = {}, entries = {};  ///< stubs of each arc; nowhere if it has none
+    std::vector<std::size_t> exits = {}, entries = {};  ///< stubs of each arc; nowhere if the arc has no stub
 
     bool contains(std::size_t block) const { return block == root || blocks[block].parent != nowhere; }
 };

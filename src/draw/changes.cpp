@@ -9,8 +9,8 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Returns the content of an element, independently of its position; for a link, its ends and direction. The result is
-/// empty if the element does not represent an element of the chart.
+/// Returns the content of an element, independently of its position. For a link, the content is its ends and direction.
+/// The result is empty if the element does not represent an element of the chart.
 std::string content(const Drawing::Element& element) {
     if (!element.id.empty()) return element.classes + '\n' + element.title;
     if (!element.classes.starts_with("link")) return {};

@@ -18,7 +18,7 @@ using Element = Drawing::Element;
 using Point = Drawing::Point;
 
 constexpr int margin = 16, title_height = 22, title_size = 13;
-constexpr int greatest_page = 1400;  ///< maximum width for placing partial charts, unless one of them is wider
+constexpr int greatest_page = 1400;  ///< maximum width of the page, unless one partial chart is wider
 
 void shift(Element& element, Point by) {
     const auto move = [&](Point& point) { point = {point.x + by.x, point.y + by.y}; };
@@ -32,18 +32,19 @@ Drawing::Text heading(int x, int y, const std::string& text) {
     return {{x, y}, {{text, false}}, Drawing::Anchor::Start, title_size, width_of(text, title_size), "title"};
 }
 
-/// The layout of a partial chart, with its upper-left corner at (0, 0).
+/// The drawing of a partial chart, with its upper left corner at (0, 0).
 struct Panel {
     std::vector<Element> elements = {};
     Drawing::Size size = {};
 };
 
-/// The nodes of one partial chart and the links between them, with their indices in the flow.
+/// The steps and transitions of one partial chart, in the order of the tables.
 struct Members {
     std::vector<Id<Chart::Step>> steps = {};
     std::vector<Id<Chart::Transition>> transitions = {};
 };
 
+/// Builds the flow of one partial chart, whose nodes are its members, and draws the panel.
 class PanelMaker {
 public:
     PanelMaker(const Chart& chart, const Symbols& symbols, const DrawOptions& options, std::vector<std::size_t>& nodes)
@@ -74,7 +75,8 @@ private:
         parts_.push_back(std::move(symbol));
     }
 
-    /// Adds the links of each step to its transitions in their order, followed by the links into each transition.
+    /// Adds the links of each transition, in the order of the transitions: first the links from steps, then the links
+    /// to steps.
     void add_links(const Members& members) {
         for (std::size_t k = 0; k < members.transitions.size(); ++k) {
             const Chart::Transition& transition = chart_.transitions[members.transitions[k]];
@@ -169,12 +171,12 @@ Panel framed(const Chart& chart, Id<Chart::PartialChart> id, const std::string& 
     return panel;
 }
 
-/// Places each panel as high as possible on the page, then as far left as possible.
+/// Places each panel as high as possible on the page, and then as far to the left as possible.
 class Skyline {
 public:
     Skyline(int top, int right) : levels_({{margin, top}}), right_(right) {}
 
-    /// Returns the lowest free position for a panel.
+    /// Returns the first free position for a panel.
     Point place(Drawing::Size size) {
         std::size_t best = 0;
         int y = std::numeric_limits<int>::max();
@@ -191,7 +193,7 @@ public:
     }
 
 private:
-    /// Returns the greatest y above a panel that begins at level `k`.
+    /// Returns the smallest y at which a panel that begins at level `k` is below all other panels.
     int lowest_above(std::size_t k, int width) const {
         int lowest = levels_[k].y;
         for (std::size_t j = k; j < levels_.size() && levels_[j].x < levels_[k].x + width + margin; ++j)
@@ -199,7 +201,7 @@ private:
         return lowest;
     }
 
-    std::vector<Point> levels_;  ///< the page is free below y, from x to the next entry
+    std::vector<Point> levels_;  ///< from x to the x of the next entry, the page is free below y
     int right_;
 };
 
@@ -222,7 +224,7 @@ Packing packed(const std::vector<Panel>& panels, int top, int right) {
     return made;
 }
 
-/// Tries several page widths and uses the smallest page.
+/// Tries several page widths and selects the smallest page.
 void place(std::vector<Panel> panels, int top, Drawing& drawing) {
     constexpr int tries = 12;
     int widest = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ChartText: texts of the source file that the Chart does not contain, in the order of its tables. Empty texts and
-// lists are ignored.
+// ChartText: texts of the source file that a Chart does not contain, in the order of the tables of the Chart. An empty
+// text or list has no effect.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace grafverif {
 
 struct ChartText {
-    std::vector<std::string> comments = {};  ///< comments of steps, which are drawn
+    std::vector<std::string> comments = {};  ///< comments of steps, which are included in the drawing
     /// Conditions as in the source, which are drawn in Notation::Text.
     std::vector<std::string> transitions = {}, continuous = {};
     std::vector<std::string> events = {}, values = {};  ///< events and values of stored actions as in the source

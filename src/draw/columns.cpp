@@ -12,9 +12,9 @@ namespace {
 
 constexpr int gap = 14;                 ///< distance between parallel elements
 constexpr std::size_t rounds = 8;       ///< number of iterations for ordering the strips of a core
-constexpr std::size_t far_enough = 32;  ///< number of neighbours that are considered when a side is chosen
+constexpr std::size_t far_enough = 32;  ///< number of parallel parts that are examined for the choice of a side
 
-/// Extent of a block on both sides of its axis, and offset of its axis from that of its parent.
+/// Extent of a block on both sides of its axis, and offset of its axis from the axis of its parent.
 struct Reach {
     int left = 0, right = 0, offset = 0;
 };
@@ -72,8 +72,8 @@ private:
         return stub != nowhere ? stub : blocks_.of_node[flow_.arcs[arc].to];
     }
 
-    /// Returns the number of those nearest neighbours that a line from `block` to the side of `whole` crosses in
-    /// `channel`: neighbours to the left minus neighbours to the right.
+    /// Counts the parallel parts that a horizontal line from `block` to a side of `whole` would cross in `channel`.
+    /// Examines `far_enough` parts of each block. Returns the number on the left minus the number on the right.
     int leaning(std::size_t block, std::size_t whole, std::size_t channel) const {
         int crossed = 0;
         for (; block != whole; block = at(block).parent) {
@@ -89,7 +89,7 @@ private:
         return crossed;
     }
 
-    /// Assigns links to lanes. Links up to the same step share a lane on each side.
+    /// Assigns upward links to lanes. Upward links to the same step share a lane on each side.
     void choose_lanes() {
         std::map<std::tuple<std::size_t, Side>, std::size_t> shared;
         std::vector<std::pair<std::size_t, Side>> places;  ///< block and side of each lane
@@ -114,11 +114,11 @@ private:
         for (std::size_t lane = 0; lane < places.size(); ++lane) beside_[places[lane]].lanes.push_back(lane);
     }
 
-    /// Places short lanes nearest to the block. Lanes with disjoint rows may share a column. `x` is relative to the
+    /// Places shorter lanes nearer to the block. Lanes with disjoint rows may share a column. `x` is relative to the
     /// block.
     void pack_lanes() {
         for (auto& [place, beside] : beside_) {
-            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // pairs of low and high, per column
+            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // pairs of low and high for each column
             std::ranges::stable_sort(beside.lanes, {}, [&](std::size_t lane) {
                 return columns_.lanes[lane].high - columns_.lanes[lane].low;
             });
@@ -164,8 +164,8 @@ private:
         }
     }
 
-    /// Consecutive parts share the axis. A branch attached to one of them may extend into the rows of other parts. From
-    /// such a row on, the parts are placed to the right of the preceding ones.
+    /// The parts of a Series share one axis. If a branch that is attached to a part extends into the rows of later
+    /// parts, these parts are placed to the right of the preceding parts.
     void measure_series(std::size_t number) {
         std::vector<Strip> strips;
         each_part(number, [&](std::size_t part) {
@@ -180,14 +180,14 @@ private:
         settle(number, strips.front().reach.offset);
     }
 
-    /// A group of parts on one axis.
+    /// A group of parts with the same axis.
     struct Strip {
         std::size_t low = 0, high = 0;
         Reach reach = {};
         std::vector<std::size_t> parts = {};
     };
 
-    /// Places each strip as far to the left as the preceding strips permit.
+    /// Places each strip as far to the left as possible without an overlap with the preceding strips.
     void pack(std::size_t number, std::vector<Strip>& strips) {
         const std::size_t low = at(number).low;
         std::vector<int> skyline(at(number).high - low + 1, 0);
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    /// Centres the axis between the first and the last of the parts that extend from end to end.
+    /// Places the axis in the middle between the first and the last part that extends from one end to the other.
     void measure_parallel(std::size_t number) {
         int right = 0, first = 0, last = 0;
         bool any = false;
@@ -232,7 +232,7 @@ private:
         });
     }
 
-    /// Orders the strips such that their connections are short.
+    /// Orders the strips of a Core such that their connections are short.
     void measure_core(std::size_t number) {
         std::vector<std::size_t> parts;
         each_part(number, [&](std::size_t part) { parts.push_back(part); });

@@ -2,8 +2,8 @@
 // Columns: horizontal positions. The parts of a Series share one axis; parallel parts have a minimum distance; upward
 // links run in lanes next to the smallest block that contains both of their ends.
 //
-// For every flow, no two of these elements share a column in a common row. Therefore a vertical line never runs through
-// a node.
+// For every flow, no two of these elements (parts, lanes) have the same column in the same row. Therefore a vertical
+// line never runs through a node.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,8 @@
 
 namespace grafverif::draw {
 
-/// Path of upward links from below one node to above another. `low` and `high` are channels.
+/// Vertical path of upward links, from below their first node to above their last node. `low` and `high` are the first
+/// and last channel of the lane.
 struct Lane {
     int x = 0;
     std::size_t low = nowhere, high = 0;
@@ -22,7 +23,7 @@ struct Lane {
 struct Columns {
     std::vector<int> nodes = {};
     std::vector<int> arcs = {};                 ///< column of each arc that is not upward
-    std::vector<int> exits = {}, entries = {};  ///< columns of each arc that has an exit or entry
+    std::vector<int> exits = {}, entries = {};  ///< column of the exit and of the entry of each arc that has one
     std::vector<std::size_t> lane_of = {};      ///< lane of each upward arc
     std::vector<Lane> lanes = {};
     int width = 0;

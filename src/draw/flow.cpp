@@ -7,7 +7,7 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Depth-first search. It is iterative, because charts may be long.
+/// Depth-first search. The search is iterative, because charts may be long.
 class DepthFirstSearch {
 public:
     explicit DepthFirstSearch(const Flow& flow) : flow_(flow), state_(flow.nodes.size(), State::New) {
@@ -56,7 +56,7 @@ private:
         }
     }
 
-    /// Determines the rows. Nodes are finished after all their successors.
+    /// Determines the rows. A node is finished after all its successors.
     void settle_rows() {
         std::vector<bool> led_to(flow_.nodes.size(), false);
         for (std::size_t node = 0; node < flow_.nodes.size(); ++node)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Flow: the graph of one partial chart for layout, with its reading order: rows from top to bottom.
 //
-// Steps are in even rows, transitions in odd ones. A depth-first search starts at the roots; an arc to an unfinished
-// node is an upward link. Apart from upward links, a node is one row below the lowest of its predecessors. All
-// algorithms are linear in nodes and arcs, and the result depends only on their order.
+// Steps are in even rows, transitions in odd rows. A depth-first search starts at the roots; an arc to an unfinished
+// node is an upward link. If upward links are ignored, a node is one row below its lowest predecessor. All algorithms
+// are linear in nodes and arcs, and the result depends only on their order.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,8 @@ struct Flow {
     };
     std::vector<Node> nodes = {};
     std::vector<Arc> arcs = {};
-    std::vector<std::size_t> roots = {};  ///< nodes at which reading starts; unreachable nodes follow
+    /// Nodes at which the search starts; it continues with nodes that are not reachable from them.
+    std::vector<std::size_t> roots = {};
 
     std::size_t add(bool bar, int port, ReservedSpace room) {
         nodes.push_back({.bar = bar, .port = port, .room = room});

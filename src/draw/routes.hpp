@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Routes: vertical positions and connecting lines. Horizontal lines run only between two rows, on tracks. Lines from
-// the row above are on the upper tracks and lines to the row below on the lower tracks, so that a line never reverses.
-// A long flow is folded: it is cut between two rows where few lines pass, and the pieces are placed side by side. Each
-// cut line is labelled with a number at both ends.
+// the row above use the upper tracks, and lines to the row below use the lower tracks, so that a line never runs
+// upwards between two rows. A long flow is folded: it is cut between two rows that few lines connect, and the pieces
+// are placed side by side. Each cut line is labelled with a number at both ends.
 #pragma once
 
 #include <string>
@@ -15,17 +15,18 @@
 namespace grafverif::draw {
 
 struct Routes {
-    /// The double line of a bar, and the line from the bar to it.
+    /// The double line of a transition at which several links join, and the line that connects it to the bar of the
+    /// transition.
     struct Meeting {
         std::size_t node = 0;
         std::vector<Drawing::Line> lines = {};
     };
-    /// The end of a cut line.
+    /// The label at the end of a cut line.
     struct Reference {
         Drawing::Point at = {};  ///< end point of the line
         bool below = false;      ///< true if the label is below the end
         std::size_t number = 0;
-        std::size_t arc = 0;  ///< one of the arcs of the line
+        std::size_t arc = 0;  ///< index of an arc of the line
     };
     std::vector<Drawing::Point> nodes = {};  ///< centres of the nodes
     std::vector<std::vector<Drawing::Line>> arcs = {};
@@ -36,8 +37,8 @@ struct Routes {
 
 inline constexpr int reference_height = 12;
 
-/// Computes the routes. `pieces` is the number of pieces into which the flow is folded; 0 selects a number with a good
-/// page shape.
+/// Computes the routes. `pieces` is the number of pieces into which the flow is folded; 0 selects a number for which
+/// the drawing has the shape of a page.
 Routes routes_of(const Flow& flow, const Order& order, const Columns& columns, int pieces);
 
 }  // namespace grafverif::draw

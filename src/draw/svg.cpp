@@ -79,7 +79,7 @@ private:
         if (line.arrow && line.points.size() > 1) head(line.points[line.points.size() - 2], line.points.back());
     }
 
-    /// Draws the head of an arrow whose last segment goes from `from` to `tip`.
+    /// Draws the head of an arrow with the last segment from `from` to `tip`.
     void head(Point from, Point tip) {
         const int along = 8, across = 4;
         const int dx = tip.x == from.x  ? 0

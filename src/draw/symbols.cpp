@@ -13,7 +13,7 @@ namespace {
 
 using Anchor = Drawing::Anchor;
 
-constexpr int half_step = 20;  ///< half the height of a step, and half its width if its name is short
+constexpr int half_step = 20;  ///< half the height of a step; also half the width of a step with a short name
 constexpr int half_bar = 15;
 constexpr int box_height = 24;  ///< height of the box of an action
 constexpr int line_height = 15;
@@ -49,12 +49,12 @@ int widest_of(const std::vector<Runs>& lines, int size) {
 
 }  // namespace
 
-/// A box attached to a step or a transition.
+/// A box that is attached to a step or a transition.
 struct Symbols::Action {
     enum class Sign { None, Up, Down, Event };
     Drawing::Element element = {};
     std::string label = {};
-    std::vector<Runs> above = {};  ///< its condition, in lines
+    std::vector<Runs> above = {};  ///< lines of the condition of the action
     Sign sign = Sign::None;
     bool twofold = false;  ///< true for a forcing order
 
@@ -67,7 +67,7 @@ struct Symbols::Action {
     }
     int foot() const { return sign == Sign::Down ? 10 : 0; }
 
-    /// Returns the element with its left edge and vertical centre at this position.
+    /// Returns the element, placed with its left edge and vertical centre at this position.
     Drawing::Element at(int left, int middle) const {
         Drawing::Element drawn = element;
         const int top = middle - box_height / 2;
@@ -146,7 +146,8 @@ std::string Symbols::title(Id<Chart::Transition> id) const {
 
 // -- actions ---------------------------------------------------------------------------------------------------------
 
-/// Returns the action with its condition. Its delay and time limit are time conditions: `3s/X2`, not `8s/X2`.
+/// Returns the action with its condition. The delay and the time limit of the action are written as time conditions:
+/// `3s/X2`, not `8s/X2`.
 Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     const std::string step = writing_.step(action.step);
@@ -155,7 +156,7 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     if (!is_true(chart_.exprs, action.condition)) {
         Runs condition = runs(text_.continuous, id.index, action.condition);
         const bool alone = action.delay_ms == 0 && action.limit_ms == 0;
-        // The source text may contain a disjunction that the simplified term does not contain.
+        // The text in the source file may contain a disjunction that the simplified term does not contain.
         const std::string text = plain_text(condition);
         const bool disjunction =
             iec ? chart_.exprs[action.condition].op == Op::Or
@@ -226,7 +227,7 @@ Symbols::Action Symbols::forcing(Id<Chart::ForcingOrder> id) const {
             .twofold = true};
 }
 
-/// Draws actions in a row, connected with the node by a line. If they have conditions, or the row would be too wide,
+/// Draws actions in a row, connected with the node by a line. If actions have conditions, or the row would be too wide,
 /// they are stacked and connected by a line at the left.
 void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol) const {
     if (actions.empty()) return;

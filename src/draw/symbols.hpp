@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Symbols: the steps, transitions, actions and forcing orders of a chart in the notation of IEC 60848 (clause 5; clause
-// 7 for macro-steps, enclosing steps and forcing orders), each relative to its centre.
+// 7 for macro-steps, enclosing steps and forcing orders), each with coordinates relative to its centre.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace grafverif::draw {
 
-/// The symbol of one node, with everything attached to it, relative to (0, 0).
+/// The symbol of one node, with its actions and texts, relative to (0, 0).
 struct Symbol {
     ReservedSpace room = {};
     int port = 0;  ///< distance from the centre to the upper and lower ends of links

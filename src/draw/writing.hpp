@@ -2,7 +2,7 @@
 // Writing: widths of texts, line breaking, and the notation of a chart's terms in drawings.
 //
 // The width of a character is the maximum of its widths in DejaVu Sans and Liberation Sans (Arial has the same widths).
-// For characters that may be missing in both fonts, slightly more than an em is assumed.
+// A character that may be missing in both fonts is assumed to be slightly wider than an em.
 #pragma once
 
 #include <iosfwd>
@@ -17,7 +17,7 @@ namespace grafverif::draw {
 
 inline constexpr std::string_view font_family = "'DejaVu Sans', 'Liberation Sans', Arial, Helvetica, sans-serif";
 
-/// Maximum number of characters of a name in a drawing. The title of its element may contain more.
+/// Maximum number of characters of a name in a drawing. The title of the element may be longer.
 inline constexpr std::size_t longest_name = 40;
 
 using Runs = std::vector<Drawing::Run>;
@@ -26,7 +26,7 @@ using Runs = std::vector<Drawing::Run>;
 int width_of(std::string_view text, int size);
 int width_of(const Runs& runs, int size);
 
-/// Returns `runs` in lines of at most `width` if spaces permit it. A longer word has a separate line. Text beyond
+/// Returns `runs` in lines of at most `width`, broken at spaces. A word that is wider has a separate line. Text beyond
 /// `most_lines` is replaced by an ellipsis.
 std::vector<Runs> wrapped(const Runs& runs, int size, int width);
 inline constexpr std::size_t most_lines = 24;
@@ -34,11 +34,11 @@ inline constexpr std::size_t most_lines = 24;
 /// Returns the text without overlines: `!a` for a negated `a`.
 std::string plain_text(const Runs& runs);
 
-/// Returns `text` with at most `characters` characters. If it is truncated, the last one is an ellipsis.
+/// Returns `text` with at most `characters` characters. If the text is truncated, its last character is an ellipsis.
 std::string shortened(std::string_view text, std::size_t characters);
 
-/// Notation of the terms of a chart in its drawing. Steps whose names are unique among the partial charts are not
-/// qualified: `XW1` for `watchdog.XW1`.
+/// Writes the terms of a chart in the notation of its drawing. If the name of a step is unique among all partial
+/// charts, the name is not qualified: `XW1` for `watchdog.XW1`.
 class Writing {
 public:
     Writing(const Chart& chart, Notation notation);

@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// Reason why a property is omitted.
+/// The reason for omitting a property.
 inline constexpr const char* too_wide = "it may need integers of more than 32 bits";
 
 /// Returns, per term of the table, true if it or a subterm may exceed 32 bits. For a network, only terms without
@@ -20,8 +20,8 @@ std::vector<bool> wide_terms(const Network& network);
 std::vector<bool> wide_terms(const FlatSystem& flat);
 
 /// True if 32 bits are sufficient for the behaviour of the model, apart from properties. Otherwise an error
-/// (`beyond-32-bits`) is reported for each position where they may not be. Parameters of templates have the values of
-/// their arguments.
+/// (`beyond-32-bits`) is reported for each position at which more bits may be necessary. Parameters of templates have
+/// the values of their arguments.
 bool fits(const Network& network, std::string_view target, Diagnostics& diagnostics);
 bool fits(const TransitionSystem& system, std::string_view target, Diagnostics& diagnostics);
 

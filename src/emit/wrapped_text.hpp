@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Line breaking for models and programs.
+// Line breaking for generated models and programs.
 #pragma once
 
 #include <cstddef>

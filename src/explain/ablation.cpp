@@ -11,14 +11,14 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of values of one variable.
+/// Maximum number of values of an output. An instance with an output that has more values is not removed.
 constexpr std::int64_t most_values = 64;
 
 Network::Template& automaton_of(Network& network, Id<Network::Process> process) {
     return network.templates[network.processes[process].automaton];
 }
 
-/// The variables that an instance writes, each with the flags that it sets together with the variable.
+/// The variables that an instance writes. For each variable: the flags that the instance sets together with it.
 using WrittenVariables = std::map<std::uint32_t, std::vector<Network::Assignment>>;
 
 WrittenVariables written_by(const Network& network, const Network::Template& automaton) {
@@ -47,7 +47,7 @@ void silence_clocks(Network::Template& automaton) {
     }
 }
 
-/// Returns the component of the instance, after separating it from that of other instances.
+/// Gives the instance a separate copy of its component, and returns the copy.
 Component& own_component(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance) {
     ClosedLoop::Instance& of = model.loops[loop].instances[instance];
     Component own = model.components[of.component];

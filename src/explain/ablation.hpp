@@ -26,22 +26,24 @@ namespace grafverif {
 void drop_transition(Chart& chart, Id<Chart::Transition> transition);
 
 /// Removes the continuous actions and forcing orders of a step, and disables its stored actions. Actions on the
-/// clearing of a transition do not belong to a step. If the step has none, returns false and changes nothing.
+/// clearing of a transition do not belong to a step. If the step has neither actions nor forcing orders, returns false
+/// and changes nothing.
 bool drop_actions(Chart& chart, Id<Chart::Step> step);
 
 /// The position of a term in a chart.
 struct TermPlace {
-    /// Condition of a transition; of a continuous action; event of a stored action.
+    /// Transition: condition of a transition. Action: condition of a continuous action. Event: event of a stored
+    /// action.
     enum class Of { Transition, Action, Event };
     Of of = Of::Transition;
     std::uint32_t index = 0;               ///< index in Chart::transitions, continuous or stored
     std::vector<std::uint32_t> path = {};  ///< operand indices, from the complete condition down to the term
     bool operator==(const TermPlace&) const = default;
 };
-/// Returns the terms of a chart in the order of transitions, continuous actions, events; outer terms precede inner
-/// ones. A term is an operand of an `and` or `or`, at any depth below these operators and `not`, or a condition that is
-/// neither of them nor a constant. In events, only operands without an edge are included, because an event must keep an
-/// edge.
+/// Returns the terms of a chart in the order of transitions, continuous actions and events. Outer terms precede inner
+/// terms. A term is an operand of an `and` or `or`, at any depth below these operators and `not`, or a condition that
+/// is neither of them nor a constant. In events, only operands without an edge are included, because an event must keep
+/// an edge.
 std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);
 void remove_term(Chart& chart, const TermPlace& place);
@@ -53,23 +55,24 @@ bool is_forced(const Component& component, Id<Component::Edge> edge);
 /// location.
 void drop_edge(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
-/// True if there is a guard to remove: the guard is not constantly true, or it makes the edge urgent.
+/// True if the edge has a guard that can be removed: the guard is not constantly true, or the edge is urgent.
 bool is_guarded(const Component& component, Id<Component::Edge> edge);
 
-/// Gives the instance a separate component without the guard. After that, the edge need not be taken.
+/// Gives the instance a separate component without the guard. The edge is then not urgent.
 void drop_guard(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
-/// Returns `changed`, the network of a loop without an edge or a guard, expanded and with the value ranges of
-/// `network`, the original. This is necessary because instances of one component share ranges that are wide enough for
-/// all of them, and a separate component would have others.
+/// Returns `changed` in expanded form, with the value ranges of `network`. `changed` is the network of the loop without
+/// an edge or a guard; `network` is the original. This is necessary because all instances of a component have the same
+/// ranges, and a separate component would have other ranges.
 Network with_ranges_of(const Network& network, const Network& changed);
 
-/// Ignores the clocks of a process. Returns true if the process used clocks. This function and the next one require
+/// Removes the clocks of a process. Returns true if the process had clocks. This function and drop_instance require
 /// that `network` is expanded.
 bool drop_timing(Network& network, Id<Network::Process> process);
 
-/// Removes an instance. `roams` is true if its location is read (by a property, or by `settled`); otherwise it remains
-/// in its first location. If it has too many output values, or calls procedures, returns false and changes nothing.
+/// Removes an instance: its outputs may have any value at any time. If `roams` is true, it can be in any location;
+/// otherwise it remains in its first location. `roams` must be true if a property or `settled` reads its location. If
+/// the instance has too many output values, or calls procedures, returns false and changes nothing.
 bool drop_instance(Network& network, Id<Network::Process> process, bool roams = true);
 
 }  // namespace grafverif

@@ -11,21 +11,22 @@ namespace {
 
 using Terms = std::vector<Id<Expr>>;
 
-/// A run in the form that terms require: its distinct states, and the value of a term in each state.
+/// A run for the evaluation of terms: its distinct states, and the value of a term in each state.
 struct States {
     const Exprs& exprs;
     Id<Expr> settled = {};
     std::size_t count = 0;
-    std::optional<std::size_t> loop = {};  ///< the state that follows the last one
+    std::optional<std::size_t> loop = {};  ///< index of the state that follows the last state
     std::function<std::optional<std::int64_t>(std::size_t state, Id<Expr> term)> value = {};
 };
 
-/// The term that must hold in one state of a run, and whose failure is explained.
+/// A term that must be true in a state of a run, and whose failure is to be explained.
 class RequiredTerm {
 public:
     RequiredTerm(const Exprs& exprs, Id<Expr> formula) : exprs_(exprs), formula_(formula) { collect(formula, true); }
 
-    /// Finds the terms that cause it to fail in `state`. Returns false if a value is undefined, or if it does not fail.
+    /// Finds the terms whose values cause the required term to be false in `state`. Returns false if a value is
+    /// undefined, or if the required term is true.
     bool explain(const States& states, std::size_t state, std::size_t most, Terms& found, bool& exact) {
         values_.clear();
         for (const Id<Expr> term : terms_) {
@@ -114,7 +115,7 @@ private:
     std::vector<bool> positive_ = {}, negative_ = {}, twice_ = {}, values_ = {};
 };
 
-/// Returns the term that a property about single states requires of every state.
+/// Returns the term that must be true in every state if a property about single states holds.
 Id<Expr> safe(const Property& property, Exprs& exprs) {
     const Terms& p = property.operands;
     if (property.pattern == Pattern::Always) return p[0];
@@ -128,7 +129,7 @@ Id<Expr> safe(const Property& property, Exprs& exprs) {
     return exprs.conjunction(all);
 }
 
-/// Returns the states that the run visits from `state` on, including `state`.
+/// Returns the indices of the states that the run visits from `state` on, including `state`.
 std::vector<std::size_t> states_from(std::size_t state, std::size_t count, std::optional<std::size_t> loop) {
     std::vector<std::size_t> list;
     for (std::size_t k = loop ? std::min(state, *loop) : state; k < count; ++k) list.push_back(k);
@@ -206,7 +207,7 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
                                 std::size_t most) {
     const States seen{.exprs = network.exprs,
                       .settled = network.settled,
-                      // The last state equals the first state of the loop.
+                      // The last state is omitted, because it equals the first state of the loop.
                       .count = loop ? states.size() - 1 : states.size(),
                       .loop = loop,
                       .value = [&](std::size_t state, Id<Expr> term) { return value(network, states[state], term); }};

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Causes: the values, with their times, that make a property fail on a run. Source: Beer, Ben-David, Chockler, Orni and
-// Trefler (Explaining counterexamples using causality, CAV 2009), after Halpern and Pearl.
+// Causes: the values, with their times, that cause a run to violate a property. Source: Beer, Ben-David, Chockler, Orni
+// and Trefler (Explaining counterexamples using causality, CAV 2009), after Halpern and Pearl.
 // docs/reference/trace-format.md explains the details.
 //
 // A pair consists of a state of the run and a term of the property that is not a conjunction, disjunction or negation.
-// It is bottom-valued if some occurrence of the term, with the property in negation normal form, is false in the state.
-// A pair is a cause if there is a set of other bottom-valued pairs with this effect: if the values of the set are
-// changed, the property still fails on the run; if the value of the pair is also changed, the property does not fail.
-// These changes do not affect which states are quiescent.
+// A pair is bottom-valued if, in the negation normal form of the property, at least one occurrence of the term is false
+// in the state. A pair is a cause if there is a set of other bottom-valued pairs with the following effect. If the
+// values of the pairs in the set are changed, the property still fails on the run. If the value of the pair is also
+// changed, the property does not fail. The changes do not affect which states are quiescent.
 //
-// For `always`, `never` and `exactly one of`, the first failing state is explained, by its own values. For `leads to`,
-// the first state that satisfies the premise without a response is explained, by its values and those of all later
+// For `always`, `never` and `exactly one of`, the causes are values of the first state that violates the property. For
+// `leads to`, they are values of the first state that satisfies the premise without a response, and of all later
 // states; a value in the loop is changed in every iteration.
 #pragma once
 
@@ -34,7 +34,8 @@ struct Causes {
         bool operator==(const Pair&) const = default;
     };
     std::vector<Pair> pairs = {};  ///< ordered by state, then as in the property
-    /// false if a state has too many terms, some of them repeated, so that the rule of the paper was used
+    /// False if a state has too many terms and some of them are repeated. The rule of the paper was then used, which is
+    /// not exact in this case.
     bool exact = true;
 
     bool operator==(const Causes&) const = default;
@@ -55,14 +56,14 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
 std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                 std::size_t most = most_terms);
 
-/// Marks the values that the terms read in `run`, which is the projection of the same run (`states`, `shown`). If a
-/// value has no name in the loop (the choice of the scheduler, the time of a longer term), it is not marked, and the
-/// causes are not exact.
+/// Marks in `run` the values that the terms read. `run` is the projection of the same run (`states`, `shown`). A value
+/// without a name in the loop, such as the choice of the scheduler or the time of a longer term, is not marked. In this
+/// case the causes are not exact.
 void mark(const Network& network, const std::vector<NetworkState>& states, const Causes& causes, ChartRun& run);
 void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
 
-/// Returns, for each state of a run of an untimed model, the event after which it holds. `run` is the projection of
-/// that run.
+/// Returns, for each state of a run of an untimed model, the event of `run` that leads to the state. `run` is the
+/// projection of the run of the model.
 std::vector<std::size_t> events_of_states(const ChartRun& run);
 
 }  // namespace grafverif

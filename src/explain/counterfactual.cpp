@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of edges within one instant. A larger number indicates an infinite reaction of the loop.
+/// Maximum number of edges within one instant. If more edges are taken, the loop is assumed to react infinitely often.
 constexpr std::size_t most_at_once = 1000;
 
 const Network::Edge& edge_of(const Network& network, const Fire& fire) {
@@ -29,7 +29,7 @@ bool is_free(const Network& network, const Move& move) {
 /// Re-executes a run, move by move.
 class Remake {
 public:
-    /// `timed` determines which moves are free.
+    /// `timed` is the network with clocks, which determines which moves are free.
     Remake(const Network& network, const Network& timed, std::size_t& effort)
         : network_(network), timed_(timed), effort_(effort), state_(initial_state(network)) {}
 
@@ -71,7 +71,7 @@ private:
         return false;
     }
 
-    /// Returns NoValue if the effort is used up.
+    /// Executes `move`. Returns NoValue if the maximum effort has been reached.
     Step::Result perform_it(const Move& move) {
         if (effort_ == 0) return Step::Result::NoValue;
         --effort_;
@@ -104,7 +104,8 @@ bool holds_along(const Network& network, const Property& property, const Run& ru
                          *states, [&](const NetworkState& state) { return checked_good(network, property, state); });
 }
 
-/// Returns the run without the free moves `left_out`, or nothing if the remaining moves are not a run.
+/// Returns the run without the free moves `left_out`. Returns nothing if the remaining moves are not a run of the
+/// network.
 std::optional<Run> without(const Network& network, const Network& timed, const Run& run,
                            const std::vector<std::size_t>& left_out, std::size_t& effort) {
     Remake remake(network, timed, effort);

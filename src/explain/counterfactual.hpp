@@ -8,7 +8,7 @@
 //                           moves are not a run, and the set is not a change
 //   all other moves         are kept if they are possible, and omitted otherwise
 //   forced moves            if time may not pass, or a free move is impossible, the first edge of the network that is
-//                           enabled and not free is taken before it; also at the end, if an urgent edge is enabled
+//                           enabled and not free is taken first; also at the end, if an urgent edge is enabled
 // The result is a run of the network. The property must hold in all of its states.
 #pragma once
 
@@ -32,15 +32,15 @@ struct ShortestChange {
     std::optional<Change> found = {};  ///< the first of the smallest changes; empty if none was found
     std::size_t free_moves = 0;        ///< number of free moves in the run
     std::size_t tried = 0;             ///< number of sets that were tried
-    bool exhausted = false;            ///< true if the effort was used up before all sets were tried
+    bool exhausted = false;            ///< true if stopped, or at the maximum effort, before all sets were tried
 };
 
-/// Searches for the shortest change. Requires that `run` replays and violates `property`. Finds none for properties
-/// that do not concern single states. `effort` is the maximum number of moves executed in total.
+/// Searches for the shortest change. Requires that `run` replays and violates `property`. Returns no change for
+/// properties that do not concern single states. `effort` is the maximum number of moves executed in total.
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run,
                                std::size_t effort = 5000, const StopRequested& stopped = {});
-/// Does the same for a run of `network` without clocks (explain/moves.hpp). `timed`, with clocks, determines which
-/// moves are free.
+/// Searches for the shortest change of a run of `network`, which has no clocks (explain/moves.hpp). `timed` is the
+/// network with clocks; it determines which moves are free.
 ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
                                std::size_t effort = 5000, const StopRequested& stopped = {});
 

@@ -68,15 +68,15 @@ private:
     /// Returns a term of the model that is true in every state in which `term` is true, or nothing if there is none.
     std::optional<Id<Expr>> bound_of(Id<Expr> term) {
         if (chart_.exprs[term].op != Op::Timed) return copy_of(term);
-        // `t1/v` requires the timer's output; `v/t2` does not.
+        // `t1/v` is true only if the output of the timer is true; `v/t2` can also be true otherwise.
         const auto index = static_cast<std::uint32_t>(chart_.exprs[term].value);
         const auto& end = leaves_.ends[index];
         if (!end || chart_.time_conditions[{index}].fall_ms != 0) return {};
         return exprs_.leaf(Op::Variable, *end);
     }
 
-    /// Returns a copy of the term, or nothing if it contains an edge, a time condition or an output. Conditions read
-    /// the equation of an output.
+    /// Returns a copy of the term, or nothing if it contains an edge, a time condition or an output. A copy of an
+    /// output would be wrong, because conditions read the equation of the output, not its written value.
     std::optional<Id<Expr>> copy_of(Id<Expr> term) {
         bool known = true;
         const auto leaf = [&](const Expr& node) {

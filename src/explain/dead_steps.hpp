@@ -16,7 +16,8 @@
 
 namespace grafverif {
 
-/// The variables of a model that store the values which conditions of a chart read, as indices of Variable leaves.
+/// The variables of a model that store the values of the leaves of conditions: active steps, variables and timer
+/// outputs. Each variable is given by the index in its Variable leaves.
 struct ConditionLeaves {
     std::vector<std::uint32_t> steps = {};
     std::map<std::string, std::uint32_t> variables = {};  ///< inputs and internal variables by name
@@ -34,16 +35,16 @@ ConditionLeaves condition_leaves(const ControllerWords<Variable>& words) {
     return leaves;
 }
 
-/// A statement about `transition`: if `never` is not true in any reachable state, it is never cleared, for the reason
-/// in `words`.
+/// A candidate statement: if `never` is true in no reachable state, `transition` is never cleared. `words` states the
+/// reason.
 struct DeadTransition {
     Id<Chart::Transition> transition = {};
     Id<Expr> never = {};
     std::string words = {};
 };
 
-/// Returns candidates for the transitions that lead directly to `step`, or to its macro-step if it is an entry step.
-/// The candidates for each transition start with the most specific one. Terms are added to `exprs` of the model.
+/// Returns candidates for the transitions that lead directly to `step` or, if it is an entry step, to its macro-step.
+/// The candidates for each transition begin with the most specific one. Terms are added to `exprs` of the model.
 /// Conjuncts that read edges or outputs are omitted.
 std::vector<DeadTransition> dead_transitions(const Chart& chart, const ConditionLeaves& leaves, Id<Chart::Step> step,
                                              Exprs& exprs);

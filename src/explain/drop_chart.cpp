@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Removes the elements of `table` that belong to `step`.
+/// Returns the elements of `table` that do not belong to `step`.
 template <class Entity>
 Table<Entity> without(const Table<Entity>& table, Id<Chart::Step> step) {
     Table<Entity> rest;
@@ -28,7 +28,7 @@ bool has_edge(const Exprs& exprs, Id<Expr> term) {
 
 bool is_list(Op op) { return op == Op::And || op == Op::Or; }
 
-/// Returns the condition that contains `place`.
+/// Returns the complete condition that contains the term at `place`.
 template <class ChartOrConst>
 auto& condition_of(ChartOrConst& chart, const TermPlace& place) {
     switch (place.of) {
@@ -39,7 +39,8 @@ auto& condition_of(ChartOrConst& chart, const TermPlace& place) {
     unreachable();
 }
 
-/// Adds the operands of lists at and below `place`, the position of `term`.
+/// Adds the operands of conjunctions and disjunctions in `term`, including `term` itself. `place` is the position of
+/// `term`.
 void collect_operands(const Exprs& exprs, Id<Expr> term, const TermPlace& place, std::vector<TermPlace>& found) {
     const Op op = exprs[term].op;
     if (!is_list(op) && op != Op::Not) return;
@@ -79,8 +80,8 @@ bool drop_actions(Chart& chart, Id<Chart::Step> step) {
     chart.continuous = without(chart.continuous, step);
     chart.forcing = without(chart.forcing, step);
     bool any = chart.continuous.size() + chart.forcing.size() != had;
-    // A variable with stored actions must remain stored and keep its value. Therefore the action waits for an
-    // impossible event.
+    // The variable must remain a stored variable and must keep its value. Therefore the action is not removed: it waits
+    // for an impossible event.
     for (Chart::StoredAction& action : chart.stored) {
         if (action.step != step || action.on == Chart::StoredOn::Clearing) continue;
         action.on = Chart::StoredOn::Event;

@@ -19,14 +19,15 @@ using Symbol = Id<System::Symbol>;
 using ChoiceEvent = InputChange::ChoiceEvent;
 using Values = std::vector<std::int64_t>;  // value of each variable of the flat system
 
-/// Maximum number of steps after the end of the run. If no state is repeated within them, the run is rejected.
+/// Maximum number of steps after the end of the run. If no state is repeated within this number of steps, the run is
+/// rejected.
 constexpr std::size_t most_behind = 1000;
 
-/// Number of terms up to which a step is inexpensive. The cost of a step depends on the number of terms; larger systems
-/// are allowed fewer steps.
+/// Number of terms up to which the maximum number of steps is not reduced. For larger systems it is reduced, because
+/// the cost of a step depends on the number of terms.
 constexpr std::size_t few_terms = 1000;
 
-/// A free variable of main.
+/// A free variable of the module `main`.
 struct Free {
     enum class What { Input, Time, Turn };
     Symbol symbol = {};
@@ -37,7 +38,7 @@ struct Free {
     std::vector<bool> event = {};  ///< true for each state of the run with an event
 };
 
-/// A system without choices, executed state by state.
+/// Executes a system state by state. The values of its free variables are given.
 class Steps {
 public:
     Steps(const System& system, const Property& property) : flat_(flattened(system)), property_(property) {
@@ -70,8 +71,8 @@ public:
             }
             return model_.property_.pattern == Pattern::Never ? holding == 0 : holding == 1;
         }
-        /// Replaces `values` by the values after a step, except for the free ones. Returns false if a value is
-        /// undefined or out of range.
+        /// Replaces `values` by the values after a step, except the values of free variables. Returns false if a value
+        /// is undefined or out of range.
         bool step(Values& values) const {
             for (const Id<FlatSystem::Variable> id : model_.flat_.variables.ids()) {
                 const FlatSystem::Variable& variable = model_.flat_.variables[id];
@@ -88,7 +89,7 @@ public:
         std::vector<std::optional<std::int64_t>> all_;
     };
 
-    /// Completes the first state in `values`, which contains the free values.
+    /// Computes the first state. `values` already contains the values of free variables.
     bool begin(Values& values) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
             const FlatSystem::Variable& variable = flat_.variables[id];
@@ -139,7 +140,7 @@ public:
 private:
     std::size_t length() const { return run_.states.size(); }
 
-    /// Returns true if the run contains all free variables.
+    /// Finds the free variables. Returns true if the run contains all of them.
     bool find_free() {
         std::map<std::uint32_t, Symbol> symbols;  // symbol of each variable
         for (std::uint32_t index = 0; index < model_.flat().symbols.size(); ++index) {
@@ -161,7 +162,7 @@ private:
         return true;
     }
 
-    /// Determines the variable's role in the controllers. Returns true if they have a role for it.
+    /// Determines the role of the variable in the controllers. Returns true if it has a role.
     bool know(Free& free) const {
         for (const System::Controller& controller : system_.controllers) {
             for (const System::Named& input : controller.words.inputs)
@@ -185,7 +186,7 @@ private:
         return found;
     }
 
-    /// Re-executes the original run and stores it. Returns true if it is the same run, and is bad.
+    /// Re-executes the original run and stores it. Returns true if the result is the same run and has a bad state.
     bool again() {
         Values values(model_.flat().variables.size());
         for (std::size_t state = 0; state < length(); ++state) {
@@ -200,8 +201,8 @@ private:
         return bad_.has_value();
     }
 
-    /// Sets the free values of a state of the run without some events. Initially, each variable has its value before
-    /// the event.
+    /// Sets the values of free variables in a state of the run without the events `left_out`. If the event of a
+    /// variable is omitted, the variable keeps its previous value.
     void set_free(const std::vector<ChoiceEvent>& left_out, std::size_t state, const Values& before,
                   Values& values) const {
         for (const Free& free : free_) {
@@ -216,7 +217,7 @@ private:
         }
     }
 
-    /// If the expiry of a timer is omitted, it is postponed to the next expiry.
+    /// Returns the value of a timer output in a state. If an expiry is omitted, the value is 0 until the next expiry.
     std::int64_t time_reported(const std::vector<ChoiceEvent>& left_out, const Free& free, std::size_t state) const {
         for (std::size_t k = state + 1; k-- > 0;)
             if (free.event[k]) return is_in(left_out, free, k) ? 0 : free.told[state];
@@ -227,7 +228,7 @@ private:
         return std::ranges::find(left_out, ChoiceEvent{free.symbol, state}) != left_out.end();
     }
 
-    /// Returns the re-executed run, or nothing if it is not a valid run, or if it is bad.
+    /// Returns the run without the events `left_out`, or nothing if it is not a valid run or has a bad state.
     std::optional<FlatRun> without(const std::vector<ChoiceEvent>& left_out) {
         const std::size_t from = left_out.front().state;
         if (*bad_ < from) {
@@ -244,7 +245,8 @@ private:
         return for_ever(made, std::move(values)) ? std::optional(std::move(made)) : std::nullopt;
     }
 
-    /// Adds one state and a step from it. Returns false if the run is not valid or is bad.
+    /// Adds `values` as a state, and computes the next state. Returns false if the run is not valid or the state is
+    /// bad.
     bool go_on(FlatRun& made, Values& values) {
         if (effort_ == 0) return false;
         --effort_;
@@ -276,7 +278,7 @@ private:
     std::vector<Free> free_ = {};
     std::vector<Values> states_ = {};
     std::optional<std::size_t> bad_ = {};  ///< index of the first bad state of the run
-    bool untimely_ = false;                ///< true if no plant can produce the run
+    bool untimely_ = false;                ///< true if no plant can produce the original run
 };
 
 }  // namespace
@@ -289,8 +291,8 @@ InputChange fewest_input_changes(const System& system, const Property& property,
 
 namespace {
 
-/// Returns the event at which the run shows the expiry. It is in the state of the expiry, or in the state in which the
-/// step of the timer becomes active, if that is later.
+/// Returns the first event, from `first` on, at which `told` shows the expiry of the timer. The event may be later than
+/// `last`, if the step of the timer becomes active later. If there is no such event, returns `last`.
 std::size_t event_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
     for (std::size_t moment = first; moment < told.moments.size(); ++moment)
         if (told.moments[moment].timer == timer) return moment;

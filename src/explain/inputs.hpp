@@ -7,16 +7,16 @@
 //
 // To omit events, the run is re-executed from the first state. If the change of an input is omitted, the input keeps
 // its value until its next change. If the expiry of a timer is omitted, the timer expires at its next expiry. The order
-// of several controllers is unchanged. After the end of the run the execution continues until a state is repeated, and
-// therefore forever. In this part, no input changes, no timer expires, and each controller has its turn in every step.
-// The constraints on the inputs, and the property, must hold in each state of the run. The run may be untimely
-// (run/replay.hpp) only if the original run is: no plant produces a run in which `5s/X1` has expired and `3s/X1` has
-// not. Events that occur later than in the original run are not considered.
+// of several controllers is unchanged. After the end of the run, the execution continues until a state is repeated;
+// from then on, the run repeats forever. In this continuation, no input changes, no timer expires, and each controller
+// executes in every step. The constraints on the inputs, and the property, must hold in each state of the run. The run
+// may be untimely (run/replay.hpp) only if the original run is untimely. For example, no plant produces a run in which
+// `5s/X1` has expired and `3s/X1` has not. Events that occur later than in the original run are not considered.
 //
 // The model has exactly one result for each step. Therefore the events of a smallest set are causes as defined by
 // Halpern and Pearl, with the model as equations and the other events of the set as contingency. If only the other
-// events are omitted, the run is still bad, or it is not admissible: it violates a constraint, no plant produces it, a
-// value leaves its range, or none of the 1000 states after its end is repeated.
+// events are omitted, the run still violates the property, or it is not admissible: it violates a constraint, no plant
+// produces it, a value leaves its range, or none of the 1000 states after its end is repeated.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@
 namespace grafverif {
 
 struct InputChange {
-    /// An event of `symbol`, a symbol of main, in a state of the run.
+    /// An event in a state of the run: `symbol`, a symbol of the module `main`, changes or expires.
     struct ChoiceEvent {
         Id<TransitionSystem::Symbol> symbol = {};
         std::size_t state = 0;
@@ -40,15 +40,15 @@ struct InputChange {
     std::vector<ChoiceEvent> events = {};  ///< all events, ordered by state
     /// Events of the smallest set with the latest changes; empty if none was found.
     std::optional<std::vector<ChoiceEvent>> left_out = {};
-    SystemRun run = {};      ///< the run without them; it has a loop
+    SystemRun run = {};      ///< the run without the events `left_out`; it has a loop
     std::size_t tried = 0;   ///< number of sets that were tried
-    bool exhausted = false;  ///< true if the effort was used up before all sets were tried
+    bool exhausted = false;  ///< true if stopped, or at the maximum effort, before all sets were tried
 };
 
-/// Searches for the change. Requires that `run` is a run of `system` that violates `property`. Finds none for
-/// properties that do not concern single states, or if the system has free variables other than inputs and timers.
-/// `effort` is the maximum number of steps in total for a system with few terms; larger systems are allowed fewer
-/// steps.
+/// Searches for the shortest change. Requires that `run` is a run of `system` that violates `property`. Returns no
+/// change if the property does not concern single states, or if the system has free variables other than inputs and
+/// timers. `effort` is the maximum number of steps in total for a system with few terms; larger systems are allowed
+/// fewer steps.
 InputChange fewest_input_changes(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                  std::size_t effort = 20'000, const StopRequested& stopped = {});
 

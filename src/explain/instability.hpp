@@ -14,12 +14,13 @@ namespace grafverif {
 /// it. Returns false for a property that is not about single states or is not checked in all states.
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run);
 
-/// Returns the explanation for such a property. `at_stable` is the verdict on the same property, checked only in
+/// Returns the explanation of a violation at power-on. `at_stable` is the verdict on the same property, checked only in
 /// quiescent states.
 std::string power_on_text(const Verdict& at_stable);
 
-/// Returns the explanation of a run that repeats forever within one instant in which only controllers move: the
-/// unstable controllers and their cycles of situations. The result is empty for any other run.
+/// Returns the explanation of a run that repeats forever within one instant and in which only controllers move. The
+/// explanation consists of the unstable controllers and their cycles of situations. For any other run, the result is
+/// empty.
 std::string unstable_text(const ChartRun& run);
 
 }  // namespace grafverif

@@ -21,11 +21,11 @@ struct InstantChange {
     std::optional<std::vector<ChartRun::Counterfactual>> left_out =
         {};                  ///< events of the smallest set with the latest changes
     std::size_t tried = 0;   ///< number of sets that were tried
-    bool exhausted = false;  ///< true if the effort was used up before all sets were tried
+    bool exhausted = false;  ///< true if stopped, or at the maximum effort, before all sets were tried
 };
 
-/// Searches for the change. `run` is a run of `chart` that `analyse` has found. `effort` is the approximate maximum
-/// number of evolutions in total.
+/// Searches for the shortest change. `run` is a run of `chart` that `analyse` has found. `effort` is the approximate
+/// maximum number of evolutions in total.
 InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort = 20'000,
                              const StopRequested& stopped = {});
 

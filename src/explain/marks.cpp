@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Adds a cause at one event, or extends an equal cause that ends at `before`.
+/// Adds a cause at one event. If an equal cause ends at `before`, extends this cause instead.
 void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     for (ChartRun::Cause& earlier : run.causes) {
         ChartRun::Cause same = earlier;
@@ -23,8 +23,8 @@ void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     run.causes.push_back(cause);
 }
 
-/// Returns the named signal that a timer watches; empty for a longer term, or if the signal has another name in the
-/// loop.
+/// Returns the signal that a timer observes. The result is empty if the timer observes a term, or if the signal has
+/// another name in the loop.
 std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const ChartRun::Timer& timer) {
     for (const Id<ChartRun::Signal> id : run.signals.ids()) {
         const ChartRun::Role role = run.signals[id].role;
@@ -35,7 +35,7 @@ std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const Ch
     return {};
 }
 
-/// Returns the value that the timer watches after an event, or nothing if it is unknown.
+/// Returns the value of the signal or step that the timer observes, after an event, or nothing if the value is unknown.
 std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, std::size_t moment) {
     const ChartRun::Timer& timer = run.timers[id];
     const ChartRun::State& after = run.moments[moment].after;
@@ -49,9 +49,9 @@ std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, s
     return {};
 }
 
-/// Marks that the timer output has the value `over`. This is possible only if conditions refer to the output by the
-/// watched signal: `3s/v` is `v` and the output, `v/3s` is `v` or the output. Otherwise, or if the signal has no name,
-/// the causes are not exact.
+/// Marks the timer output, whose value is `over`, as a cause. Conditions do not read the output alone: `3s/v` is the
+/// conjunction of `v` and the output, and `v/3s` is the disjunction. If the condition has another value than the
+/// output, or if the observed signal has no name, the output is not marked, and the causes are not exact.
 void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cause cause, std::size_t before) {
     const ChartRun::Timer& timer = run.timers[id];
     const std::optional<bool> watched = watched_value(run, id, cause.first);
@@ -65,7 +65,7 @@ void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cau
     append(run, cause, before);
 }
 
-/// The elements of the run, by variable of the model.
+/// Maps variables of the model to elements of the run.
 struct Places {
     std::map<std::uint32_t, Id<ChartRun::Step>> steps = {};
     std::map<std::uint32_t, Id<ChartRun::Signal>> signals = {};
@@ -79,8 +79,8 @@ struct Places {
         for (std::size_t k = 0; k < words.timers.size(); ++k) times[words.timers[k].end.index] = told.timers[k];
     }
 
-    /// Marks the value of `variable` at the event of `cause`. For a timer output, `over` is its value. Returns false if
-    /// the run has no such variable.
+    /// Marks the value of `variable` at the event of `cause`. If the variable is a timer output, `over` is its value.
+    /// Returns false if no element of the run corresponds to the variable.
     bool append_value(ChartRun& run, std::uint32_t variable, bool over, ChartRun::Cause cause,
                       std::size_t before) const {
         const ChartRun::State& after = run.moments[cause.first].after;
@@ -161,7 +161,7 @@ private:
     Places places_ = {};
 };
 
-/// Maps leaves of terms of an untimed model, which are symbols of main, to elements of the run.
+/// Maps leaves of terms of an untimed model to elements of the run. The leaves are symbols of the module `main`.
 class SystemMarker {
 public:
     SystemMarker(const TransitionSystem& system, const SystemRun& shown, ChartRun& run)
@@ -180,7 +180,7 @@ public:
     void mark(const Causes::Pair& pair) {
         const std::size_t moment = moments_[pair.state];
         mark(pair, moment, pair.state == 0 ? 0 : moments_[pair.state - 1]);
-        // The last state precedes the repetition of the loop.
+        // The state before the loop is also the last state of each repetition.
         if (run_.loop && moment + 1 == *run_.loop)
             mark(pair, run_.moments.size() - 1, moments_[shown_.states.size() - 1]);
     }
@@ -215,7 +215,8 @@ private:
         append(run_, cause, before);
     }
 
-    /// Marks the symbols that a definition reads. If one of them has no element in the run, the causes are not exact.
+    /// Marks the symbols that the definition of `symbol` reads. If one of these symbols has no element in the run, the
+    /// causes are not exact.
     void look_through(std::uint32_t symbol, const Causes::Pair& pair, std::size_t moment, std::size_t before) {
         const auto& kind = system_.modules[system_.main].symbols[{symbol}].kind;
         const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&kind);
@@ -224,7 +225,7 @@ private:
             for (const Id<Expr> leaf : leaves(system_.exprs, define->value)) add(leaf, pair, moment, before);
     }
 
-    /// Returns the location with which a term compares: `location = going_out`.
+    /// Returns the location with which a term such as `location = going_out` compares.
     std::optional<std::int64_t> compared_with(Id<Expr> term, Id<Expr> leaf) const {
         if (system_.exprs[term].op != Op::Equal) return {};
         const auto sides = system_.exprs.operands(term);
@@ -247,7 +248,7 @@ void mark(const Network& network, const std::vector<NetworkState>& states, const
     Marker marker(network, states, run);
     run.causes_exact = causes.exact;
     for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
-    // The last event precedes the repetition of the loop.
+    // The event before the loop is also the last event of each repetition.
     for (const Causes::Pair& pair : causes.pairs)
         if (run.loop && pair.state + 1 == *run.loop) marker.mark({pair.term, run.moments.size() - 1});
     std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// The part of a network state that main represents.
+/// The part of a network state that the module `main` represents.
 class MainView {
 public:
     MainView(const Network& network, const TransitionSystem& system) : network_(network) {
@@ -33,7 +33,7 @@ public:
         }
     }
 
-    /// True if main represents `state`.
+    /// True if a state of the module `main` represents `state`.
     bool shows(const NetworkState& state, const std::vector<std::int64_t>& main) const {
         const auto same_value = [&](const auto& each) {
             return network_.variables[each.first].scratch || state.variables[each.first.index] == main[each.second];
@@ -74,7 +74,7 @@ private:
     std::vector<Place> places_ = {};
 };
 
-/// Returns the symbol of main that selects the next move: a process, none, or time.
+/// Returns the symbol of the module `main` that selects the next move: a process, no process, or time.
 std::optional<std::uint32_t> turn_of(const Network& network, const TransitionSystem& system) {
     const auto& symbols = system.modules[system.main].symbols;
     for (const auto id : symbols.ids())

@@ -16,7 +16,7 @@
 
 namespace grafverif {
 
-/// Returns `network`, which must be expanded, in the form of the untimed model: without clocks.
+/// Returns `network` without clocks, as in the untimed model. Requires that `network` is expanded.
 Network without_clocks(Network network);
 
 struct Moves {
@@ -24,12 +24,13 @@ struct Moves {
     std::vector<std::size_t> steps = {};  ///< step of the untimed run for each move
 };
 /// Converts the run. Requires that schedule_network derived `system` from this network or, if its time is abstract,
-/// from the network with clocks. The result is empty if the run has a loop or is not a run of the network. The latter
-/// is possible because the network aborts if a value leaves its range or two actions race, but the system continues.
+/// from the network with clocks. The result is empty if the run has a loop or is not a run of the network. A run of the
+/// system may not be a run of the network: if a value leaves its range or two actions race, the network aborts, but the
+/// system continues.
 std::optional<Moves> moves_of(const Network& network, const TransitionSystem& system, const SystemRun& run);
 
-/// Records the omitted moves in `told`, the projection of the same run. If one of them does not correspond to a single
-/// event, returns false and changes nothing.
+/// Records the omitted moves in `told`, the projection of the same run. If an omitted move does not correspond to a
+/// single event, returns false and changes nothing.
 bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& told);
 
 }  // namespace grafverif

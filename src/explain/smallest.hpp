@@ -16,19 +16,21 @@ namespace grafverif {
 enum class Attempt {
     Does,
     DoesNot,
-    Spent,  ///< unknown, because the effort is used up
+    Spent,  ///< unknown, because the maximum effort was reached
 };
 
 struct SmallestSet {
     std::optional<std::vector<std::size_t>> found = {};  ///< elements of the set, increasing; empty if none was found
     std::size_t tried = 0;                               ///< number of sets that were tried
-    bool exhausted = false;  ///< true if the effort was used up or the search was stopped before all sets were tried
+    /// True if the search was stopped, or reached its maximum effort, before all sets were tried.
+    bool exhausted = false;
 };
 
 /// Optional cancellation callback; called before every set.
 using StopRequested = std::function<bool()>;
 
-/// Sets `chosen` to the next combination of the same size out of `count`, in order. Returns false if there is none.
+/// Sets `chosen` to the next combination of the same size of the numbers below `count`, in lexicographic order. Returns
+/// false if there is no next combination.
 inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
     for (std::size_t k = chosen.size(); k-- > 0;) {
         if (chosen[k] + chosen.size() - k >= count) continue;
@@ -39,8 +41,8 @@ inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
     return false;
 }
 
-/// Returns the chosen elements of `all` in its order. `chosen` counts from the end of `all`, so that its last elements
-/// are tried first.
+/// Returns the chosen elements of `all`, in the order of `all`. `chosen` contains positions counted from the end of
+/// `all`, so that the last elements of `all` are tried first.
 template <class T>
 std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<std::size_t>& chosen) {
     std::vector<T> elements;

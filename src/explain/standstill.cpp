@@ -33,8 +33,8 @@ std::string clock_text(const Network& network, Id<Network::Process> id, const Ne
                        bound == 0 ? "0" : duration_text(bound * network.time_unit_ms));
 }
 
-/// Returns the guard and the clock constraint in the notation of a component, over the names of the loop; `true` if
-/// there are none.
+/// Returns the guard and the clock constraint in the notation of components, with the names of the loop. Returns `true`
+/// if the edge has neither.
 std::string condition_text(const Network& network, Id<Network::Process> id, const Network::Edge& edge) {
     const auto leaf = [&](std::ostream& out, const Expr& of) {
         const auto index = static_cast<std::uint32_t>(of.value);
@@ -64,7 +64,7 @@ std::string blocker_words(const Network& network, const Standstill::Blocker& blo
                                  condition_text(network, blocker.process, edge));
     return fmt::format("`{}` blocks time: location `{}`, invariant `{}`, {}", name,
                        shape.locations[blocker.location].name, bounds,
-                       edges.empty() ? "no edge leaves it" : "no edge enabled (" + edges + ")");
+                       edges.empty() ? "no edge leaves this location" : "no edge enabled (" + edges + ")");
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ Standstill standstill(const Network& network, const Run& run) {
     if (!done) return {};
 
     const std::size_t first = whole.loop.value_or(states->size() - 1);
-    // Processes that do not block time: one of their edges is enabled, or no bound is reached.
+    // Element k is true if process k does not block time: one of its edges is enabled, or its invariant allows a delay.
     std::vector<bool> free(network.processes.size());
     for (std::size_t at = first; at < states->size(); ++at) {
         const NetworkState& state = (*states)[at];

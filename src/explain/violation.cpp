@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interprets the automata of compose/observer.cpp. The names of locations are those defined in that file.
+// Interprets runs of the observer automata that compose/observer.cpp defines. The names of locations must be the same
+// as in compose/observer.cpp.
 #include "explain/violation.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 using Kind = Sentence::Kind;
 using Scope = Sentence::Scope;
 
-/// The observer enters `location` when it has checked the state after event `moment`.
+/// The entry of the observer into `location`, after it has checked the state after event `moment`.
 struct Entry {
     std::string location = {};
     std::size_t moment = 0;
@@ -57,13 +58,13 @@ public:
     }
 
 private:
-    /// Returns the last entry of a location; the number of entries if there is none.
+    /// Returns the index of the last entry into a location; the number of entries if there is none.
     std::size_t last(std::string_view location) const {
         for (std::size_t k = entries_.size(); k-- > 0;)
             if (entries_[k].location == location) return k;
         return entries_.size();
     }
-    /// Returns the event of an entry. For a location that was never entered, it is the start of the observer.
+    /// Returns the event of an entry; 0, the start of the observer, if the location was never entered.
     std::size_t moment(std::size_t entry) const { return entry < entries_.size() ? entries_[entry].moment : 0; }
     std::int64_t time(std::size_t entry) const { return run_.moments[moment(entry)].after.time_ms; }
     std::string text_of(std::int64_t time) const {
@@ -71,7 +72,7 @@ private:
     }
     std::string when(std::size_t entry) const { return " at " + text_of(time(entry)); }
     std::string deadline(std::size_t from) const { return text_of(time(from) + sentence_.duration_ms); }
-    /// Returns an operand of the scope.
+    /// Returns the operand of the scope with this number.
     const std::string& bound(std::size_t number) const {
         const bool binary = sentence_.kind == Kind::Response || sentence_.kind == Kind::Precedence;
         return terms_[(binary ? 2 : 1) + number];
@@ -87,7 +88,7 @@ private:
         closed_ = true;
     }
 
-    /// Adds the opening of the scope that fails.
+    /// Adds the step at which the violated scope begins.
     void add_opening() {
         if (sentence_.scope == Scope::Globally || sentence_.scope == Scope::Before) return;
         const std::size_t outside = last(sentence_.kind == Kind::Existence ? "idle" : "outside");
@@ -141,8 +142,8 @@ private:
         add(bad_, terms_[1] + " not true by then");
     }
 
-    /// Adds each time at which the operand becomes true in the scope. If there are many, only the first and the last
-    /// are added.
+    /// Adds each event at which the operand becomes true in the scope. If there are many events, only the first and the
+    /// last are added.
     void add_occurrences() {
         constexpr std::size_t most = 6;
         std::vector<std::size_t> times;

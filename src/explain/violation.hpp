@@ -30,8 +30,9 @@ struct SentenceViolation {
     bool operator==(const SentenceViolation&) const = default;
 };
 
-/// Reads the moves of the observer from a run that violates the sentence. `terms` are its operands in the notation of
-/// conditions. The result is empty if the run has no observer (for example an untimed run), or if no observer fails.
+/// Returns the explanation for a run that violates `sentence`, derived from the moves of the observer. `terms` are the
+/// operands of the sentence in the notation of conditions. The result is empty if the run has no observer (for example
+/// an untimed run), or if no observer fails.
 std::optional<SentenceViolation> violation_of(const Sentence& sentence, const std::vector<std::string>& terms,
                                               const ChartRun& run);
 

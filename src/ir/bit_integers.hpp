@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic on two's complement integers whose bits are Boolean functions. Results are exact, with as many bits as the
-// value requires.
+// Arithmetic on two's complement integers whose bits are Boolean functions. Results are exact and have as many bits as
+// necessary.
 //
 // Requirements on Bit, a Boolean function: `Bit()` is the constant false; `Bit::constant`, `is_false`, `==`, `~ & | ^`
 // and `ite(condition, then, otherwise)`, which is found by argument-dependent lookup. `==` may return false for equal
@@ -14,7 +14,7 @@
 
 namespace grafverif::bits {
 
-/// Bits of an integer: least significant bit first, sign bit last; never empty.
+/// The bits of an integer: the least significant bit is first, and the sign bit is last; never empty.
 template <class Bit>
 using Integer = std::vector<Bit>;
 
@@ -121,7 +121,7 @@ Bit less(const Integer<Bit>& left, const Integer<Bit>& right) {
     const std::size_t width = std::max(left.size(), right.size());
     Bit result;
     for (std::size_t place = 0; place < width; ++place) {
-        const bool sign = place + 1 == width;  // a sign bit of 1 makes the number smaller
+        const bool sign = place + 1 == width;  // a number with a sign bit of 1 is smaller
         const Bit& low = sign ? bit(right, place) : bit(left, place);
         const Bit& high = sign ? bit(left, place) : bit(right, place);
         result = ite(low ^ high, high, result);
@@ -134,7 +134,7 @@ Integer<Bit> magnitude(const Integer<Bit>& value) {
     return choice(value.back(), negated(value), value);
 }
 
-/// Quotient and remainder, truncated towards zero as in C; unspecified for a zero divisor.
+/// Quotient and remainder. The quotient is truncated towards zero as in C; both are unspecified for a zero divisor.
 template <class Bit>
 struct Division {
     Integer<Bit> quotient = {}, remainder = {};

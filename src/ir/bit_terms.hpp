@@ -2,13 +2,14 @@
 // Terms as Boolean functions: translates an Expr of any IR to bits. A bit is any representation of a Boolean function
 // (see ir/bit_integers.hpp), such as a decision diagram or a gate.
 //
-// A Boolean is one bit. An integer is a two's complement number, least significant bit first, with as many bits as it
-// needs: sums and products grow, so no overflow occurs. Bits are functions, therefore an integer is a function from
-// assignments to numbers.
+// A Boolean is one bit. An integer is a two's complement number, least significant bit first, with as many bits as
+// necessary: results of sums and products have more bits than the operands, so no overflow occurs. Bits are functions;
+// therefore, an integer is a function from assignments to numbers.
 //
-// A term has a value exactly if `evaluate` (ir/expr.hpp) returns one, and both are equal. `undefined` is true for the
-// assignments without a value, which divide by zero or have a result outside 64 bits. Like `evaluate`, `and` and `or`
-// stop at the first operand that determines the result, and a conditional evaluates only the selected branch.
+// A term has a value if and only if `evaluate` (ir/expr.hpp) returns a value, and both values are equal. `undefined` is
+// true for assignments for which the term has no value, because of a division by zero or a result outside 64 bits. As
+// in `evaluate`, operands after the first one that determines the result of an `and` or `or`, and the branch that a
+// conditional does not select, are irrelevant.
 #pragma once
 
 #include <cassert>
@@ -27,13 +28,13 @@
 
 namespace grafverif {
 
-/// A value as a function of the variables of its bits.
+/// The value of a term as a function of Boolean variables.
 template <class Bit>
 struct BitTerm {
     bool boolean = true;
-    /// One bit for a Boolean; at least one bit for an integer, the last of which is its sign.
+    /// One bit for a Boolean; at least one bit for an integer, whose last bit is the sign.
     std::vector<Bit> bits = {};
-    Bit undefined = {};  ///< true for assignments without a value; the bits are then unspecified
+    Bit undefined = {};  ///< true for assignments for which the term has no value; the bits are then unspecified
 
     bool operator==(const BitTerm&) const = default;
 };
@@ -63,13 +64,12 @@ Bit equal(const BitTerm<Bit>& left, const BitTerm<Bit>& right) {
     assert(left.boolean == right.boolean);
     return bits::equal(left.bits, right.bits) & ~(left.undefined | right.undefined);
 }
-/// True for assignments under which the term has that value; 0 or 1 for a Boolean.
+/// True for assignments under which the term has the value `value`, which is 0 or 1 for a Boolean.
 template <class Bit>
 Bit equals(const BitTerm<Bit>& term, std::int64_t value) {
     return equal(term, term.boolean ? boolean_term(Bit::constant(value != 0)) : integer_term<Bit>(value));
 }
-/// True for assignments under which the integer has a value in [low, high]; for a Boolean, under which the term is
-/// defined.
+/// True for assignments under which an integer term has a value in [low, high], or a Boolean term is defined.
 template <class Bit>
 Bit within(const BitTerm<Bit>& term, std::int64_t low, std::int64_t high) {
     if (term.boolean) return ~term.undefined;
@@ -146,12 +146,12 @@ private:
         case Op::Divide:
         case Op::Modulo: return calculated(node.op, *operands[0], *operands[1]);
         case Op::Rise:
-        case Op::Fall: unreachable();  // derive has already replaced all edges
+        case Op::Fall: unreachable();  // `derive` has already replaced all edge operators
         }
         unreachable();
     }
 
-    /// Value of an And or Or: operands after the first one that determines the result are not evaluated.
+    /// Returns the value of an And or Or: operands after the first one that determines the result are not evaluated.
     static Term joined(bool disjunction, std::span<const Term* const> operands) {
         Bit value = Bit::constant(!disjunction), undefined;
         for (const Term* operand : operands) {

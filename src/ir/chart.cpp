@@ -23,8 +23,8 @@ ReadTerms read_terms(const Chart& chart) {
         read.terms[action.value.index] = true;
         if (action.event.valid()) read.terms[action.event.index] = true;
     }
-    // Reverse order: operands precede their terms, and the observed term of a time condition precedes the time
-    // condition.
+    // The order is reversed, because operands precede their terms, and the observed term of a time condition precedes
+    // the time condition.
     for (auto index = static_cast<std::uint32_t>(chart.exprs.size()); index-- > 0;) {
         if (!read.terms[index]) continue;
         const Expr& node = chart.exprs[Id<Expr>{index}];
@@ -60,7 +60,8 @@ bool leaf_in_table(const Chart& chart, const Expr& leaf) {
     }
 }
 
-/// Sorts of leaves. Only in a chart can terms contain edges; durations occur only in its time conditions.
+/// Returns the sort of a leaf or edge; None if it refers to an undeclared element. Durations are not allowed, because
+/// they occur only in time conditions.
 Sort leaf_sort(const Chart& chart, const Expr& leaf) {
     if (leaf.op == Op::Rise || leaf.op == Op::Fall) return Sort::Boolean;
     if (!leaf_in_table(chart, leaf)) return Sort::None;

@@ -23,7 +23,7 @@ bool is_known(const ChartRun& run, const ChartRun::Controller& controller) {
            are_in(controller.timers, run.timers);
 }
 
-/// The numbers of inputs and timers are 0 or those of the controller.
+/// True if `act` refers only to known elements and has the required number of values of inputs and timers.
 bool is_known(const ChartRun& run, const ChartRun::Act& act) {
     if (!run.controllers.contains(act.controller)) return false;
     const ChartRun::Controller& controller = run.controllers[act.controller];

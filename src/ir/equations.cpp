@@ -60,7 +60,7 @@ struct EquationsCheck {
         return true;
     }
 
-    /// Records an equation `variable = term` with the given role.
+    /// Records an equation `variable = term` and checks its term. `what` describes the equation in messages.
     void define(Id<Equations::Variable> variable, Id<Expr> term, std::string_view what) {
         if (!known(variable)) return fault(std::string(what) + " of a variable that does not exist");
         ++defined[variable.index];

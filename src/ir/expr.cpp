@@ -25,7 +25,7 @@ std::size_t hash_of(Op op, std::int64_t value, std::span<const Id<Expr>> operand
     return static_cast<std::size_t>(hash);
 }
 
-/// Value of a binary operator on integers (Booleans as 0 and 1); empty if undefined.
+/// Returns the value of a binary operator on integers (Booleans are 0 and 1); empty if undefined.
 std::optional<std::int64_t> combine(Op op, std::int64_t left, std::int64_t right) {
     std::int64_t result = 0;
     switch (op) {
@@ -148,7 +148,8 @@ Id<Expr> Exprs::disjunction(Id<Expr> left, Id<Expr> right) { return disjunction(
 namespace {
 
 /// Returns the operands of an And or Or in order. Nested operands of the same operator are flattened; neutral and
-/// repeated operands are removed. The result is empty if an operand is absorbing.
+/// repeated operands are removed. The result is empty if one operand determines the value of the term (`false` for And,
+/// `true` for Or).
 std::optional<std::vector<Id<Expr>>> flattened(const Exprs& exprs, Op op, std::span<const Id<Expr>> operands) {
     const Op neutral = op == Op::And ? Op::True : Op::False;
     const Op absorbing = op == Op::And ? Op::False : Op::True;
@@ -234,7 +235,7 @@ Id<Expr> Exprs::apply(Op op, std::span<const Id<Expr>> operands) {
 
 namespace {
 
-/// Value of a term; `value(i)` is the value of its operand i.
+/// Returns the value of a term. `value(i)` returns the value of operand i.
 template <class Value>
 std::optional<std::int64_t> value_of(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf, const Value& value) {
@@ -313,7 +314,8 @@ std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
     return values;
 }
 
-// Traversals: copy a term into another table, and find its leaves. Both visit each shared subterm once.
+// Traversals of terms: one copies a term into another table, the other finds its leaves. Each traversal visits a shared
+// subterm only once.
 
 namespace {
 
@@ -327,7 +329,7 @@ void collect(const Exprs& exprs, Id<Expr> root, std::unordered_set<std::uint32_t
 }  // namespace
 
 Id<Expr> TermCopier::operator()(Id<Expr> root) {
-    const Expr node = (*from_)[root];  // copied, because `to` may be `from`, whose nodes move when it grows
+    const Expr node = (*from_)[root];  // copied, because `to` may be `from`, and its nodes move when the table grows
     if (node.op == Op::False || node.op == Op::True) return to_->constant(node.op == Op::True);
     if (node.op == Op::Integer) return to_->integer(node.value);
     if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;

@@ -26,7 +26,8 @@ constexpr std::array kinds = {
     FindingKind{"forced-and-enclosed", Level::Error,
                 "A partial chart is forced while it is also controlled by its enclosing step, which is active."},
     FindingKind{"action-conflict", Level::Warning,
-                "A value stored in an output is overwritten in the same instant, so it is never written."},
+                "A stored action sets an output to a value that is replaced in the same instant, so the plant never "
+                "receives this value."},
     FindingKind{"branches-together", Level::Warning, "Two transitions of one divergence are cleared simultaneously."},
     FindingKind{"step-reactivated", Level::Warning, "A step is activated while it is active, and stays active."},
     FindingKind{"step-never-active", Level::Warning, "A step is not active in any reachable situation."},

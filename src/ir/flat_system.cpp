@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// A symbol of main (invalid instance) or of an instance.
+/// A symbol of main (with an invalid instance) or of an instance.
 struct Site {
     Id<System::Instance> instance = {};
     Id<System::Symbol> symbol = {};
@@ -85,7 +85,8 @@ private:
             symbol(site).kind);
     }
 
-    /// The traversal is iterative, because chains of definitions can be arbitrarily long.
+    /// Computes the value of `wanted` after the values of all sites that its definition reads. The traversal is
+    /// iterative, because chains of definitions can be arbitrarily long.
     void resolve(Site wanted) {
         std::vector<Site> open{wanted};
         while (!open.empty()) {
@@ -94,7 +95,7 @@ private:
             if (!known_[index(site)].valid())
                 for (const Site source : sources(site))
                     if (!known_[index(source)].valid()) open.push_back(source);
-            assert(open.size() <= known_.size() * known_.size() + 1);  // holds because definitions are acyclic
+            assert(open.size() <= known_.size() * known_.size() + 1);  // definitions are acyclic
             if (open.size() != before) continue;
             open.pop_back();
             if (known_[index(site)].valid()) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // FlatSystem: a TransitionSystem without modules. Its state variables and choices are in one table, and definitions and
-// parameters are substituted. The engines use this form. It also defines the meaning of the values that a model checker
-// prints.
+// parameters are substituted. The engines use this form. The values that an external model checker prints are converted
+// to values of its variables.
 //
 // Variable leaves of `exprs` index `variables`. Shared terms remain shared: a term is a graph, and traversing it as a
 // tree may take exponential time (see `values` and BddTerms).
@@ -22,7 +22,7 @@ struct FlatSystem {
     struct Variable {
         std::string name = {};  ///< `START`; `station.X_2` for a variable of an instance
         Type type = {};
-        bool choice = false;  ///< true if chosen freely in each step; not part of the state then
+        bool choice = false;  ///< true if the value is chosen freely in each step and is not part of the state
         std::optional<Id<Expr>> initial = {};
         std::optional<Id<Expr>> next = {};
         Span origin = {};
@@ -31,7 +31,7 @@ struct FlatSystem {
 
     Exprs exprs = {};
     Table<Variable> variables = {};
-    std::vector<Id<Expr>> symbols = {};  ///< value of each symbol of the system's main module
+    std::vector<Id<Expr>> symbols = {};  ///< for each symbol of the system's main module: its value
     std::vector<Id<Expr>> invariants = {}, transitions = {}, justice = {};
 
     bool operator==(const FlatSystem&) const = default;
@@ -54,12 +54,13 @@ struct SystemSpelling {
     bool operator==(const SystemSpelling&) const = default;
 };
 
-/// A run of a TransitionSystem. A state contains the value of each symbol of main. If a value depends on choices, they
-/// are those of the step that leaves the state. A symbol whose definition divides by zero has the value 0.
+/// A run of a TransitionSystem. A state contains the value of each symbol of main. If the value of a symbol depends on
+/// choices, the state contains the value for the choices of the step that leaves the state. A symbol whose definition
+/// is undefined has the value 0.
 struct SystemRun {
     std::vector<std::vector<std::int64_t>> states = {};  ///< states of the run, beginning with an initial state
-    std::optional<std::size_t> loop = {};                ///< the step after the last state leads back to this state,
-                                                         ///< forming an infinite run
+    std::optional<std::size_t> loop = {};                ///< index of the state to which the step after the last state
+                                                         ///< leads back; empty for a finite run
 
     bool operator==(const SystemRun&) const = default;
 };
@@ -73,7 +74,7 @@ struct SystemFault {
     };
     Kind kind = Kind::NoInitialState;
     std::string variable = {};
-    SystemRun run = {};  ///< run to the state that shows the fault
+    SystemRun run = {};  ///< run to the state in which the fault occurs
 
     bool operator==(const SystemFault&) const = default;
 };
@@ -81,7 +82,7 @@ struct SystemFault {
 /// Returns `no-initial-state`, `dead-end` or `out-of-range`.
 std::string_view word(SystemFault::Kind kind);
 
-/// A run with one value for each of `variables` in every state.
+/// A run in which every state contains one value for each element of FlatSystem::variables.
 struct FlatRun {
     std::vector<std::vector<std::int64_t>> states = {};
     std::optional<std::size_t> loop = {};
@@ -91,8 +92,8 @@ struct FlatRun {
 /// Converts `run` to a run of the system from which `flat` was built.
 SystemRun system_run(const FlatSystem& flat, const FlatRun& run);
 
-/// Returns the values of all symbols of main, as in a state of a SystemRun. `variables` contains one value for each of
-/// flat.variables.
+/// Returns the values of all symbols of main, as in a state of a SystemRun. `variables` contains one value for each
+/// element of `flat.variables`.
 std::vector<std::int64_t> symbol_values(const FlatSystem& flat, std::span<const std::int64_t> variables);
 
 /// Returns the value of a term over symbols of main in a state of a run; 0 if undefined.

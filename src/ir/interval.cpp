@@ -39,21 +39,21 @@ Interval product(Interval a, Interval b) {
 
 std::int64_t magnitude(Interval a) { return std::max(a.high, a.low == least ? greatest : -a.low); }
 
-/// Quotients are truncated towards zero; their magnitude is at most that of the dividend.
+/// Quotients are truncated towards zero. The magnitude of a quotient is at most the magnitude of the dividend.
 Interval quotient(Interval a, Interval b) {
     if (b.low == b.high && b.low > 0) return {a.low / b.low, a.high / b.low};
     const std::int64_t bound = magnitude(a);
     return {-bound, bound};
 }
 
-/// Remainders have the sign of the dividend. Their magnitude is at most that of the dividend and less than that of the
-/// divisor.
+/// A remainder has the sign of the dividend. Its magnitude is at most the magnitude of the dividend and less than the
+/// magnitude of the divisor.
 Interval remainder(Interval a, Interval b) {
     const std::int64_t bound = std::min(magnitude(a), std::max<std::int64_t>(magnitude(b) - 1, 0));
     return {a.low < 0 ? -bound : 0, a.high > 0 ? bound : 0};
 }
 
-/// Interval of a term, given those of its operands.
+/// Returns the interval of a term, given the intervals of its operands.
 template <class OfOperand>
 Interval interval_of(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of, const OfOperand& of) {
     const Expr& node = exprs[term];
@@ -90,7 +90,7 @@ bool is_wide(std::int64_t low, std::int64_t high) {
 }
 
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of) {
-    std::vector<Interval> intervals;  // intervals of all terms; operands precede terms
+    std::vector<Interval> intervals;  // intervals of all terms; the operands of a term precede it
     std::vector<bool> wide;
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const Interval own =

@@ -24,8 +24,8 @@ Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 /// True if the range does not fit into 32-bit integers.
 bool is_wide(std::int64_t low, std::int64_t high);
 
-/// For each term of the table: true if it or a subterm may exceed 32 bits. A program with 32-bit arithmetic (NuSMV 2.6,
-/// UPPAAL) would then silently compute another value.
+/// For each term of the table: true if it or a subterm may exceed 32 bits. For such a term, a program with 32-bit
+/// arithmetic (NuSMV 2.6, UPPAAL) would silently compute a wrong value.
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operands of conjunctions and disjunctions, and the search for terms that divide.
+// Operands of conjunctions and disjunctions, and the search for terms that contain a division.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ inline std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op o
     return {operands.begin(), operands.end()};
 }
 
-/// True if an operation of the term may have no value. `seen` marks the subterms that were already examined, by index.
+/// True if the term contains a quotient or a remainder, which may be undefined. `seen` marks the visited subterms, by
+/// index; subterms that are already marked are not searched again.
 inline bool may_divide(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen) {
     if (seen[root.index]) return false;
     seen[root.index] = true;

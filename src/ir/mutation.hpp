@@ -14,8 +14,8 @@ namespace grafverif {
 
 struct Mutant {
     std::string kind = {};     ///< mutation operator, such as `wrong-successor`; all operators: compare/mutants.hpp
-    std::string subject = {};  ///< mutated element: `transition t3`, `step 2`
-    std::string before = {}, after = {};  ///< text of the declaration, in one line
+    std::string subject = {};  ///< mutated element, such as `transition t3` or `step 2`
+    std::string before = {}, after = {};  ///< text of the declaration, on one line
     Span where = {};                      ///< position in the original file
     std::string text = {};                ///< complete text of the mutated file
 };
@@ -26,16 +26,15 @@ struct MutantFate {
         Equivalent,  ///< equivalence proved by `compare`
         Noticed,     ///< killed: a property of the original fails
         Unnoticed,   ///< survived: the mutant is not equivalent, but no property that holds for the original fails
-        Unknown,     ///< the result is unknown
+        Unknown,     ///< inconclusive; `reason` states the cause
     };
     Kind kind = Kind::Unknown;
-    std::string reason = {};                   ///< Refused: error code; Unknown: reason
-    std::vector<std::string> noticed_by = {};  ///< properties that kill it
+    std::string reason = {};                   ///< error code for Refused, reason for Unknown
+    std::vector<std::string> noticed_by = {};  ///< properties that kill the mutant
     std::vector<std::string> undecided = {};   ///< properties with unknown verdict for the mutant
     std::vector<std::string> vacuous = {};     ///< properties that hold vacuously for the mutant, but not for the
                                                ///< original
-    std::optional<bool> caught = {};           ///< killed by the test sequence; empty if there is none or it was not
-                                               ///< run
+    std::optional<bool> caught = {};           ///< true if the test sequence kills the mutant; empty if no test was run
     /// Length of a sequence of scans that distinguishes the mutant from the original; 0 if none was found.
     std::size_t scans = 0;
     std::vector<std::string> failures = {};  ///< internal errors
@@ -43,7 +42,7 @@ struct MutantFate {
 
 struct Mutation {
     std::string chart = {};
-    std::string file = {};             ///< that declares the chart, if it is an included file
+    std::string file = {};             ///< file that declares the chart, if it is an included file
     std::size_t possible = 0;          ///< number of all possible mutants
     std::vector<Mutant> mutants = {};  ///< the selected mutants
     /// Result per mutant; empty if the run was stopped before its check.

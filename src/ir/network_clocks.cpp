@@ -14,7 +14,7 @@ std::int64_t constant(const Network& network, Id<Expr> bound) {
     return std::clamp(value.value_or(0), -ClockInterval::unbounded, ClockInterval::unbounded);
 }
 
-/// Returns the least value from which the comparison has a constant result (see the header).
+/// Returns the least value from which on the comparison has a constant result (see the header).
 std::int64_t cap_of(const ClockInterval& interval) {
     if (interval.high >= ClockInterval::unbounded) return std::max<std::int64_t>(interval.low, 0);
     return std::max<std::int64_t>(interval.high + 1, 0);
@@ -29,8 +29,8 @@ void compare(const Network& network, const std::vector<Network::ClockConstraint>
     }
 }
 
-/// Propagates the caps and bounds of an edge's target to its source for each clock that the edge does not reset, up to
-/// a fixed point.
+/// Propagates the caps and bounds at the target of each edge to its source, for each clock that the edge does not
+/// reset. This is repeated until a fixed point is reached.
 ProcessClocks analyse(const Network& network, const Network::Template& automaton) {
     const std::size_t clocks = automaton.clocks.size();
     ProcessClocks result;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Static clock analysis. A clock belongs to one process. Each process is therefore analysed separately.
+// Static clock analysis. Each process is analysed separately, because a clock belongs to only one process.
 //
-// At location l, only those constants matter with which a clock can be compared before its next reset. The cap of a
-// clock at l is the least value from which the results of all these comparisons are constant: c for `clock >= c`, c + 1
-// for `clock <= c` and `clock == c`. Larger values are replaced by the cap. A clock that is not compared before its
-// next reset is dead and kept at 0. Both reductions are exact: merged states have the same moves, including delays, and
-// these moves lead to merged states.
+// At location l, a constant is relevant to a clock only if the clock can be compared with it before its next reset. The
+// cap of a clock at l is the least value from which on the results of all these comparisons are constant: c for `clock
+// >= c`, c + 1 for `clock <= c` and `clock == c`. Larger values are replaced by the cap. A clock that is not compared
+// before its next reset is dead and kept at 0. Both reductions are exact: states that are merged have the same moves,
+// including delays, and these moves lead to states that are also merged.
 //
 // A clock is bounded at l if an invariant can limit it before its next reset.
 #pragma once
@@ -26,7 +26,7 @@ struct ClockInterval {
     bool contains(std::int64_t value) const { return low <= value && value <= high; }
 };
 
-/// Returns the values that are in the given relation to `bound`.
+/// Returns the values v for which `v relation bound` is true.
 ClockInterval admitted(Op relation, std::int64_t bound);
 /// Returns the values that a constraint admits.
 ClockInterval admitted(const Network& network, const Network::ClockConstraint& constraint);
@@ -38,7 +38,7 @@ struct ProcessClocks {
     static constexpr std::int64_t dead = -1;
     std::vector<std::vector<std::int64_t>> cap = {};  ///< cap per location and clock; a `dead` clock is kept at 0
     std::vector<std::vector<bool>> bounded = {};      ///< true if the clock is bounded, per location and clock
-    std::vector<std::int64_t> greatest = {};          ///< maximum cap per clock over all locations; the stored range
+    std::vector<std::int64_t> greatest = {};          ///< maximum cap per clock over all locations
 };
 
 bool resets(const Network::Edge& edge, Id<Network::Clock> clock);

@@ -3,29 +3,31 @@
 //
 // An instance is *autonomous* if its edges read only variables that no other process writes. Examples are a push
 // button, a selector, a free input and a sensor of the environment. Other instances, such as a cylinder or a tank, read
-// the loop. The PLCs depend on an instance only through their samples, unless a property, an observer or another
-// process reads it. The abstraction represents each process that is not a PLC at one of four levels:
+// variables of the loop. A PLC usually reads an instance only when it samples the outputs of the instance. A property,
+// an observer or another process can also read an instance. The abstraction represents each process that is not a PLC
+// at one of four levels:
 //
 //   Chosen    its location, clocks and outputs are not stored. Each sampling chooses one of its reachable output
-//             valuations, independently of earlier samplings. All outputs are chosen jointly: a selector never shows
-//             two positions.
+//             valuations, independently of earlier samplings. All outputs are chosen jointly: a selector never has two
+//             positions.
 //   Untimed   its location and outputs are stored; its clocks and its urgency are ignored, so it may move at any time.
 //   Paced     for autonomous instances only: its upper bounds are ignored, and its lower bounds are one time unit of
 //             the search, so that it does not change twice within one instant.
-//   Complete  it is unchanged.
+//   Complete  the process is unchanged.
 //
-// Let N be the network and A the abstraction. Apart from the locations, clocks and outputs of the abstracted processes
-// and EVOL_PL, each run of N is a run of A with the same delays:
-//   - an edge of a Chosen instance does not correspond to a move of A. If N begins a cycle because of it (EVOL_PL), A
-//     takes the additional edge that begins a cycle at any time in W. The values that N then samples are one of the
-//     valuations: the valuations are all those that the instance can reach for arbitrary values of the other variables.
+// Let N be the network and A the abstraction. If the locations, clocks and outputs of the abstracted processes and
+// EVOL_PL are ignored, each run of N is a run of A with the same delays:
+//   - an edge of a Chosen instance does not correspond to a move of A. If N begins a cycle because of such an edge
+//     (EVOL_PL), A takes the additional edge that begins a cycle at any time in W. The values that N then samples are
+//     one of the valuations, because A has every valuation that the instance can reach for arbitrary values of the
+//     other variables.
 //   - a PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and the other edges have the
-//     guard that they have in N.
-//   - an edge of an Untimed or Paced process has the guard that it has in N, on the same values (a process that a
-//     stored process reads is stored). It needs no more time than in N and does not stop time in A.
-//   - if N is quiescent, so is A: only the conjuncts that read a Chosen instance are omitted from the condition.
+//     same guard as in N.
+//   - an edge of an Untimed or Paced process has the same guard as in N, over the same values (a process that a stored
+//     process reads is also stored). The edge needs no more time than in N and does not stop time in A.
+//   - if N is quiescent, A is quiescent: the condition for A omits only the conjuncts that read a Chosen instance.
 // Therefore, if `always`, `never` or `exactly one of` holds in A, it holds in N. A `reachable` that is violated in A is
-// violated in N. Both statements are also true with `at stable`. Runs of A do not transfer to N.
+// violated in N. Both statements are also true with `at stable`. A run of A is not necessarily a run of N.
 //
 // `no timelock` and `no deadlock` need other arguments, in which the abstracted instances rest
 // (docs/explanation/input-abstraction.md, "No timelock, no deadlock"); see ChoiceLifetime.
@@ -64,17 +66,17 @@ struct InputAblations {
 /// A process that can be abstracted: an instance of the plant or the environment, or a timer of a controller.
 struct AbstractableProcess {
     Id<Network::Process> process = {};
-    std::vector<Id<Network::Variable>> outputs = {};  ///< outputs that it writes, without flags
+    std::vector<Id<Network::Variable>> outputs = {};  ///< outputs that the process writes, without flags
     /// Reachable valuations of the outputs for arbitrary clock values: each row has one value per output. If empty,
     /// `Chosen` is not available.
     std::vector<std::vector<std::int64_t>> valuations = {};
-    /// Processes that read the outputs; a PLC only if it reads them in a guard.
+    /// Processes that read the outputs. A PLC is included only if it reads an output in a guard.
     std::vector<Id<Network::Process>> readers = {};
     bool autonomous = false;
-    bool can_rest = false;  ///< it has neither an invariant nor an urgent edge, so that it need not move
-    bool lively = false;    ///< it is autonomous, can rest, and can always move after some time
-    bool returns =
-        false;  ///< it is autonomous, can rest, and can always return to its initial state by edges that only wait
+    bool can_rest = false;  ///< true if the process has no invariant and no urgent edge: it need not move
+    bool lively = false;    ///< true if the process is autonomous, can rest, and can always move after some time
+    /// True if the process is autonomous, can rest, and can always return to its initial state by edges that only wait.
+    bool returns = false;
 
     bool operator==(const AbstractableProcess&) const = default;
 };
@@ -84,30 +86,30 @@ struct AbstractableProcess {
 /// observers.
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations = {});
 
-/// Returns the next more precise level that the process can have after `level`.
+/// Returns the least precise level that is more precise than `level` and available to the process.
 InputLevel next_level(const AbstractableProcess& process, InputLevel level);
 
 /// Changes the level of Chosen processes that a stored process reads to `Untimed`.
 void store_what_is_read(const std::vector<AbstractableProcess>& processes, std::vector<InputLevel>& levels);
 
-/// The inputs of one Chosen instance as one PLC samples them. At the beginning of each cycle, all valuations are
+/// The values that one PLC samples from one Chosen instance. At the beginning of each cycle, all valuations are
 /// possible. Each edge of the PLC that reads one of the variables restricts the set of possible valuations.
 struct InputChoice {
     std::size_t instance = 0;  ///< index of the instance in the list of abstractable processes
     Id<Network::Process> plc = {};
     std::vector<Id<Network::Variable>> variables = {};
     std::vector<std::vector<std::int64_t>> valuations = {};
-    bool kept = false;                   ///< the set is part of the state, because edges after the first one read it
-    bool until_delay = false;            ///< cycles do not change the set: see ChoiceLifetime
+    bool kept = false;         ///< true if the set is part of the state, because edges after the first one read it
+    bool until_delay = false;  ///< true if cycles do not change the set (see ChoiceLifetime)
     Id<Network::Variable> stable = {};   ///< if valid: all valuations are possible again as soon as the PLC is stable
-    Id<Network::Location> waiting = {};  ///< in this location
+    Id<Network::Location> waiting = {};  ///< location in which `stable` is read
     std::vector<Id<Network::Edge>> widened = {};  ///< edges of the PLC after which all valuations are possible again
 };
 
-/// Defines how long a chosen valuation remains the input of a PLC. `Cycle`: until the cycle ends. `Instant`: until time
-/// passes or the instance moves, so that the urgent edges of the abstraction are those of the loop while the instances
-/// rest.
-/// `Evolution`: until the PLC is stable or an instance moves; clocks are ignored, and timers stay urgent.
+/// Defines how long a chosen valuation remains the input of a PLC. With `Cycle`, it remains until the cycle ends. With
+/// `Instant`, it remains until time passes or the instance moves, so that the abstraction has the same urgent edges as
+/// the loop while the instances rest. With `Evolution`, it remains until the PLC is stable or an instance moves; clocks
+/// are ignored, and timers stay urgent.
 enum class ChoiceLifetime : std::uint8_t { Cycle, Instant, Evolution };
 
 struct InputAbstraction {
@@ -116,20 +118,20 @@ struct InputAbstraction {
     std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
 };
 
-/// Builds the input abstraction. `levels` has one level per process, after store_what_is_read. Properties of the result
-/// have no meaning if their terms read a Chosen instance.
+/// Builds the input abstraction. `levels` contains one level per process, as changed by store_what_is_read. Properties
+/// of the result have no meaning if their terms read a Chosen instance.
 InputAbstraction abstract_inputs(const Network& network, const std::vector<AbstractableProcess>& instances,
                                  const std::vector<InputLevel>& levels, const InputAblations& ablations = {},
                                  ChoiceLifetime lifetime = ChoiceLifetime::Cycle);
 
-/// Converts to the longest time unit in which all clock bounds are integers. Bounds of Paced instances are not
-/// considered: they become 1, or 0 if they are shorter than the unit. As for any unit that divides the bounds, integer
-/// time is exact in this unit. Without `paced`, the result is the same network in that unit. Requires that `network` is
-/// expanded.
+/// Converts `network` to the longest time unit in which all clock bounds are integers. Bounds of Paced instances are
+/// not considered: they become 1, or 0 if they are shorter than the unit. As for any unit that divides the bounds,
+/// integer time is exact in this unit. If `paced` is empty, the result is the same network in that unit. Requires that
+/// `network` is expanded.
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {});
 
-/// Replaces the lower bounds of `automaton` by `unit`, or by 0 if they are shorter. Upper bounds are removed, and no
-/// edge remains urgent.
+/// Replaces each lower bound in `automaton` by `unit`, or by 0 if the bound is shorter than `unit`. Removes upper
+/// bounds and makes all edges non-urgent.
 void pace(const Network& network, const Network::Process& process, Network::Template& automaton, std::int64_t unit,
           Exprs& exprs);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Network simulator: performs single moves as a direct implementation of the semantics (ir/network.hpp; CEP13 section
-// 2). The replay of counterexamples, `simulate` and tests of the engines use it. It favours simplicity over speed;
-// clocks are not capped.
+// 2). The replay of counterexamples, `simulate` and tests of the engines use it. The implementation favours simplicity
+// over speed; clocks are not capped.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace grafverif {
 
-/// State of a network. Scratch variables keep their last written value.
+/// A state of a network. Scratch variables keep their last written value.
 struct NetworkState {
     std::vector<Id<Network::Location>> locations = {};   ///< per process
     std::vector<std::int64_t> variables = {};            ///< per variable
@@ -25,13 +25,13 @@ struct NetworkState {
 
 NetworkState initial_state(const Network& network);
 
-/// Result of an attempted move.
+/// The result of an attempted move.
 struct Step {
     enum class Result {
         Done,
         Blocked,     ///< a guard, clock constraint, invariant or urgent edge forbids the move
         OutOfRange,  ///< `variable` would leave its range
-        NoValue,     ///< an operation divides by zero
+        NoValue,     ///< an operation is undefined, such as a division by zero
     };
     Result result = Result::Done;
     Id<Network::Variable> variable = {};
@@ -40,20 +40,20 @@ struct Step {
 /// Performs `move` on `state`; if the result is not Done, the state is unchanged.
 Step perform(const Network& network, NetworkState& state, const Move& move);
 
-/// Returns all enabled edges, in the order of processes and edges. These include edges that cause a model error (see
-/// Step).
+/// Returns all enabled edges, in the order of processes and edges. The result includes edges that cause a model error
+/// (see Step).
 std::vector<Fire> enabled(const Network& network, const NetworkState& state);
 
 /// True if one unit of time can pass.
 bool may_delay(const Network& network, const NetworkState& state);
 
 /// Returns the value of an expression over variables and At (an operand of a property, or `settled`), or nothing if it
-/// divides by zero.
+/// is undefined.
 std::optional<std::int64_t> value(const Network& network, const NetworkState& state, Id<Expr> expr);
 
-/// Returns the states of `run`, beginning with the initial state: one state more than moves. The result is empty if a
-/// move is blocked. It is also empty if the state at the end of a lasso differs from the first state of its loop in
-/// locations or variables.
+/// Returns the states of `run`, beginning with the initial state. There is one more state than there are moves. The
+/// result is empty if a move is blocked. It is also empty if the state at the end of a lasso differs from the first
+/// state of its loop in locations or variables.
 std::optional<std::vector<NetworkState>> replay(const Network& network, const Run& run);
 
 }  // namespace grafverif

@@ -2,10 +2,10 @@
 // Independent subsystems ("parts") of a Network: sets of processes that share only time.
 //
 // Two processes belong to the same part if one of them writes a variable that the other reads or writes. Parts are the
-// equivalence classes of the closure of this relation. Clocks belong to one process. Three types of variables do not
-// transfer information between processes and create no dependency: variables without writers, scratch variables, and
-// the flag `race`. The flag is treated as one flag per part, because a state in which it is set ends the run. A process
-// without edges and invariants belongs to the first part.
+// equivalence classes of the transitive closure of this relation. Clocks belong to one process. Three types of
+// variables do not transfer information between processes and create no dependency: variables without writers, scratch
+// variables, and the flag `race`. The flag `race` can be separate for each part, because a race in any part ends the
+// run. A process without edges and invariants belongs to the first part.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct NetworkSubsystems {
 
     std::uint32_t count = 0;                      ///< number of parts, which are ordered by their first process
     std::vector<std::uint32_t> of_process = {};   ///< part per process
-    std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none if it creates no dependency
+    std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none if the variable creates no dependency
     /// For each part: the conjuncts of `settled` that read only this part. The list is empty if `settled` is not
     /// defined or a conjunct reads several parts.
     std::vector<std::vector<Id<Expr>>> settled = {};
@@ -37,23 +37,25 @@ std::vector<std::uint32_t> parts_read(const Network& network, const NetworkSubsy
 /// Returns the displayed name of a part: its controllers, or its first instance.
 std::string name_of_part(const Network& network, const NetworkSubsystems& parts, std::uint32_t part);
 
-/// Some parts of a network as a separate network without properties. It keeps the names and processes of controllers,
-/// and the conjuncts of `settled` that read these parts.
+/// A separate network that consists of some parts of a network. The subnetwork keeps the names and processes of
+/// controllers, and the conjuncts of `settled` that read these parts. Its properties are the properties that
+/// SubNetworkBuilder::ask added.
 struct SubNetwork {
     Network network = {};
-    std::vector<Id<Network::Process>> processes = {};  ///< original process of each process
+    std::vector<Id<Network::Process>> processes = {};  ///< for each process: its id in the complete network
     std::vector<Id<Network::Variable>> variables = {};
 };
 
-/// Translates terms of the complete network to terms of the subnetwork. The terms must not read any other part.
+/// Builds a subnetwork, and translates terms of the complete network to terms of the subnetwork. These terms must not
+/// read any other part.
 class SubNetworkBuilder {
 public:
-    /// `chosen` are parts of `network`, in order. Requires that `network` is expanded and outlives this object.
+    /// `chosen` contains parts of `network`, in order. Requires that `network` is expanded and outlives this object.
     SubNetworkBuilder(const Network& network, const NetworkSubsystems& parts, const std::vector<std::uint32_t>& chosen);
     SubNetworkBuilder(const SubNetworkBuilder&) = delete;
     SubNetworkBuilder& operator=(const SubNetworkBuilder&) = delete;
 
-    /// Adds a property of the complete network.
+    /// Adds a property of the complete network to the subnetwork.
     void ask(Property property);
     SubNetwork build() && { return std::move(made_); }
 
@@ -65,7 +67,7 @@ private:
     const Network& whole_;
     SubNetwork made_ = {};
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the subnetwork
-    std::vector<std::uint32_t> variable_ = {};  // maps variables in the same way
+    std::vector<std::uint32_t> variable_ = {};  // the same map for variables
     TermCopier copy_;
 };
 

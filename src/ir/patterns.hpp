@@ -5,7 +5,7 @@
 
 namespace grafverif {
 
-/// True if the pattern is a state invariant, which a run to a single state can violate.
+/// True if the pattern is a state invariant: a run to a single state can show its violation.
 inline bool is_about_all_states(Pattern pattern) {
     return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
 }
@@ -15,8 +15,8 @@ inline bool is_about_single_states(Pattern pattern) {
     return is_about_all_states(pattern) || pattern == Pattern::Reachable;
 }
 
-/// True for a `leads to` that the model declares. False for a `leads to` between locations of an observer, whose
-/// premise does not affect vacuity.
+/// True for a `leads to` that the model declares. False for a `leads to` between locations of an observer, because its
+/// premise is irrelevant to vacuity.
 inline bool is_declared_response(const Property& property) {
     return property.pattern == Pattern::LeadsTo && property.watch == Sentence{};
 }

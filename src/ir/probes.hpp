@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Vacuity probes: `reachable` properties added to a model that is checked but not to a model that is written to a file.
-// If a probe is violated, the property that it belongs to holds vacuously, and its `text` states the reason. The name
-// `NAME.(premise)` identifies property and probe; it is not a valid name of the language.
+// Vacuity probes: `reachable` properties that are added to a model that is checked, but not to a model that is written
+// to a file. If a probe is violated, the associated property holds vacuously, and the `text` of the probe states the
+// reason. The name `NAME.(premise)` identifies property and probe; it is not a valid name of the language.
 #pragma once
 
 #include <string>

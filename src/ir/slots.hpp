@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Slots: variables that one process reads and writes, with the parameters of its template resolved. A slot is a
-// parameter bound to a variable, or a variable named directly; a parameter bound to a constant is replaced by it.
+// Slots: variables that one process reads or writes, with the parameters of its template resolved. A slot is a
+// parameter bound to a variable, or a variable that the template names directly. A parameter that is bound to a
+// constant is replaced by the constant.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,7 @@ struct Slots {
     std::int64_t constant(const Expr& leaf) const {
         return std::get<std::int64_t>(process.arguments[static_cast<std::size_t>(leaf.value)]);
     }
-    /// Returns the leaf as a term: a variable of the network or a constant.
+    /// Returns the constant that is bound to a Parameter leaf, as a term.
     Id<Expr> literal_of(const Expr& leaf, Exprs& exprs) const {
         const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(leaf.value)};
         return literal(exprs, automaton.parameters[parameter].type, constant(leaf));
@@ -54,13 +55,14 @@ struct Slots {
         return all;
     }
 
-    /// Return the variables that the process reads in guards and values, those that it writes, and both, in order of
-    /// first occurrence.
+    /// Return the variables that the process reads in guards and values (`read`), the variables that it writes
+    /// (`written`), and all of them (`used`), in order of first occurrence.
     std::vector<Id<Network::Variable>> read() const { return collect(true, false); }
     std::vector<Id<Network::Variable>> written() const { return collect(false, true); }
     std::vector<Id<Network::Variable>> used() const { return collect(true, true); }
 
-    /// Returns the name in the template: of the parameter, or of a variable that is named directly.
+    /// Returns the name of `variable` in the template: the name of the parameter, or the name of a variable that the
+    /// template names directly.
     std::string name(Id<Network::Variable> variable) const {
         for (const Id<Network::Parameter> parameter : automaton.parameters.ids())
             if (const auto* bound = std::get_if<Id<Network::Variable>>(&process.arguments[parameter.index]))

@@ -19,7 +19,7 @@ enum class Sort : std::uint8_t {
     None,  ///< the term is missing, or contains an operand or leaf that is not allowed
     Boolean,
     Integer,
-    Duration,  ///< a sum of durations, or the product of an integer and a duration; in components only
+    Duration,  ///< a duration, a sum of durations, or the product of an integer and a duration; only in components
 };
 
 inline Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Integer; }
@@ -27,8 +27,8 @@ inline Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Int
 /// The sorts of the terms of one table, each computed once.
 class Sorts {
 public:
-    /// `leaf` returns the sort of each leaf, edge (Rise, Fall) and duration; None if it is not allowed. It is called
-    /// for an edge only if the operand is Boolean. `exprs` must outlive this object.
+    /// `leaf` returns the sort of each leaf, edge (Rise, Fall) and duration, or None if the term is not allowed. `leaf`
+    /// is called for an edge only if the operand is Boolean. `exprs` must outlive this object.
     Sorts(const Exprs& exprs, std::function<Sort(const Expr&)> leaf) : exprs_(&exprs), leaf_(std::move(leaf)) {}
 
     /// Returns the sort of `term`; None if the term is not in the table.

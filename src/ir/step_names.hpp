@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Names of step variables in verdicts and traces. The name is that in conditions of the chart: `X7`, or `G2.X7` for the
-// partial chart G2. With several controllers, the name of the controller precedes it: `press.X7`.
+// Names of step variables in verdicts and traces. The name is the same as in conditions of the chart: `X7`, or `G2.X7`
+// for the partial chart G2. With several controllers, the name of the controller precedes the name of the step
+// variable: `press.X7`.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts of a TransitionSystem, exactly one of which moves in each step. The functions assign symbols to parts and
-// project a system to some parts.
+// Parts of a TransitionSystem. In each step, exactly one part moves. The functions assign symbols to parts and project
+// a system to some parts.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ using PartList = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 
-/// Returns the part of each symbol of main; no_part if it belongs to no part or to several.
+/// Returns the part of each symbol of main, or no_part if the symbol belongs to no part or to several parts.
 std::vector<std::uint32_t> parts_of_symbols(const TransitionSystem& system);
 
-/// Returns the system without all other parts and without properties. Omitted parts never move and block no step.
-/// Symbols of main keep their ids. Data about charts and plant is removed, except for `settled`.
+/// Returns the system without properties and without the parts that are not in `chosen`. Omitted parts never move and
+/// do not block any step. Symbols of main keep their ids. Data about charts and plant is removed, except for `settled`.
 TransitionSystem with_parts(const TransitionSystem& system, const PartList& chosen);
 
 /// Maps each variable of `part`, a flattened projection, to the corresponding variable of `whole`, the flattened

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// verify: checks the invariants of a TransitionSystem, one function each.
+// verify: checks the invariants of a TransitionSystem. Each group of invariants has a separate function.
 #include "grafverif/ir/transition_system.hpp"
 
 #include <algorithm>
@@ -127,7 +127,8 @@ void check_instances(const System& system, Faults& faults) {
     }
 }
 
-/// Returns the number of operands of a property with this pattern; empty for one or more.
+/// Returns the number of operands of a property with this pattern; empty if the pattern has any number of operands, but
+/// at least one.
 std::optional<std::size_t> arity(Pattern pattern) {
     switch (pattern) {
     case Pattern::Always:

@@ -17,7 +17,7 @@ std::string edge_text(const Network& network, const ModelError& error) {
         if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.words.name);
     const Network::Template& automaton = network.templates[process.automaton];
     const Network::Edge& edge = automaton.edges[error.edge];
-    return fmt::format("`{}` on its way {} -> {}", process.name, automaton.locations[edge.from].name,
+    return fmt::format("`{}` on the edge {} -> {}", process.name, automaton.locations[edge.from].name,
                        automaton.locations[edge.to].name);
 }
 

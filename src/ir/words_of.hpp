@@ -16,7 +16,7 @@ inline std::optional<std::size_t> watched_step(const Equations& equations, const
     return static_cast<std::size_t>(step - equations.steps.begin());
 }
 
-/// Returns the term that a timer observes in the notation of conditions, such as `X2` or `a`, if it is a name;
+/// Returns the term that a timer observes, in the notation of conditions, if the term is a name such as `X2` or `a`;
 /// otherwise an empty string.
 inline std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
     if (const auto step = watched_step(equations, timer)) return equations.steps[*step].step.variable();

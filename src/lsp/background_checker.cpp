@@ -22,8 +22,8 @@ namespace {
 
 constexpr auto progress_interval = std::chrono::milliseconds(250);
 
-/// True if the position belongs to the root. The main file of a root is its first source; positions in another file
-/// belong to the root of that file.
+/// True if the position is in the main file of the root, which is its first source. A position in an included file
+/// belongs to the root of that file.
 bool is_of(const Root&, Span origin) { return origin.source.valid() && origin.source.index == 0; }
 
 std::string outcome_text(const Verdict& verdict) {
@@ -94,13 +94,14 @@ void BackgroundChecker::work() {
             const std::lock_guard hold(door_);
             const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
             if (std::ranges::none_of(tasks_, proves)) callbacks_.progress("");
-        } catch (const std::bad_alloc&) {  // there is no memory to report the failure
+        } catch (const std::bad_alloc&) {  // the failure is not reported, because this requires memory
         } catch (const std::system_error&) {
         }
     }
 }
 
-/// Calls `work` to determine the results of `source`, and reports them. An exception of the system is also reported.
+/// Calls `work` to determine the results of `source`, and reports the results. Exceptions of types std::bad_alloc and
+/// std::system_error are reported as diagnostics.
 template <class Work>
 void BackgroundChecker::run_and_report(const Task& task, const std::string& source, const Work& work) {
     Found outcome{task.root, source, {}, {}};
@@ -116,7 +117,7 @@ void BackgroundChecker::run_and_report(const Task& task, const std::string& sour
     if (!stop_) callbacks_.found(std::move(outcome));
 }
 
-/// Reports errors that are found only when the models are derived.
+/// Derives the models of the root, and reports the errors that this reveals.
 void BackgroundChecker::make_models(const Task& task) {
     run_and_report(task, "models",
                    [&](Found& outcome) { outcome.told = told(refused_models(task), *task.root->places); });
@@ -177,7 +178,7 @@ void BackgroundChecker::prove_loop(const Root& root, Id<ClosedLoop> loop, Found&
     options.limits = limits(model.loops[loop].name);
     Diagnostics refused;
     const auto report = check(model, loop, ModelOptions{}, options, refused);
-    if (!report) return;  // the reason is reported together with the models
+    if (!report) return;  // the task that derives the models reports the reason
     const TraceLocations story(model, loop, *root.places);
     for (const PropertyResult& answer : report->answers) {
         const Verdict& verdict = answer.verdict;

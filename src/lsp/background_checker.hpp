@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Background checks, executed sequentially in a separate thread: derivation of the models of a root, its properties,
-// and `analyse` of its charts. If a root is parsed again, its pending checks are cancelled.
+// Background checks, executed sequentially in a separate thread. They derive the models of a root, decide its
+// properties, and analyse its charts. If a root is parsed again, its pending checks are cancelled.
 #pragma once
 
 #include <atomic>
@@ -37,7 +37,7 @@ struct Task {
 /// The result of a task, or of a part of it.
 struct Found {
     std::shared_ptr<const Root> root = {};
-    std::string source = {};  ///< the source of the findings, whose earlier findings are replaced
+    std::string source = {};  ///< the source of the findings; they replace all earlier findings of this source
     std::vector<LspDiagnostic> told = {};
     std::map<std::string, VerdictDetails> verdicts = {};  ///< verdicts by key, such as `loop station/q P15`
 };
@@ -49,7 +49,7 @@ public:
         /// Called with the state of the checks; an empty text means that no check is running.
         std::function<void(std::string words)> progress = {};
     };
-    /// Both callbacks are called from the checker's thread.
+    /// The thread of the checker calls both callbacks.
     BackgroundChecker(Callbacks ears, std::optional<std::chrono::milliseconds> patience);
     ~BackgroundChecker();
     BackgroundChecker(const BackgroundChecker&) = delete;

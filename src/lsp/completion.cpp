@@ -75,7 +75,7 @@ private:
         for (const Declaration* const part : names_.parts(owner))
             if (part->owner == owner && std::ranges::find(kinds, part->kind) != kinds.end()) thing(*part, prefix);
     }
-    /// Proposes the steps of one partial chart, or of all.
+    /// Proposes the steps of one partial chart, or of all partial charts.
     void steps(const std::string& chart, const std::string* partial, std::string_view prefix) {
         for (const Declaration* const part : names_.parts(chart))
             if (part->kind == DeclarationKind::Step &&
@@ -83,7 +83,7 @@ private:
                 thing(*part, prefix);
     }
 
-    // -- cursor positions
+    // -- cursor positions ---------------------------------------------------------------------------------------------
 
     void propose() {
         if (half_.blocks.empty()) return in_file();
@@ -234,7 +234,7 @@ private:
         }
     }
 
-    /// Handles `constant N: int LOW..HIGH = VALUE, ...`, whose last constant is incomplete.
+    /// Handles an incomplete declaration of constants: `constant N: int LOW..HIGH = VALUE, ...`.
     void constants() {
         const auto of = std::ranges::find(half_.words.rbegin(), half_.words.rend(), ",").base();
         const Words one(of, half_.words.end());
@@ -243,7 +243,7 @@ private:
         if (contains_word(one, "=")) constant();
     }
 
-    /// Proposes the terms that are allowed in a constant.
+    /// Proposes the terms that the value of a constant may contain.
     void constant() {
         parts(owner_, {DeclarationKind::Constant});
         keywords({"true", "false"});
@@ -304,7 +304,7 @@ private:
                   "at most", "since", "times", "at least every", "before", "after", "between", "until"});
     }
 
-    // -- names in terms
+    // -- names in terms -----------------------------------------------------------------------------------------------
 
     void shared() {
         for (const std::string& chart : names_.controllers(owner_))

@@ -16,7 +16,7 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// Executes `work`. An exception of the system is returned as a diagnostic.
+/// Executes `work`. Returns an exception of type std::bad_alloc or std::system_error as a diagnostic.
 template <class Work>
 std::optional<Diagnostic> failure_of(const std::string& path, const Work& work) {
     try {
@@ -35,7 +35,7 @@ std::vector<std::shared_ptr<const Root>> DiagnosticStore::look(Workspace& worksp
     std::set<std::string> wanted;
     for (const OpenText& open : workspace.open_texts()) {
         wanted.insert(open.path);
-        failure_of(open.path, [&] {  // reading it will fail for the same reason
+        failure_of(open.path, [&] {  // an error is ignored here, because `read` will report it
             for (std::string& root : workspace.roots(open.path)) wanted.insert(std::move(root));
         });
     }
@@ -67,7 +67,7 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
     Diagnostics diagnostics;
     diagnostics.add(*failure);
     root->reading = {};
-    root->inputs = {{path, nullptr}};  // the open text is omitted, so that the document is read again
+    root->inputs = {{path, nullptr}};  // a null text is never current, so that the next call reads the document again
     root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
     root->typed = told(diagnostics, *root->places);
     return root;

@@ -25,14 +25,14 @@ struct Root {
 
 class DiagnosticStore {
 public:
-    /// Parses changed roots again and returns the new ones. If a root cannot be read, this error is its only
-    /// diagnostic, and the next call reads it again.
+    /// Parses changed roots again, and returns the new parses. If a root cannot be read, this error is its only
+    /// diagnostic, and the next call tries to read the root again.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
     std::vector<std::shared_ptr<const Root>> roots() const;
     bool is_current(const Root& root) const;
 
-    /// Adds further diagnostics of a root. They are discarded when it is parsed again.
+    /// Adds further diagnostics of a root. They are discarded when the root is parsed again.
     void add(const Root& root, const std::string& source, std::vector<LspDiagnostic> told);
 
     /// Returns all diagnostics by path, sorted by position, without duplicates.
@@ -45,7 +45,7 @@ private:
     };
     std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
 
-    std::map<std::string, Entry> entries_ = {};  ///< entries by path; their roots are never null
+    std::map<std::string, Entry> entries_ = {};  ///< entries by path; their pointers to roots are never null
     std::uint64_t readings_ = 0;
 };
 

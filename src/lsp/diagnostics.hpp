@@ -38,11 +38,11 @@ struct LspDiagnostic {
     std::string code = {}, message = {};
     std::vector<Related> related = {};
     std::optional<Edit> fix = {};
-    std::string page = {};  ///< address of its documentation; may be empty
+    std::string page = {};  ///< address of the documentation of the code; may be empty
     auto operator<=>(const LspDiagnostic&) const = default;
 };
 
-/// Positions of spans of `sources`. A span without position is mapped to the beginning of `main`.
+/// Maps spans of `sources` to positions. A span without position is mapped to the beginning of `main`.
 class Places {
 public:
     /// `shown` maps the name of a source to the path that the editor displays.

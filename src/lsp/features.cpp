@@ -75,7 +75,7 @@ std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
     return file;
 }
 
-/// Returns the names of a file and all related files. They are valid until one of the texts changes.
+/// Returns the names of a file and all related files. The result is valid until one of the texts changes.
 const Names& Session::names(const Parsed& file) {
     const ReserveUse use(false);
     if (workspace_.refresh()) dirty_ = true;
@@ -121,7 +121,8 @@ Json Session::hover(const Json& params) {
 Json Session::definition(const Json& params) {
     const Pointed at = pointed(params);
     const Declaration* const thing = at.names->thing(at.key);
-    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;  // library files are not on the disk
+    // An editor cannot open library files, which are not on the disk.
+    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;
     return place_json(*thing->file, thing->where);
 }
 
@@ -162,7 +163,7 @@ Json Session::rename(const Json& params) {
     std::string key = at.key;
     const Names* all = at.names;
     if (thing != nullptr && !thing->file->path.starts_with('<'))
-        all = &names(*workspace_.parsed(thing->file->path));  // names of all including files
+        all = &names(*workspace_.parsed(thing->file->path));  // includes the names of all files that include this file
     if (workspace_.cut_short()) throw RequestError{request_failed, "the workspace is too large to find all references"};
     Renaming renaming = renamed(*all, key, name);
     if (!renaming.obstacle.empty()) throw RequestError{request_failed, renaming.obstacle};
@@ -222,7 +223,8 @@ Json Session::completion(const Json& params) {
     return {{"isIncomplete", false}, {"items", std::move(items)}};
 }
 
-/// Returns the text as formatted by `fmt`; empty if it has syntax errors.
+/// Returns a list with an edit that replaces the text by its canonical form, as `fmt` writes it. The list is empty if
+/// the text is in canonical form. Returns null if the text has syntax errors or no declarations.
 Json Session::formatting(const Json& params) {
     const auto file = parsed(params);
     if (file->broken || file->tree.declarations.empty()) return nullptr;

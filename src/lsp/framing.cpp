@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t longest_header = 4096;
 
-/// Returns the number in a `Content-Length` line, whose name is case-insensitive; empty for any other line.
+/// Returns the number in a line `Content-Length: N` (in upper or lower case); empty for any other line.
 std::optional<std::uint64_t> content_length(std::string_view line) {
     constexpr std::string_view name = "content-length:";
     if (line.size() < name.size() || !std::ranges::equal(line.substr(0, name.size()), name, [](char a, char b) {
@@ -42,8 +42,8 @@ bool Framing::more() {
     return end_ != 0;
 }
 
-/// Reads a line without its end. If the line is too long, only its end is kept, so that a header after other bytes is
-/// found.
+/// Reads a line without its terminator. If the line is too long, only its last bytes are stored, so that a header after
+/// other bytes is found.
 bool Framing::line() {
     for (line_.clear();;) {
         const std::string_view here(room_.data() + begin_, end_ - begin_);
@@ -60,8 +60,8 @@ bool Framing::line() {
     }
 }
 
-/// Consumes this number of bytes of the stream and appends them to `text` unless it is null. Returns false if the
-/// stream ends before. If memory is refused, the bytes are consumed nevertheless, so that the next message is found.
+/// Consumes `count` bytes of the stream and, if `text` is not null, appends them to `text`. Returns false if the stream
+/// ends earlier. If an allocation fails, the bytes are consumed nevertheless, so that the next message is found.
 bool Framing::take(std::size_t count, std::string* text) {
     bool refused = false;
     for (;;) {

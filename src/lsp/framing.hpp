@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The base protocol of LSP: a sequence of messages. Each consists of `Content-Length: N`, an empty line, and N bytes of
-// JSON.
+// The base protocol of LSP: a sequence of messages. Each message consists of the line `Content-Length: N`, an empty
+// line, and N bytes of JSON.
 //
-// Bytes that do not form a header are skipped up to the next header. If a message is too large, or memory for it is
-// refused, it is skipped completely.
+// Bytes that do not form a header are skipped up to the next header. A message is skipped completely if it is too large
+// or if an allocation for it fails.
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ class Framing {
 public:
     explicit Framing(Receive receive, std::size_t largest = largest_message);
 
-    /// Returns the next message; empty at the end of the stream. An incomplete last message is ignored. After
-    /// std::bad_alloc, the next call returns the next message.
+    /// Returns the next message, or nothing at the end of the stream. An incomplete last message is ignored. If a call
+    /// throws std::bad_alloc, its message is skipped, and the next call returns the following message.
     std::optional<Framed> next();
 
 private:
@@ -45,10 +45,10 @@ private:
 
     Receive receive_;
     std::size_t largest_;
-    /// Received bytes; those from `begin_` to `end_` are not consumed yet.
+    /// Received bytes. The bytes from `begin_` to `end_` are not consumed yet.
     std::array<char, std::size_t{1} << 16U> room_ = {};
     std::size_t begin_ = 0, end_ = 0;
-    std::string line_ = {};  ///< line of the header; its capacity is that of the longest line
+    std::string line_ = {};  ///< the current line of the header
 };
 
 /// Returns `body` with its header.

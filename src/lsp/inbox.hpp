@@ -18,7 +18,7 @@ namespace grafverif::lsp {
 struct Item {
     std::shared_ptr<const nlohmann::json> message = {};
     std::string error_text = {};
-    bool refused = false;  ///< true if there was not enough memory for the message
+    bool refused = false;  ///< true if there was not enough memory to store the message
     bool cancelled = false;
     std::function<void()> call = {};
 };
@@ -31,7 +31,7 @@ public:
     /// Closes the queue: no further items are added.
     void close();
 
-    /// Returns the next item, or nothing if none arrives within `patience`, or if the queue is closed.
+    /// Returns the next item. Returns nothing if no item arrives within `patience`, or if the queue is closed.
     std::optional<Item> take(std::chrono::milliseconds patience);
     bool closed() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The component library as trees and names, which are built once.
+// The component library as syntax trees and names, which are computed only once.
 #pragma once
 
 #include <memory>

@@ -92,7 +92,7 @@ std::string Names::component_of(const std::string& instance) const {
     return found == components_.end() ? std::string() : found->second;
 }
 
-/// Returns the inputs and outputs that are shared with this one, directly or through several loops.
+/// Returns the inputs and outputs that are shared with the element `key`, directly or through several loops.
 std::set<std::string> Names::tied(const std::string& key) const {
     std::set<std::string> found = {key};
     const Declaration* const first = thing(key);
@@ -135,8 +135,7 @@ std::string Names::meaning(const Parsed& file, std::size_t offset, std::string_v
     return elements_.contains(key) ? key : std::string();
 }
 
-// -- text about an element
-// --------------------------------------------------------------------------------------------------
+// -- text about an element --------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -204,7 +203,7 @@ std::string declaration_text(const Declaration& thing) {
         }
         return text;
     };
-    const auto head = [&] {  // text up to the body
+    const auto head = [&] {  // text of the declaration, up to its body
         std::string text = joined(thing.whole);
         text.resize(std::min(text.find('{'), text.size()));
         while (text.ends_with(' ') || text.ends_with(';')) text.pop_back();

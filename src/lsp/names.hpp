@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Names: resolves every name in some files from their syntax trees alone, so that incomplete texts also have names.
+// Names: resolves every name in a set of files. It uses only the syntax trees, so that names in incomplete texts are
+// also resolved.
 //
 // A key such as `chart press/v START` identifies an element. Inputs and outputs of the controllers of a loop that have
 // the same name are treated as one element in searches for references, because the loop shares them by name.
@@ -53,7 +54,7 @@ struct Declaration {
 struct Use {
     std::string key = {};
     Span where = {};
-    std::uint32_t skipped = 0;  ///< number of bytes at its beginning before the name: the `X` of `X2`
+    std::uint32_t skipped = 0;  ///< number of bytes before the name, such as 1 for the `X` of `X2`
     bool declares = false, writes = false;
 };
 
@@ -67,14 +68,14 @@ public:
     explicit Names(Files files);
 
     const Files& files() const { return files_; }
-    /// Returns all names of a file in order; empty for a path that is not among the files.
+    /// Returns all uses of names in a file, sorted by position; empty if `files()` does not contain the file.
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
     const Declaration* thing(const std::string& key) const;
-    /// Returns the element that `name` would denote as a term, or as a step, at `offset`, or an empty string if there
-    /// is none.
+    /// Returns the key of the element that `name` would denote at `offset`, as a term or as a step. Returns an empty
+    /// string if there is no such element.
     std::string meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
-    /// Return the elements of a chart, component or loop, or all elements of one kind in the files.
+    /// Return the elements of a chart, component or loop (`parts`), or all elements of one kind in the files (`all`).
     std::vector<const Declaration*> parts(const std::string& owner) const;
     std::vector<const Declaration*> all(DeclarationKind kind) const;
     /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is none.
@@ -98,7 +99,7 @@ private:
     std::map<std::string, Declaration> elements_ = {};
     std::map<std::string, std::vector<std::string>> controllers_ = {};  ///< charts of each loop, as keys
     std::map<std::string, std::string> components_ = {};                ///< component of each instance, as keys
-    /// Keys of steps by `chart C/NAME`, for any partial chart.
+    /// Keys of the steps of all partial charts, by chart and name: `chart C/NAME`.
     std::map<std::string, std::vector<std::string>> steps_ = {};
     std::map<const Parsed*, std::vector<Use>> uses_ = {};
 };

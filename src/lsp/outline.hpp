@@ -11,21 +11,21 @@
 
 namespace grafverif::lsp {
 
-/// An element declared in a file, in the order of position. `parent` is the index of an earlier element, or none.
+/// An entry of the outline of a file. `parent` is the index of an earlier entry; empty at the top level.
 struct Entry {
     const Declaration* thing = nullptr;
     std::optional<std::size_t> parent = {};
 };
 std::vector<Entry> outline(const Names& names, const Parsed& file);
 
-/// First and last line of a folding range, both visible when folded.
+/// The first and the last line of a folding range. Both lines remain visible when the range is folded.
 struct Fold {
     std::uint32_t first = 0, last = 0;
     bool comment = false;
 };
 std::vector<Fold> folds(const Names& names, const Parsed& file);
 
-// LSP names of types and modifiers of semantic tokens. Tokens refer to them by index.
+// LSP names of the types and modifiers of semantic tokens. Tokens contain indices of these arrays.
 inline constexpr std::array<std::string_view, 12> token_types = {"keyword",  "comment",   "string",     "number",
                                                                  "variable", "parameter", "class",      "namespace",
                                                                  "function", "event",     "enumMember", "property"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Background checks of a session. They are started after a save and on demand, and shown as code lenses of loops and
-// properties.
+// Background checks of a session. A save or a command starts them. Their results are displayed as code lenses at loops
+// and properties.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -13,8 +13,7 @@ void Session::request_client(const std::string& id, const std::string& method, c
     send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
 }
 
-// -- checks in the background
-// ---------------------------------------------------------------------------------------------
+// -- checks in the background -----------------------------------------------------------------------------------------
 
 /// Checks the saved file and all files that include it, starting with open files.
 void Session::saved() {
@@ -33,7 +32,7 @@ void Session::prove(const std::string& path, const std::string& only) {
 
 void Session::found(Found outcome) {
     if (!board_.is_current(*outcome.root)) return;
-    dirty_ = true;  // remains true until the diagnostics are published
+    dirty_ = true;  // stays true until the diagnostics are published
     board_.add(*outcome.root, outcome.source, std::move(outcome.told));
     Verdicts& known = verdicts_[outcome.root->path];
     if (known.number != outcome.root->number) known = {outcome.root->number, {}};
@@ -70,17 +69,16 @@ void Session::progress_is_requested() {
            {{"token", token_}, {"value", {{"kind", "begin"}, {"title", "grafverif check"}, {"cancellable", true}}}}}});
 }
 
-// -- results
-// --------------------------------------------------------------------------------------------------------------
+// -- results ----------------------------------------------------------------------------------------------------------
 
-/// Returns the verdict on the property with this key for the current texts, or null if there is none.
+/// Returns the verdict on the property `key` if it belongs to the current texts; otherwise null.
 const VerdictDetails* Session::shown(const std::string& path, const std::string& key) const {
     const auto root = board_.root(path);
     const auto known = verdicts_.find(path);
     if (root == nullptr || known == verdicts_.end() || known->second.number != root->number) return nullptr;
     const auto found = known->second.by_key.find(key);
     if (found != known->second.by_key.end()) return &found->second;
-    const auto part = known->second.by_key.lower_bound(key + ".");  // refers to the first step of an expanded property
+    const auto part = known->second.by_key.lower_bound(key + ".");  // key of the first step of an expanded property
     return part != known->second.by_key.end() && part->first.starts_with(key + ".") ? &part->second : nullptr;
 }
 
@@ -90,8 +88,7 @@ std::string Session::verdict_text(const Declaration& thing) const {
     return known == nullptr ? std::string() : "\n```text\n" + known->text + "```\n";
 }
 
-// -- code lenses
-// ----------------------------------------------------------------------------------------------------------
+// -- code lenses ------------------------------------------------------------------------------------------------------
 
 Json Session::lenses(const Json& params) {
     const auto file = parsed(params);
@@ -152,7 +149,7 @@ Json Session::show(const std::string& uri, bool elsewhere, const std::string& wo
 
 Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
     const VerdictDetails* known = shown(path, "loop " + loop + "/q " + property);
-    if (property.empty()) {  // the command palette requests the complete file
+    if (property.empty()) {  // a command of the command palette concerns the complete file
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }

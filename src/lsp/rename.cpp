@@ -16,7 +16,7 @@ namespace {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// Returns the reason why an element cannot be renamed to any name, or an empty string if it can.
+/// Returns the reason why an element cannot be renamed, for any new name. Returns an empty string if it can be renamed.
 std::string obstacle_of(const Names& names, const Declaration& thing) {
     if (is_of_library(*thing.file))
         return fmt::format("`{}` belongs to the component library and cannot be renamed", thing.name);
@@ -42,8 +42,8 @@ std::string obstacle_of(const Names& names, const Declaration& thing) {
     return {};
 }
 
-/// Returns all names of all files, numbered by the first use of their element. The result is equal for texts with the
-/// same meaning.
+/// Returns a number for each name in all files: names have equal numbers if they denote the same element. Texts that
+/// differ only in the names of elements have equal results.
 std::vector<std::size_t> shape_of(const Names& names) {
     std::vector<std::size_t> shape;
     std::map<std::string, std::size_t> numbers;
@@ -88,7 +88,7 @@ Renaming renamed(const Names& names, const std::string& key, const std::string& 
     }
     Files files;
     for (const auto& file : names.files()) {
-        if (is_of_library(*file)) continue;  // library files are included again
+        if (is_of_library(*file)) continue;  // the files of the component library are added again when they are used
         const auto changed = edits.find(file.get());
         files.push_back(changed == edits.end() ? file : with_edits(*file, changed->second));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rename: renames an element at all its uses. The texts are parsed again with the new name. Every name must then denote
-// the same element as before; a change of meaning is rejected.
+// Rename: renames an element at all its uses. The texts are parsed again with the new name. If a name then denotes
+// another element than before, the renaming is rejected.
 #pragma once
 
 #include <string>

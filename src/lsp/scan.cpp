@@ -25,14 +25,15 @@ constexpr std::array<std::string_view, 69> contextual = {
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
     "between",      "until",       "precedes",  "constant", "times"};
 
-/// True if a name may begin with the character that contains this byte. For characters beyond ASCII, the lexer decides.
+/// True if a name may begin with the character that contains `byte`. Characters beyond ASCII are accepted here; the
+/// lexer checks them.
 bool begins_name(char byte) {
     return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_' ||
            static_cast<unsigned char>(byte) >= 0x80;
 }
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
 
-/// Returns the end of the sequence of bytes, starting at `at`, for which `goes_on` holds.
+/// Returns the end of the longest sequence of bytes, starting at `at`, for which `goes_on` returns true.
 template <class GoesOn>
 std::size_t end_of_run(std::string_view text, std::size_t at, GoesOn goes_on) {
     while (at < text.size() && goes_on(text[at])) ++at;

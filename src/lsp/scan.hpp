@@ -19,16 +19,16 @@ std::vector<Word> words_of(std::string_view text);
 
 /// True if `word` is a keyword in some context.
 bool is_keyword(std::string_view word);
-/// True if it is a keyword in every context.
+/// True if `word` is a keyword in every context.
 bool is_reserved(std::string_view word);
-/// True if `word` is a valid name. If `numbers`, numbers are also valid, as for steps and locations.
+/// True if `word` is a valid name. If `numbers` is true, numbers are also valid names, as for steps and locations.
 bool is_name(std::string_view word, bool numbers);
 
-/// An incomplete declaration: the tokens before the cursor, preceded by those of the enclosing blocks.
+/// An incomplete declaration: the tokens before the cursor, preceded by the tokens of the enclosing blocks.
 struct IncompleteDeclaration {
     std::vector<std::vector<std::string>> blocks = {};  ///< the tokens before each open `{`
-    std::vector<std::string> words = {};  ///< tokens after the last `;` or brace, without the token at the cursor
-    bool in_text = false;                 ///< true if the cursor is in a comment or a string: there are no proposals
+    std::vector<std::string> words = {};  ///< tokens after the last `;` or brace, except the token at the cursor
+    bool in_text = false;                 ///< true if the cursor is in a comment or a string; there are no proposals
 };
 IncompleteDeclaration half_at(std::string_view text, std::size_t cursor);
 

@@ -100,17 +100,17 @@ void receive_all(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending
         for (bool more = true; more;) {
             try {
                 more = receive_next(framing, inbox);
-            } catch (const std::bad_alloc&) {  // even the reserved memory is not sufficient for the message
+            } catch (const std::bad_alloc&) {  // not even the reserved memory is sufficient for the message
             }
         }
-    } catch (const std::bad_alloc&) {  // there is no buffer for receiving
+    } catch (const std::bad_alloc&) {  // the buffer for receiving could not be allocated
     } catch (const std::system_error&) {
     }
     ending = true;
     inbox.close();
 }
 
-/// A thread that receives messages. It is joined even after an exception.
+/// A thread that receives messages. The destructor joins it, also after an exception.
 class Receiver {
 public:
     Receiver(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending, const std::function<void()>& hang_up)
@@ -139,7 +139,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
     while (!session.over() && !gone) {
         if (surroundings.keep_memory_back) surroundings.keep_memory_back();
         try {
-            const ReserveUse use(true);  // a failure must be reported
+            const ReserveUse use(true);  // the report of a failure may use the reserved memory
             auto item = inbox.take(0ms);
             if (!item) {
                 session.settle();
@@ -151,7 +151,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
                 session.refuse(item->refused ? "there is not enough memory for the message" : item->error_text);
             else if (inbox.closed()) gone = true;
             else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
-        } catch (const std::bad_alloc&) {  // the response is omitted, because there is not even memory for an error
+        } catch (const std::bad_alloc&) {  // no response, because it also needs memory
         } catch (const std::system_error&) {
         }
     }

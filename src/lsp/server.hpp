@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The language server: LSP 3.17 over a byte stream, until the client sends `exit` or disappears.
+// The language server: implements LSP 3.17 over a byte stream. It ends when the client sends `exit` or disappears.
 //
-// One thread receives, so that a request can be cancelled, and a change can stop a check, while a response is computed.
-// A second thread responds in the order of arrival, and a third one checks. Invalid input does not end the server: the
-// response is an error, if the protocol defines one for this case.
+// One thread receives messages. Therefore a request can be cancelled, and a change can stop a check, while a response
+// is computed. A second thread handles the messages in the order of arrival, and a third thread runs the checks.
+// Invalid input does not end the server: it sends an error response if the protocol defines one for this case.
 #pragma once
 
 #include <chrono>
@@ -25,16 +25,16 @@ struct ServerEnvironment {
     std::function<bool(std::int64_t process)> is_alive = {};
     /// Time limit for the check of a loop or the analysis of a chart; unlimited if empty.
     std::optional<std::chrono::milliseconds> patience = {};
-    /// Returns the address of a page that draws and simulates the file. The page is created if necessary, which may
-    /// throw std::system_error. The function is empty if pages are not available.
+    /// Returns the address of a page that draws and simulates the file. If necessary, the function creates the page; it
+    /// may throw std::system_error. The function is empty if pages are not available.
     std::function<std::string(const std::string& path)> simulator = {};
     /// Stores a text temporarily under this name for another program, and returns its path. The function is empty if
     /// this is not available.
     std::function<std::string(const std::string& name, const std::string& text)> keep = {};
-    /// Reserves memory for the report of the next failed allocation. It is called between messages. If the function is
-    /// empty, no memory is reserved.
+    /// Reserves memory, which is used to report the next failed allocation. The server calls the function between
+    /// messages. If the function is empty, no memory is reserved.
     std::function<void()> keep_memory_back = {};
-    /// Ends a waiting `Receive` if the client has disappeared without closing the stream.
+    /// Ends a call of `Receive` that waits for bytes, if the client has disappeared without closing the stream.
     std::function<void()> hang_up = {};
 };
 

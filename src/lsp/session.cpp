@@ -71,8 +71,7 @@ void Session::take(const Json& message, bool cancelled) {
     }
 }
 
-// -- life cycle
-// ----------------------------------------------------------------------------------------------------------
+// -- life cycle -------------------------------------------------------------------------------------------------------
 
 Json Session::initialize(const Json& params) {
     if (member(params, "processId").is_number_integer()) client_ = params["processId"].get<std::int64_t>();
@@ -165,8 +164,7 @@ Json Session::answer(const std::string& method, const Json& params) {
     throw RequestError{no_such_method, "unsupported method " + method};
 }
 
-// -- diagnostics
-// ---------------------------------------------------------------------------------------------------------
+// -- diagnostics ------------------------------------------------------------------------------------------------------
 
 UriOf Session::uris() const {
     return [this](const std::string& path) { return workspace_.uri_of(path); };
@@ -191,7 +189,7 @@ void Session::settle() {
         for (; !unmade_.empty(); unmade_.pop_back())
             if (board_.is_current(*unmade_.back())) prover_->ask({unmade_.back(), Task::What::Models, ""});
         dirty_ = false;
-    } catch (const std::bad_alloc&) {  // the operation is tried again
+    } catch (const std::bad_alloc&) {  // `dirty_` is still true, so that the next call tries again
     } catch (const std::system_error&) {
     }
 }

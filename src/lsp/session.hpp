@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Session: the state of one client, and the handlers of its messages. Only one thread uses it.
+// Session: the state of one client, and the handlers of its messages. Only one thread may use a session.
 #pragma once
 
 #include <atomic>
@@ -21,14 +21,14 @@ namespace grafverif::lsp {
 
 class Session {
 public:
-    /// Schedules a call on the session's thread. Thread-safe.
+    /// Schedules a call in the thread of the session. Thread-safe.
     using Later = std::function<void(std::function<void()>)>;
     /// `ending` is set when the client has sent `exit` or has disappeared.
     Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending);
 
-    /// Handles a message. Responds if it is a request.
+    /// Handles a message. If it is a request, sends a response.
     void take(const Json& message, bool cancelled);
-    /// Responds to invalid input.
+    /// Sends an error response to invalid input.
     void refuse(const std::string& error_text);
     /// Publishes the diagnostics of changed texts.
     void settle();
@@ -98,7 +98,7 @@ private:
     const VerdictDetails* shown(const std::string& path, const std::string& key) const;
     void request_client(const std::string& id, const std::string& method, const Json& params);
 
-    /// Returns the path of the document in `params`. Throws if it is not open.
+    /// Returns the path of the document in `params`. Throws if the document is not open.
     std::string document(const Json& params) const;
     UriOf uris() const;
 
@@ -118,19 +118,19 @@ private:
     DiagnosticStore board_ = {};
     bool dirty_ = false;  ///< true if a text has changed, or the client lacks the diagnostics
     std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet
-    std::map<std::string, std::string> published_ = {};     ///< diagnostics that were last published for each address
+    std::map<std::string, std::string> published_ = {};     ///< the last published diagnostics for each address
 
     struct Client {
         bool takes_snippets = false, shows_documents = false, shows_progress = false, refreshes_lenses = false;
     };
     Client can_ = {};
     struct Verdicts {
-        std::uint64_t number = 0;  ///< number of the parse to which they belong
+        std::uint64_t number = 0;  ///< number of the parse to which the verdicts belong
         std::map<std::string, VerdictDetails> by_key = {};
     };
     std::map<std::string, Verdicts> verdicts_ = {};  ///< verdicts by path of the root
     enum class ProgressState { Nothing, Requested, Going };
-    ProgressState telling_ = ProgressState::Nothing;  ///< type of progress reports to the client
+    ProgressState telling_ = ProgressState::Nothing;  ///< state of the progress report to the client
     std::uint64_t token_ = 0;
     std::unique_ptr<BackgroundChecker> prover_;  ///< declared last, so that it is destroyed first
 };

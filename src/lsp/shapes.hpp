@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conversions between values and LSP 3.17 JSON. Readers throw nlohmann::json::exception for JSON with another
-// structure.
+// Conversions between values and JSON as defined by LSP 3.17. A conversion from JSON throws nlohmann::json::exception
+// if the JSON has another structure.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ Json json_of(const Place& place, const UriOf& uri_of);
 Json json_of(const LspDiagnostic& told, const UriOf& uri_of);
 /// Returns a WorkspaceEdit.
 Json json_of(const std::vector<Edit>& edits, const UriOf& uri_of);
-/// Returns a CodeAction that applies the hint of `told`.
+/// Returns a CodeAction that applies the fix of `told`.
 Json quick_fix(const LspDiagnostic& told, const UriOf& uri_of);
 
 Position position_of(const Json& json);

@@ -16,7 +16,8 @@ struct Character {
     std::uint32_t units = 1;  ///< number of UTF-16 units
 };
 
-/// Returns the character at the beginning of `text`; for a truncated character, the available bytes.
+/// Returns the length of the first character of `text`. The length of a truncated character is that of the available
+/// bytes.
 Character first_character(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[0]);
     const std::size_t most = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;
@@ -83,7 +84,7 @@ std::string path_of_uri(std::string_view uri) {
     constexpr std::string_view scheme = "file://";
     if (!uri.starts_with(scheme)) return std::string(uri);
     uri.remove_prefix(scheme.size());
-    uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // the host is the local one, and is skipped
+    uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // skips the host, which is the local host
     std::string path;
     for (std::size_t at = 0; at < uri.size(); ++at) {
         unsigned byte = 0;

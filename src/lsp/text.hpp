@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text: conversion between byte offsets, which grafverif uses, and positions of editors. For editors, a line ends in
-// `\n`, `\r\n` or `\r`, and a character is a UTF-16 unit (LSP 3.17, "Position").
+// Text: converts between byte offsets, which grafverif uses, and positions of an editor. In these positions, a line
+// ends with `\n`, `\r\n` or `\r`, and a character is a UTF-16 unit (LSP 3.17, "Position").
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace grafverif::lsp {
 
-/// A position of an editor. Both numbers start at 0.
+/// A position as an editor counts it. Lines and characters are numbered from 0.
 struct Position {
     std::uint32_t line = 0;
-    std::uint32_t character = 0;  ///< in UTF-16 units; beyond the end of a line, it denotes the end
+    std::uint32_t character = 0;  ///< in UTF-16 units; a value beyond the end of the line denotes the end of the line
     auto operator<=>(const Position&) const = default;
 };
 /// A range from the first position to the position after the last character.
@@ -29,16 +29,18 @@ public:
     explicit Text(std::string bytes);
 
     const std::string& bytes() const { return bytes_; }
-    /// Returns the position of byte `offset`; beyond the end of the text, the position of the end.
+    /// Returns the position of byte `offset`. If the offset is beyond the end of the text, returns the position of the
+    /// end.
     Position position(std::size_t offset) const;
-    /// Returns the byte at `position`; beyond the end of the line or of the text, the byte at that end.
+    /// Returns the offset of `position`. If the position is beyond the end of its line or of the text, returns the
+    /// offset of this end.
     std::uint32_t offset(Position position) const;
     Range range(std::size_t begin, std::size_t end) const { return {position(begin), position(end)}; }
     std::size_t lines() const { return anchors_.back().position.line + std::size_t{1}; }
 
 private:
-    /// The beginning of a line, or of a character at regular intervals within a long line. Therefore no conversion
-    /// traverses a complete line.
+    /// A known pair of offset and position: the beginning of a line, or a character within a long line. Anchors in a
+    /// long line have regular distances, so that no conversion traverses a complete line.
     struct Anchor {
         std::uint32_t offset = 0;
         Position position = {};
@@ -48,17 +50,17 @@ private:
     std::vector<Anchor> anchors_ = {{}};
 };
 
-/// An edit of a text. Without a range, it replaces the complete text.
+/// An edit of a text. An edit without a range replaces the complete text.
 struct Change {
     std::optional<Range> range = {};
     std::string text = {};
 };
 std::string changed(const Text& before, const Change& change);
 
-/// Returns the path of `file:///a%20b`; for other schemes, the address itself.
+/// Returns the path in an address such as `file:///a%20b`. If the scheme is not `file`, returns the address itself.
 std::string path_of_uri(std::string_view uri);
-/// Returns the address of a path. For files that are not on the disk, such as components of the library, the scheme is
-/// `grafverif`.
+/// Returns the address of a path. The scheme is `file`, or `grafverif` for files that are not on the disk, such as
+/// components of the library.
 std::string uri_of_path(std::string_view path);
 
 }  // namespace grafverif::lsp

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Positions of a trace in the source: cleared transitions and moving instances, in order, each with its event and time.
+// Source positions of a trace: the positions of cleared transitions and moving instances, in the order of the trace.
+// Each position has its event and time.
 #pragma once
 
 #include <string>
@@ -17,8 +18,8 @@ public:
     TraceLocations(const Model& model, Id<Chart> chart, const Places& places)
         : model_(model), chart_(chart), places_(places) {}
 
-    /// Returns the positions of a run. Their number is limited for readability: for a longer run, only the first and
-    /// the last rows are included.
+    /// Returns the positions of a run. The number of positions is limited for readability: for a longer run, only the
+    /// first and the last rows are included.
     std::vector<Related> of(const ChartRun& run) const;
 
 private:

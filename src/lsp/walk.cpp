@@ -8,8 +8,7 @@
 
 namespace grafverif::lsp {
 
-// -- declarations
-// -------------------------------------------------------------------------------------------------------
+// -- declarations -----------------------------------------------------------------------------------------------------
 
 class Declarer {
 public:
@@ -73,7 +72,8 @@ public:
 
     void declare(const tree::Include&) {}
 
-    /// Declares the variables to which an output of the plant is bound and which no controller declares.
+    /// Declares the plant variables of the loop: an output of an instance is bound to the variable, and no controller
+    /// declares it.
     void declare_plant(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);
         const Declaration* const owner = names_.thing(key);
@@ -97,7 +97,8 @@ private:
 
     std::string add(Declaration thing) {
         std::string key = thing.key;
-        names_.elements_.try_emplace(key, std::move(thing));  // if two elements have one name, the first is kept
+        // If two elements have the same name, the first one is used.
+        names_.elements_.try_emplace(key, std::move(thing));
         return key;
     }
     std::string top(DeclarationKind kind, const char* word, const tree::Name& name, Span whole) {
@@ -158,8 +159,7 @@ void declare_plant(const Parsed& file, Names& names) {
         if (const auto* loop = std::get_if<tree::ClosedLoop>(&declaration)) declarer.declare_plant(*loop);
 }
 
-// -- uses of names
-// ------------------------------------------------------------------------------------------------------
+// -- uses of names ----------------------------------------------------------------------------------------------------
 
 class Finder {
 public:
@@ -172,7 +172,8 @@ public:
         return std::move(found_);
     }
 
-    /// Returns the step of a chart that `name` denotes in a partial chart, or outside of it if the name is unique.
+    /// Returns the key of the step that `name` denotes in a partial chart. If the partial chart has no such step,
+    /// returns the first step of the chart with this name.
     static std::string step_key(const Names& names, const std::string& chart, std::string_view partial,
                                 std::string_view name) {
         const auto same = names.steps_.find(chart + "/" + std::string(name));
@@ -223,7 +224,7 @@ private:
         }
     }
 
-    /// Handles `owner.name`, whose name is the last token of the node.
+    /// Handles `owner.name`. The name is the last token of the node.
     void member(const Declaration& owner, const tree::Expr& expr) {
         const std::string name(file_.tree.text(expr.word));
         const Span where = {expr.where.source, expr.where.end - static_cast<std::uint32_t>(name.size()),
@@ -342,7 +343,8 @@ private:
         const std::string_view all = file_.bytes(accept.where);
         const std::size_t at = all.substr(0, all.find('"')).rfind(accept.subject);
         if (at == std::string_view::npos) return;
-        const std::size_t dot = accept.subject.rfind('.') + 1;  // without a dot, npos + 1 is 0
+        // If there is no dot, npos + 1 is 0, and the complete text is used.
+        const std::size_t dot = accept.subject.rfind('.') + 1;
         const std::string name = accept.subject.substr(dot);
         const auto begin = static_cast<std::uint32_t>(accept.where.begin + at + dot);
         const Span where = {accept.where.source, begin, begin + static_cast<std::uint32_t>(name.size())};

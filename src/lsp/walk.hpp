@@ -10,14 +10,15 @@
 
 namespace grafverif::lsp {
 
-/// Adds the declarations of the file to `names`. The variables of its plants are declared after all other declarations.
+/// Adds the declarations of the file to `names`, except plant variables.
 void declare_all(const Parsed& file, Names& names);
+/// Adds the plant variables of the loops of the file. Call it after `declare_all` of all files.
 void declare_plant(const Parsed& file, Names& names);
 /// Returns the uses of names, sorted by position.
 std::vector<Use> uses_in(const Parsed& file, const Names& names);
 
-/// Returns the element that a term's `name` denotes in `owner`, a chart, component or loop, and its partial chart, or
-/// an empty string if there is none.
+/// Returns the key of the element that `name` denotes in a term of `owner` (a chart, component or loop) and its partial
+/// chart `partial`. Returns an empty string if there is no such element.
 std::string term_key(const Names& names, const Declaration& owner, std::string_view partial, std::string_view name);
 
 }  // namespace grafverif::lsp

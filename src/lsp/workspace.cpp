@@ -14,7 +14,7 @@ namespace grafverif::lsp {
 
 namespace {
 
-constexpr std::size_t most_entries = 20'000;  ///< maximum number of files in the folders of the workspace
+constexpr std::size_t most_entries = 20'000;  ///< maximum number of files and folders to visit in the workspace
 /// Maximum number of bytes of a file that is read only for its includes.
 constexpr std::size_t largest_scanned = 4U << 20U;
 
@@ -176,7 +176,8 @@ std::vector<std::string> Workspace::roots(const std::string& path) {
     scan();
     std::set<std::string> candidates(files_.begin(), files_.end());
     for (const auto& [uri, open] : open_) candidates.insert(open.path);
-    std::map<std::string, std::vector<std::string>> includers;  // including files, by key of the included file
+    // For the key of each included file: the files that include it.
+    std::map<std::string, std::vector<std::string>> includers;
     std::map<std::string, std::string> keys;
     for (const std::string& candidate : candidates) {
         const auto text = this->text(candidate);
@@ -215,7 +216,8 @@ ParseResult Workspace::reading(const std::string& path, Inputs& inputs) {
         const auto content = text(included);
         inputs.emplace_back(included, content);
         auto on_disk = reach.read(included, why);
-        if (!on_disk && !identity_of_existing(included).empty()) return {};  // the file exists and may not be included
+        // The file exists, but it must not be included.
+        if (!on_disk && !identity_of_existing(included).empty()) return {};
         if (content == nullptr) return on_disk;
         return content->bytes();
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workspace: the current texts. A document that is open in the editor replaces the file on the disk, for itself and for
-// all files that include it. All other files are read from the disk, and read again when they change.
+// Workspace: the current texts of all files. A document that is open in the editor replaces the file on the disk, for
+// itself and for all files that include it. All other files are read from the disk, and read again when they change.
 #pragma once
 
 #include <atomic>
@@ -24,10 +24,11 @@ struct OpenText {
     std::string identity = {};  ///< identity of the file on the disk, if it exists
     std::int64_t version = 0;
     std::shared_ptr<const Text> text = {};
-    bool out_of_step = false;  ///< true if an edit could not be applied: the text differs from that of the editor
+    /// True if an edit could not be applied, so that the text differs from the text in the editor.
+    bool out_of_step = false;
 };
 
-/// A text with a tree of its valid parts. For formats other than the input language, the tree is empty.
+/// A text with the syntax tree of its valid parts. For files in other formats, the tree is empty.
 struct Parsed {
     std::string path = {};
     std::shared_ptr<const Text> text = {};
@@ -40,7 +41,7 @@ struct Parsed {
 };
 using Files = std::vector<std::shared_ptr<const Parsed>>;
 
-/// The texts from which a parse was made. The parse is valid while they are unchanged.
+/// The input texts of a parse. The parse is valid while they are unchanged.
 using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
@@ -52,28 +53,31 @@ public:
     /// Adds a folder to search for files that include open documents.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
 
-    /// Opens a document. If memory for its text is refused, the document is open and out of step.
+    /// Opens a document. If the allocation of its text fails, the document is open, but `out_of_step` is true.
     void open(const std::string& uri, std::int64_t version, const std::string& text);
     void change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes);
     void close(const std::string& uri);
     const OpenText* find(const std::string& uri) const;
     const OpenText* open_at(const std::string& path) const;
-    /// Returns the address under which the file is open in the editor, otherwise an address derived from the path.
+    /// Returns the address under which the file is open in the editor. If it is not open, returns an address derived
+    /// from the path.
     std::string uri_of(const std::string& path) const;
-    /// Returns the path of the file in the editor if it is open, otherwise the path itself.
+    /// Returns the path of the file in the editor. If the file is not open, returns `path`.
     std::string shown(const std::string& path) const;
     std::vector<OpenText> open_texts() const;
 
-    /// Returns true if files on the disk have changed since they were read. The files are updated.
+    /// Returns true if files on the disk have changed since they were read. In this case, discards the stored texts, so
+    /// that the files are read again.
     bool refresh();
     /// Returns the text of a file, or null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
     std::shared_ptr<const Parsed> parsed(const std::string& path);
     /// Returns the file and all files that it includes.
     Files closure(const std::string& path);
-    /// Returns the file and all files that include it.
+    /// Returns the paths of the file and of all files that include it.
     std::vector<std::string> roots(const std::string& path);
-    /// Returns all files whose names may be connected with those of `path`: the files of all its roots.
+    /// Returns all files whose declarations may refer to declarations of `path` or vice versa: the files of all its
+    /// roots.
     Files related(const std::string& path);
     /// True if the workspace was too large for a complete search, so that further roots may exist.
     bool cut_short() const { return cut_short_; }
@@ -93,7 +97,8 @@ private:
     FileWatcher watch_ = {};
     std::map<std::string, std::shared_ptr<const Text>> disk_ = {};  ///< texts by path; null if the file cannot be read
     std::map<std::string, std::shared_ptr<const Parsed>> parsed_ = {};  ///< parsed files by path
-    std::vector<std::string> files_ = {};                               ///< files in the folders
+    /// Paths of the files in the folders of the workspace.
+    std::vector<std::string> files_ = {};
     bool scanned_ = false, cut_short_ = false;
 };
 

@@ -27,7 +27,7 @@ std::optional<ChartContent> content_of(const Model& model, const Sources& source
     return content;
 }
 
-/// Returns the components of the loop, with drawings if they are small enough.
+/// Returns the components of the loop, with drawings unless they are too large.
 std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> loop) {
     std::set<Id<Component>> used;
     for (const ClosedLoop::Instance& instance : model.loops[loop].instances) used.insert(instance.component);

@@ -86,7 +86,8 @@ Json violation_json(const std::optional<SentenceViolation>& violation) {
 /// Omits the moves of observers, which do not change the loop.
 void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) {
     std::vector<ChartRun::Event> kept;
-    std::vector<std::size_t> places;  // for each event: the position of the last kept event at or before it
+    // For each event, the index in `kept` of the last event that is kept, up to this event.
+    std::vector<std::size_t> places;
     for (ChartRun::Event& moment : run.moments) {
         if (moment.kind != ChartRun::Kind::Observer) kept.push_back(std::move(moment));
         places.push_back(kept.size() - 1);

@@ -26,7 +26,7 @@ std::size_t undecided(const PageContent& content) {
     return count.unknown + count.undeclared_unknown + left_out(content).size();
 }
 
-/// Returns the number of errors that the analyses found and that are not accepted.
+/// Returns the number of errors that the analyses of the charts found, without accepted ones.
 std::size_t errors_found(const PageContent& content) {
     std::size_t errors = 0;
     for (const ChartContent& each : content.charts)
@@ -36,7 +36,8 @@ std::size_t errors_found(const PageContent& content) {
     return errors;
 }
 
-/// Returns text about the errors of the charts themselves, or an empty string if there are none.
+/// Returns text about the findings of the chart analyses, or an empty string if the analyses are complete and found no
+/// errors.
 std::string errors_text(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
         return "the chart analysis found " + counted(errors, "error", "errors");
@@ -131,7 +132,8 @@ std::vector<std::string> assumptions(const PageContent& content) {
             environment.push_back(
                 fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
     if (!environment.empty())
-        said.push_back("Environment, whose components can behave in any possible way: " + listed(environment) + ".");
+        said.push_back("The components of the environment can behave in any possible way: " + listed(environment) +
+                       ".");
     return said;
 }
 

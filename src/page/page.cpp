@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the content security policy, which permits only the document's own style and script.
+/// Returns the content security policy. It permits only the style and the script of the document.
 std::string policy() {
     return "default-src 'none'; script-src 'sha256-" + std::string(page_script().sha256) + "'; style-src 'sha256-" +
            std::string(page_style().sha256) + "'; base-uri 'none'; form-action 'none'";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// page_of: all results about a file as one self-contained HTML document: text, drawings and tables to read and print,
-// and a player of runs, which requires a script engine. The output is deterministic: the same content results in the
-// same bytes.
+// page_of: writes all results about a file as one self-contained HTML document. It contains text, drawings and tables,
+// and a player of runs, which requires JavaScript. The output is deterministic: the same content results in the same
+// bytes.
 //
 // The document permits its style and script by their hashes and forbids everything else (Content-Security-Policy). The
 // data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`, `runs`,
@@ -40,7 +40,7 @@ struct ComponentContent {
     std::string drawing = {};
 };
 
-/// The content of a page. The references must outlive it.
+/// The content of a page. The referenced objects must outlive the content.
 struct PageContent {
     const Model& model;
     const Sources& sources;
@@ -49,7 +49,7 @@ struct PageContent {
     std::vector<std::string> requested = {};        ///< names of the selected properties; all if empty
     Id<ClosedLoop> loop = {};                       ///< invalid if the page is about a chart without a loop
     std::vector<ChartContent> charts = {};          ///< charts of the controllers, in order
-    std::vector<ComponentContent> components = {};  ///< components of the plant, each once
+    std::vector<ComponentContent> components = {};  ///< components of the plant, without duplicates
     Report report = {};
     std::vector<Trial> trials = {};    ///< of remedies, if a limit ended the check
     std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart

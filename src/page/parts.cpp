@@ -133,7 +133,7 @@ void add_open_queries(const Analysis& analysis, Html& html) {
     html.close("ul").close("details");
 }
 
-/// Names of used and unused elements.
+/// Names of the elements that the runs use, and of the other elements.
 struct Used {
     std::vector<std::string> yes = {}, no = {};
     void add(const std::string& name, bool used) { (used ? yes : no).push_back(name); }
@@ -254,8 +254,8 @@ void add_coverage(const PageContent& content, Html& html) {
     const std::size_t runs = playable_runs(content).size();
     begin_section(html, "coverage", "Coverage");
     html.put("p",
-             fmt::format("Steps that were active and transitions that were cleared in at least one of the {} of this "
-                         "page. This is trace coverage, not proof coverage.",
+             fmt::format("Steps that were active and transitions that were cleared in some run on this page ({}). This "
+                         "is trace coverage, not proof coverage.",
                          counted(runs, "run", "runs")),
              {{"class", "remark"}});
     for (std::size_t k = 0; k < content.charts.size() && runs != 0; ++k) add_coverage_of(content, k, html);

@@ -9,15 +9,15 @@ namespace grafverif {
 
 /// Adds file, version, date, the summary verdict, assumptions and warnings.
 void add_head(const PageContent& content, Html& html);
-/// Adds every property. Those that hold as expected are folded.
+/// Adds every property. Properties that hold as expected are folded.
 void add_verdicts(const PageContent& content, Html& html);
-/// Adds the element of the player; without a script, the runs are shown as text.
+/// Adds the element of the player. If JavaScript is disabled, the page shows the runs as text.
 void add_runs(const PageContent& content, Html& html);
 void add_findings(const PageContent& content, Html& html);
 void add_charts(const PageContent& content, Html& html);
 void add_plant(const PageContent& content, Html& html);
 void add_equations(const PageContent& content, Html& html);
-/// Adds the steps and transitions that the runs of the page used.
+/// Adds the trace coverage: the steps that were active and the transitions that were cleared in the runs of the page.
 void add_coverage(const PageContent& content, Html& html);
 
 }  // namespace grafverif

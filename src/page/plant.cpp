@@ -83,7 +83,7 @@ void add_component(const Component& component, const ComponentContent& content, 
             .ours(content.drawing)
             .close("div");
     html.open("details", content.drawing.empty() ? Html::Attributes{{"open", ""}} : Html::Attributes{});
-    html.put("summary", "The same as tables");
+    html.put("summary", "Tables of this automaton");
     add_tables(component, html);
     html.close("details").close("figure");
 }

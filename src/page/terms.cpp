@@ -56,7 +56,7 @@ const char* name_of(Op op) {
 
 bool is_number(Op op) { return op == Op::Integer || op == Op::Duration || is_arithmetic(op); }
 
-/// Returns the index of a variable among those of its kind, in the order of controllers.
+/// Returns the index of a variable among the variables of its kind, as in the lists of a controller.
 std::size_t place_of(const Chart& chart, Id<Chart::Variable> wanted) {
     std::size_t place = 0;
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
@@ -110,8 +110,8 @@ public:
     }
 
 private:
-    /// Returns the steps that must be active: for a macro-step also its exit step; for a source transition the owner of
-    /// its partial chart.
+    /// Returns the steps that enable the transition. They include the exit step of a macro-step; a source transition is
+    /// enabled by the owner of its partial chart.
     std::vector<Id<Chart::Step>> enabling(const Chart::Transition& transition) const {
         std::vector<Id<Chart::Step>> steps = transition.from;
         const Id<Chart::Step> owner = chart_.partial_charts[transition.chart].owner;
@@ -152,7 +152,7 @@ private:
 
 // -- loops ------------------------------------------------------------------------------------------------------------
 
-/// The element to which a name of a property refers, and its text in the loop.
+/// The node of an element to which a property refers, and the text of the element in the loop.
 struct Named {
     Json node = {};
     std::string text = {};
@@ -242,7 +242,7 @@ const char* pattern_of(Pattern pattern) {
     unreachable();
 }
 
-/// Returns the role of each operand of the sentence.
+/// Returns the heading of each operand of the sentence, which states the role of the operand.
 std::vector<std::string> headings_of(const Sentence& sentence) {
     const std::string bound = bound_text(sentence);
     const auto own = [&]() -> std::vector<std::string> {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Terms for evaluation by the page: a list of nodes, in which operands precede terms.
+// Terms for evaluation by the page: a list of nodes, in which the operands of a term precede it.
 //
 // A node is `{"op", "text", "boolean", "args"?, ...}`; `text` is the term in the notation of the file, possibly
-// shortened. The `op` of a leaf names its element. In a chart it is `input`, `output`, `internal`, `step` or `timed`,
-// with its `place` among those of the controller. In a loop it is one of these with `controller`, or `signal` (a signal
-// of the plant with its name in `text`), or `location` with `instance` and `location`. `unknown` is an element that
-// runs do not contain.
+// shortened. The `op` of a leaf names its element. In a chart it is `input`, `output`, `internal`, `step` or `timed`;
+// `place` is the index in the list of these elements of the controller. In a loop, these nodes also have the member
+// `controller`. Further values of `op` in a loop are `signal` (a signal of the plant, with its name in `text`) and
+// `location` (with `instance` and `location`). `unknown` is an element that runs do not contain.
 #pragma once
 
 #include <functional>
@@ -48,7 +48,7 @@ nlohmann::ordered_json chart_json(const Chart& chart);
 /// has `headings`, the role of each operand.
 nlohmann::ordered_json property_json(const Model& model, const ClosedLoop& loop, const Property& property);
 
-/// Return terms in the notation of the file: a condition of the loop, the formula of a property.
+/// Return a term or the formula of a property in the notation of the file.
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term);
 std::string expectation_text(const Model& model, const ClosedLoop& loop, const Property& property);
 /// Returns the formula of the property with the given name, or of the property of which it is a part (`S.X7`), as in

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The style and the script of pages, from `web/`, and their hashes, which permit only these. cmake/embed_web.cmake
-// generates the sources.
+// The style and the script of pages, from `web/`, and their hashes. A page permits only scripts and styles with these
+// hashes. cmake/embed_web.cmake generates the sources.
 #pragma once
 
 #include <string_view>

@@ -111,7 +111,7 @@ std::vector<std::string> texts_of(const Elements& elements, const std::map<std::
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];
     if (!sources.contains(chart.origin.source)) return {};
-    Sources copy;  // copied, because reading may change a source
+    Sources copy;  // a copy, because `read_any` may modify a source
     Diagnostics known;
     const Id<Source> source = copy.add(sources[chart.origin.source]);
     const tree::File file = read_any(source, copy, {true}, known);

@@ -21,11 +21,12 @@
 
 namespace grafverif {
 
-/// Returns `the counterexample of P15 does not replay: controller press, evolution 3: ...`.
+/// Returns a message such as `WHAT fails the replay under the rules of IEC 60848: controller press, evolution 3: ...
+/// (move 7)`. `what` names the trace.
 std::string replay_failure(std::string_view what, const Disagreement& disagreement);
 
-/// Returns the names of the properties that can be selected. Those that the model cannot express are reported as
-/// unknown.
+/// Returns the names of the properties that can be selected. Properties that the model cannot express are included and
+/// are reported as unknown.
 std::vector<std::string> property_names(const Network& network);
 std::vector<std::string> property_names(const TransitionSystem& system);
 
@@ -36,15 +37,16 @@ bool all_known(const std::vector<std::string>& names, const std::vector<std::str
 struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
-    bool disabled_corrections = false;  ///< true if its runs intentionally differ from those of its charts
-    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called when a state profile is computed
+    bool disabled_corrections = false;  ///< true if runs of the network intentionally differ from runs of its charts
+    /// Returns the duration that determines the time unit; called only for a state profile.
+    std::function<std::optional<StateProfile::Finest>()> finest = {};
 };
 /// Returns the loop to check. `network` is the network of `loop`.
 LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network);
 Report check(const LoopToCheck& loop, const CheckOptions& options);
 
-/// Converts verdicts on an untimed model and their runs to a report. If a run of an embedded engine does not replay,
-/// this is an internal failure; if a run of an external program does not replay, it is rejected.
+/// Converts verdicts on an untimed model and their runs to a report. A run of an embedded engine that does not replay
+/// is an internal failure. A run of an external program that does not replay is rejected.
 class SystemReporter {
 public:
     enum class Of { EmbeddedEngine, Program };
@@ -85,31 +87,33 @@ std::vector<std::string> requested_names(const TransitionSystem& system, const s
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
 std::string words_of(const SymbolicProgress& now);
-/// Options for checking properties about states with an embedded engine on circuits, or with a search procedure in its
-/// place.
+/// Options for checking properties about states: an embedded engine on circuits, or a search procedure (`reach`) that
+/// replaces it.
 struct StateSearch {
     std::string name = "pdr";
     decltype(PdrOptions::reach) reach = {};
     PdrOptions::Method method = PdrOptions::Method::Pdr;
     std::optional<std::size_t> max_steps = {};  ///< maximum length of a run in BMC
 };
-/// Returns a BMC search. `max_steps` is the length of the explored runs, 100 by default.
+/// Returns the options of a BMC search. `max_steps` is the maximum length of the explored runs, 100 by default.
 StateSearch bounded_search(std::optional<std::uint64_t> max_steps);
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
 
 /// Decides selected properties about single states by localization (check/localization/localization.hpp). Returns
-/// verdicts on the system, without runs. Requires interleaved automata: up to a model error, the system then has the
-/// runs of the network from which it was derived, without clocks if time is abstract. Localization gives no verdict if
-/// a model error is possible. It uses at most a third of the remaining time, and at most 20 seconds.
+/// verdicts on the system, without runs. Requires interleaved automata: the system then has the same runs, up to a
+/// model error, as the network from which it was derived (without clocks if time is abstract). If a model error is
+/// possible, no verdict is returned. The search takes at most a third of the remaining time, and at most 20 seconds.
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
                                       const LocalizationLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
 
-/// Checks with the symbolic engine, in parallel with localization, PDR and BMC if it takes long. `alone`: see
-/// PortfolioOptions; about a second, but the same number of steps on any machine.
+/// Checks with the symbolic engine, and also with localization, PDR and BMC if the symbolic engine takes long. `alone`
+/// is the number of steps that the symbolic engine first makes alone (see PortfolioOptions); the default takes about a
+/// second.
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 50'000'000);
 
-/// Checks the implicit properties of a chart without a loop by `decide`. No engine decides if the chart becomes stable;
-/// under stability search, the search of `analyse` adds this. The result is empty after an error.
+/// Checks the implicit properties of a chart without a loop by `decide`. Under stability search, the search of
+/// `analyse` also decides whether the chart becomes stable, because no engine decides this property. The result is
+/// empty after an error.
 std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                   const CheckOptions& options, Diagnostics& diagnostics,
                                   const std::function<std::optional<Report>(const SystemToCheck& check)>& decide);

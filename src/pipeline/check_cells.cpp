@@ -16,7 +16,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the end of a third of the remaining time, with an upper bound, since other engines follow.
+/// Returns the time at which localization must end: after a third of the remaining time, and at most 20 s. The
+/// remaining time is for other engines.
 std::chrono::steady_clock::time_point end_of_cells(std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
     const auto now = std::chrono::steady_clock::now();
@@ -55,7 +56,8 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
         timed.properties.push_back(property.name);
     }
     if (requested.empty()) return {};
-    const auto first_look = [&](const Network& whole, TimedOptions look) {  // other engines search the complete network
+    // A short search, because other engines search the complete network.
+    const auto first_look = [&](const Network& whole, TimedOptions look) {
         look.max_states = std::min(look.max_states, limits.whole);
         return check_timed_by_parts(whole, look);
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks with the embedded engines on circuits, and with external programs in their place.
+// Checks systems with the embedded engines on circuits, or with external programs that replace these engines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string words_of(const SymbolicProgress& now) {
 
 namespace {
 
-/// Converts `result` to a report, which is empty if no property was selected.
+/// Converts `result` to a report. If no property was selected, the report is empty.
 Report reported(PdrResult result, const SystemToCheck& check, SystemReporter::Of of, const std::string& engine,
                 const CheckOptions& options) {
     SystemReporter reporter(check, of, engine, options, result.verdicts);
@@ -56,7 +56,7 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
         pdr.progress = [&options](const PdrProgress& now) {
             options.limits.progress({[&now] { return words_of(now); }});
         };
-    const bool asks = options.properties.empty() || !pdr.properties.empty();  // an empty list would select all
+    const bool asks = options.properties.empty() || !pdr.properties.empty();  // an empty list selects all properties
     const auto of = search.reach ? SystemReporter::Of::Program : SystemReporter::Of::EmbeddedEngine;
     return reported(asks ? check_pdr(check.system, pdr) : PdrResult(), check, of, search.name, options);
 }
@@ -84,7 +84,7 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options, s
         own.limits.progress = {};
         return decided_by_cells(check, own);
     };
-    const bool asks = options.properties.empty() || !all.properties.empty();  // an empty list would select all
+    const bool asks = options.properties.empty() || !all.properties.empty();  // an empty list selects all properties
     PortfolioResult result = asks ? check_together(check.system, all) : PortfolioResult{{}, true};
     const std::string engine = result.alone ? "symbolic" : "auto";
     return reported(std::move(result), check, SystemReporter::Of::EmbeddedEngine, engine, options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks with the embedded timed engine.
+// Checks closed loops with the embedded timed engine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,8 +34,8 @@ namespace grafverif {
 
 namespace {
 
-/// Performs all steps of several searches. Returns, per search, the number of states that the others explored before
-/// its last step. The first search is that of the loop without observers.
+/// Performs all steps of several searches. Returns, for each search, the number of states that all other searches
+/// explored before its last step. The first search concerns the loop without observers.
 std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits& limits) {
     const Deadline& deadline = limits.deadline;
     std::vector<std::uint64_t> earlier(searches.size(), 0);
@@ -62,7 +62,8 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
             return !again;
         });
     };
-    // A search may use the time that other searches leave. Therefore the search with most properties is the last one.
+    // A search can use the time that earlier searches did not use. Therefore the search with the most properties is the
+    // last one.
     std::ranges::reverse(open);
     for (const std::uint64_t states : input_rounds) refine(states);
     while (!open.empty() && !is_over(abstract, limits.stop)) refine(std::ranges::max(input_rounds));
@@ -81,10 +82,11 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     return search.result();
 }
 
-/// Converts the results of the engine to a report. If a run does not replay, it is a failure and is not reported.
+/// Converts the results of the engine to a report. If a run does not replay, adds an internal failure instead of the
+/// run.
 class Reporter {
 public:
-    /// `explains`: also searches for the causes of violations and of unreachable steps.
+    /// If `explains` is true, also searches for the causes of violations and of unreachable steps.
     Reporter(const LoopToCheck& loop, const CheckOptions& options, bool explains = true)
         : explains_(explains),
           loop_(loop),
@@ -123,7 +125,8 @@ public:
     }
 
 private:
-    /// Returns a function that decides properties of a similar network; empty if that may take long.
+    /// Returns a function that decides properties of a similar network. The result is empty if such a check may take
+    /// long.
     PropertyChecker again(const TimedResult& result, const Limits& limits) const {
         if (result.states >= many_states) return {};
         return [this, limits](const Network& network, std::vector<std::string> names) {
@@ -135,7 +138,7 @@ private:
         };
     }
 
-    /// True if the network contains an observer, whose property is not a property of the loop.
+    /// True if the network contains an observer. The property of an observer is not a property of the loop.
     bool is_watched() const {
         return std::ranges::find(network_.processes, Network::ProcessKind::Observer, &Network::Process::kind) !=
                network_.processes.end();
@@ -175,7 +178,7 @@ LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network
 
 namespace {
 
-/// The check of a property with an observer, in the loop with only that observer.
+/// The check of a property that has an observer. The network contains the loop and only this observer.
 class WatchedCheck {
 public:
     WatchedCheck(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options)
@@ -234,7 +237,7 @@ void take(Report&& found, std::uint64_t earlier, Report& report) {
             report.error_traces.push_back(std::move(breakdown));
 }
 
-/// Sorts the results in the order of the loop's properties; all other results follow.
+/// Sorts the results in the order of the loop's properties. Results for other properties follow.
 void put_in_order(const Network& network, std::vector<PropertyResult>& answers) {
     for (PropertyResult& answer : answers) {
         if (!answer.verdict.declared || !answer.verdict.about.valid()) continue;
@@ -261,7 +264,8 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    if (only_watched) {  // the timelock is only a note in this case and does not justify a search of the complete loop
+    // A timelock is then reported only as a note, which does not justify a search of the complete loop.
+    if (only_watched) {
         rest.properties = {"no_timelock"};
         rest.limits.states =
             std::min(rest.limits.states.value_or(LocalizationLimits{}.whole), LocalizationLimits{}.whole);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks with the embedded symbolic engine, and reports on untimed models.
+// Checks systems with the embedded symbolic engine, and creates reports on untimed models.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Detail detail(const CheckOptions& options) { return options.every_move ? Detail:
 }  // namespace
 
 std::string replay_failure(std::string_view what, const Disagreement& disagreement) {
-    return fmt::format("{} fails the replay on the rules of IEC 60848: {}: {} (move {})", what, disagreement.where,
+    return fmt::format("{} fails the replay under the rules of IEC 60848: {}: {} (move {})", what, disagreement.where,
                        disagreement.what, disagreement.move);
 }
 
@@ -152,7 +152,7 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
             options.limits.progress({[&now] { return words_of(now); }});
         };
     SymbolicResult result;
-    if (options.properties.empty() || !symbolic.properties.empty())  // an empty list would select all
+    if (options.properties.empty() || !symbolic.properties.empty())  // an empty list selects all properties
         result =
             options.whole ? check_symbolic(check.system, symbolic) : check_symbolic_by_parts(check.system, symbolic);
     SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "symbolic", options, result.verdicts);
@@ -171,8 +171,8 @@ void query_steps(TransitionSystem& system) {
 
 namespace {
 
-/// Name of an implicit property of a chart under stability search, which `analyse` decides: for all inputs, the
-/// situation becomes stable (code `total-instability`).
+/// Name of an implicit property of a chart under stability search: for all inputs, the situation becomes stable.
+/// `analyse` decides it (code `total-instability`).
 constexpr const char* stabilises = "stabilises";
 
 void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {

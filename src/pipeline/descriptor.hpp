@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// File descriptors with ownership, and pipes, for single runs (process.hpp) of and dialogues (dialogue.hpp) with
-// external programs. The program itself is a Child (child.hpp).
+// Owned file descriptors and pipes. They are used for external programs that run once (process.hpp) or respond line by
+// line (line_process.hpp).
 #pragma once
 
 #include <string>

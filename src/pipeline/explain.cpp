@@ -26,7 +26,7 @@ namespace grafverif {
 
 namespace {
 
-/// Performs another search for properties that are violated at power-on, to determine if they hold `at stable`.
+/// Checks the properties that are violated at power-on again, with `at stable`, and reports whether they then hold.
 void explain_power_on(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
                       Report& report) {
     Network settled = network;
@@ -61,7 +61,7 @@ StopRequested stopped_by(const Limits& limits) {
     };
 }
 
-/// The default effort of a search.
+/// Maximum number of moves or steps of a search for the shortest change.
 constexpr std::size_t most_moves = 5000, most_steps = 20'000;
 
 /// Marks the values that cause the failure, and searches for moves without which the property holds.
@@ -89,7 +89,7 @@ void explain_standstill(const Network& network, const Run& run, PropertyResult& 
         answer.verdict.notes.push_back(std::move(words));
 }
 
-/// Explains a run without a plant, whose inputs are free.
+/// Explains a run of a model without a plant. Its inputs are free.
 void explain_inputs(const TransitionSystem& system, const Property& property, const SystemRun& run,
                     const Limits& limits, PropertyResult& answer) {
     const InputChange change = fewest_input_changes(system, property, run, most_steps, stopped_by(limits));
@@ -113,7 +113,7 @@ void explain_moves(const Network& timed, const TransitionSystem& system, const P
         answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
-/// Explains a violated `no timelock` in discrete time, which is `always possible` a tick.
+/// Explains a violated `no timelock` in discrete time, where this property means that a tick is always possible.
 void explain_time(const SystemToCheck& check, const Property& property, const SystemRun& run, PropertyResult& answer) {
     const std::optional<Network>* const network = check.network ? &check.network() : nullptr;
     if (network == nullptr || !*network) return;
@@ -178,9 +178,11 @@ bool is_about(const TransitionSystem& system, const PropertyResult& answer, Id<T
     return is_reachable(system.exprs, system.properties[answer.verdict.about], step.index);
 }
 
-/// Returns a term that is true while a transition is cleared; the constant false if states do not show this.
+/// Returns a term that is true in the states in which a transition is cleared. If no state stores this value, returns
+/// the constant false.
 Id<Expr> clearing(Network& network, Id<Network::Variable> firing) {
-    // The condition is computed from the state before its edge. Therefore that state shows its parts.
+    // A scratch variable is computed from the state before the edge. The terms of the condition can be evaluated in
+    // that state.
     return network.variables[firing].scratch ? network.exprs.constant(false)
                                              : network.exprs.leaf(Op::Variable, firing.index);
 }
@@ -189,7 +191,8 @@ Id<Expr> clearing(TransitionSystem& system, Id<TransitionSystem::Symbol> firing)
     return system.exprs.leaf(Op::Variable, firing.index);
 }
 
-/// `decide` returns the verdicts on the properties of the model with the given names.
+/// Adds notes about transitions that are never cleared. `decide` returns the verdicts on the properties of the model
+/// that have the given names.
 template <class Model, class Decide>
 void name_dead_transitions(Model model, const std::vector<const Chart*>& charts, const Decide& decide, Report& report) {
     struct Requested {

@@ -16,13 +16,14 @@
 
 namespace grafverif {
 
-/// A violated property and the run that shows this. The run replays.
+/// A violated property and a counterexample, which has been replayed.
 struct Violation {
     std::size_t answer = 0;  ///< index in Report::answers
     Run run = {};
 };
 
-/// Decides the properties of a network with the given names. The result may also contain verdicts on other properties.
+/// A function that decides the properties of a network that have the given names. The result may also contain verdicts
+/// on other properties.
 using PropertyChecker = std::function<std::vector<Verdict>(const Network& network, std::vector<std::string> names)>;
 
 /// Adds explanations to `report`, which concerns `network`. `search` is empty if another search would take long. In
@@ -30,21 +31,21 @@ using PropertyChecker = std::function<std::vector<Verdict>(const Network& networ
 void explain(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
              const Limits& limits, Report& report);
 
-/// Adds explanations to the result for a property of an untimed model that `run` violates.
+/// Adds explanations to `answer`, the result for a property of an untimed model. `run` is its counterexample.
 void explain(const SystemToCheck& check, const SystemRun& run, const Limits& limits, PropertyResult& answer);
 
-/// Returns the deadline of a search that only explains, after a search that took `seconds`: that time plus two seconds,
-/// but at most `deadline`.
+/// Returns the deadline of a search for explanations, after a search that took `seconds`. The deadline is two seconds
+/// plus `seconds` from now, but not after `deadline`.
 Deadline explanation_deadline(const Deadline& deadline, double seconds);
 
 /// Explains each unreachable step of `report`: lists the transitions to it that are never cleared, with a conjunct of
 /// their conditions that is never true. A statement is included only if `search` proves it.
 void explain_dead_steps(const Network& network, const std::vector<const Chart*>& charts, const PropertyChecker& search,
                         Report& report);
-/// Does the same for an untimed model, until `explanation_deadline`.
+/// Explains each unreachable step of an untimed model in the same way, until `explanation_deadline`.
 void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report);
 
-/// If the result that `chart` does not become stable has a trace, adds explanations to it.
+/// Adds explanations to the trace of `answer`, if it has one. `answer` states that `chart` does not become stable.
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, PropertyResult& answer);
 
 }  // namespace grafverif

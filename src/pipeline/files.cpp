@@ -130,7 +130,8 @@ std::string identity_of_existing(const std::string& path) {
 
 namespace {
 
-/// True for a virtual folder of the kernel, such as the folder of processes. Its content changes and may be unbounded.
+/// True for a virtual folder of the kernel, such as the folder of processes. The content of such a folder changes and
+/// may be unbounded.
 bool is_made_up(const fs::path& folder) {
     constexpr std::array made_up = {PROC_SUPER_MAGIC, SYSFS_MAGIC,        DEBUGFS_MAGIC,
                                     TRACEFS_MAGIC,    CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC};

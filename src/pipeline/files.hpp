@@ -28,17 +28,17 @@ std::optional<int> own_descriptor(const std::filesystem::path& path);
 std::optional<std::string> read_descriptor(int descriptor, std::string& why);
 std::optional<std::string> read_stream(std::istream& in, std::string& why);
 
-/// Returns an identity that is equal for all paths to one file, including hard and symbolic links. For a missing file,
-/// it is equal for all paths to one name in one folder. It is empty for files without identity: pipes, devices,
+/// Returns an identity that is equal for all paths to one file, including hard and symbolic links. The identity of a
+/// missing file is equal for all paths to one name in one folder. The identity is empty for pipes, devices and
 /// inaccessible files.
 std::string file_identity(const std::filesystem::path& path);
 /// Returns the identity of an existing file of any type, or an empty string if there is none.
 std::string identity_of_existing(const std::string& path);
 
-/// Finds the files below `folder` whose names end in `ending`, in order. Hidden folders and file systems of the kernel,
-/// such as /proc, are skipped; links to folders are not followed. All calls that share `most` together visit at most
-/// that number of files and folders. If the number is not sufficient, or if `stop` becomes true, `most` is 0
-/// afterwards.
+/// Finds the files below `folder` with names that end in `ending`, and returns them in alphabetical order. Hidden
+/// folders and file systems of the kernel, such as /proc, are skipped; links to folders are not followed. `most` is the
+/// maximum number of files and folders to visit; each visit decrements it. If it is not sufficient, or if `stop`
+/// becomes true, `most` is 0 after the call.
 struct FilesBelow {
     std::vector<std::string> files = {}, folders = {};  ///< the files found, and all visited folders
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derives models: Model to Equations, Network and TransitionSystem. This is the only place that combines the passes
-// which derive models.
+// Derives models: Model to Equations, Network and TransitionSystem. Only this file combines the passes that derive
+// models.
 #include "pipeline/models.hpp"
 
 #include "check/vacuity.hpp"

@@ -20,7 +20,7 @@ namespace grafverif {
 /// `folders` must outlive the context.
 ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy);
 
-/// Same as the public network_of, without the corrections of the method that `options` disable.
+/// Returns the same network as the public network_of, but without the corrections of the method that `options` disable.
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ComposeOptions& options,
                                   Diagnostics& diagnostics);
 
@@ -28,8 +28,8 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const
 TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
                                       std::optional<ExecutionMode> mode);
 
-/// Same as transition_system_of, with the probes that detect vacuous properties. The system is only for checking, not
-/// for output.
+/// Returns the same system as the public transition_system_of for a closed loop, but with probes, which detect vacuous
+/// properties. Use the system only for checking, not for output.
 std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                                    Diagnostics& diagnostics);
 /// Returns `network` with the observers of all its properties and with all probes, for external programs.
@@ -43,7 +43,7 @@ std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
 SystemToCheck system_to_check(const TransitionSystem& system, const Model& model, Id<ClosedLoop> loop,
                               const ModelOptions& how);
 
-/// UPPAAL project of a Network, and its queries: one formula per verdict.
+/// The UPPAAL project of a Network, and its queries. Each query is a formula for one verdict.
 struct UppaalQueries {
     std::string project = {};
     std::vector<ExternalQuery> questions = {};
@@ -53,14 +53,14 @@ UppaalQueries uppaal_queries(const Network& network, Diagnostics& diagnostics);
 /// Returns the network as a C file for LTSmin.
 std::string pins_model(const Network& network);
 
-/// AIGER file of a TransitionSystem, and a JSON map from its names to the charts. Warns about properties that AIGER
-/// cannot express.
+/// The AIGER file of a TransitionSystem, and a JSON map from its names to the charts. aiger_model warns about
+/// properties that AIGER cannot express.
 struct AigerModel {
     std::string text = {}, map = {};
 };
 AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics);
 
-/// Returns a TransitionSystem as BTOR2, with the same warnings.
+/// Returns a TransitionSystem as BTOR2. Warns about properties that BTOR2 cannot express.
 std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics);
 
 /// Returns a TestSequence as Structured Text.

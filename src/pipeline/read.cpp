@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads a text to a Model, with included files and components of the library.
+// Parses a text, the files that it includes, and the components of the library that it uses, and returns a Model.
 #include <sstream>
 #include <utility>
 

@@ -3,7 +3,7 @@
 //
 //   begin            a bounded search of the complete loop, then localization
 //   refine           rounds of input abstraction, with growing bounds on states
-//   search_complete  the complete loop, for what is still open
+//   search_complete  a search of the complete loop for undecided properties
 //
 // Callers interleave the steps of several searches that share a limit.
 #pragma once
@@ -20,31 +20,32 @@
 
 namespace grafverif {
 
-/// The options of the engine for a check of `loop`. `options` must outlive the result.
+/// Returns the options of the engine for a check of `loop`. `options` must outlive the result.
 TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options);
 
-/// Does the same as `check` in pipeline/check.hpp, but does not search for the causes of violations and of unreachable
-/// steps.
+/// Checks a loop in the same way as `check` (pipeline/check.hpp), but does not search for the causes of violations and
+/// of unreachable steps.
 Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options);
 
 class StagedSearch {
 public:
-    /// `observe` builds `network` from the loop by adding the observer of the only property, or it changes nothing.
-    /// Localization does not apply to an observer, which reads the complete loop. All references must outlive the search.
-    /// `timelock`: also decides an undeclared `no timelock`, except in a network with an observer.
+    /// `observe` builds `network` from the loop: it adds the observer of the only property, or it changes nothing.
+    /// Localization does not apply to an observer, which reads the complete loop. All references must outlive the
+    /// search. If `timelock` is true, the search also decides an undeclared `no timelock`, except in a network with an
+    /// observer.
     StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options,
                  bool timelock = true);
 
-    /// Performs the first step.
+    /// Performs the first step: the bounded search and localization.
     void begin(const Deadline& deadline, LocalizationLimits limits = {}, const InputLimits& inputs = {});
 
     /// Performs one round of input abstraction. Returns false if no further round is possible.
     bool refine(std::uint64_t states, const Deadline& deadline) { return inputs_ && inputs_->run(states, deadline); }
 
-    /// True if requested verdicts are open that the last step may decide.
+    /// True if the last step can decide a requested property that is still undecided.
     bool needs_whole();
 
-    /// Searches the complete loop.
+    /// Performs the last step: the search of the complete loop.
     void search_complete(const Deadline& deadline);
 
     std::uint64_t states() { return complete_ ? complete_->found().states : result_.states; }

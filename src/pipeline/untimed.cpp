@@ -22,7 +22,8 @@ bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
     });
 }
 
-/// True if an observer of the property follows the steps of its model, which differ in another model.
+/// True if the property reads an observer. An observer depends on the steps of its model, which differ in another
+/// model.
 bool reads_observer(const TransitionSystem& system, const Property& property) {
     const Table<TransitionSystem::Symbol>& symbols = system.modules[system.main].symbols;
     return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
@@ -34,8 +35,9 @@ bool reads_observer(const TransitionSystem& system, const Property& property) {
     });
 }
 
-/// Without a plant, `leads to` makes a weaker statement: its premise may name an input that a plant never gives in that
-/// state.
+/// True if an outcome of a model without a plant applies to every plant. It does not apply to a `leads to` that holds
+/// and whose premise reads a free variable: with a plant, the premise may be true between two cycles although no cycle
+/// reads this value.
 bool speaks_of_every_plant(const SystemToCheck& check, const Property& property, Outcome outcome) {
     const bool holds = outcome == Outcome::Holds;
     if (is_about_all_states(property.pattern)) return holds;
@@ -96,7 +98,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     case Abstraction::Preservation::ExactInIntegerTime:
         if (!about_states || observed) return "integer time only";
         return holds == (property.pattern == Pattern::Reachable)
-                   // A run shows it, and a run of integer time is also a run of dense time.
+                   // a run is a proof, and every run in integer time is also a run in dense time
                    ? "valid for the timed loop"
                    : "applies to integer time, and to dense time only without strict clock constraints";
     case Abstraction::Preservation::Nowhere: return "no conclusion beyond this model";
@@ -110,7 +112,7 @@ std::vector<std::string> unproven_faults(const TransitionSystem& system, const s
     std::vector<std::string> unproven;
     for (const Id<Property> id : system.properties.ids()) {
         const Property& property = system.properties[id];
-        const bool ours = !property.origin.source.valid();  // true unless the user declares a property with this name
+        const bool ours = !property.origin.source.valid();  // false if the user declares a property with this name
         if (!ours || !(property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range"))) continue;
         const auto verdict = std::ranges::find(verdicts, id, &Verdict::about);
         if (verdict == verdicts.end() || verdict->outcome != Outcome::Holds) unproven.push_back(property.name);

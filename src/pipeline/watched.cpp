@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the names in the charts of those variables that have another name in the network.
+/// Returns the names that variables have in the charts, for variables that have another name in the network.
 std::map<Id<Network::Variable>, std::string> reported_variables(const Network& network) {
     std::map<Id<Network::Variable>, std::string> told;
     for (const Network::Controller& controller : network.controllers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The operands of a property, in the notation of conditions.
+// Returns the operands of a property in the notation of conditions.
 #pragma once
 
 #include <string>

@@ -33,7 +33,7 @@ bool is_of(const Verdict& verdict, const std::string& name) {
 }
 
 /// Returns the outcome of a property: violated if one of its verdicts is, or if a model error occurs before it is
-/// decided; holds if all verdicts hold.
+/// decided; holds if all verdicts hold; otherwise unknown.
 Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name) {
     bool any = false, all = true;
     for (const Verdict& verdict : verdicts) {
@@ -129,17 +129,18 @@ public:
     }
 
 private:
-    /// A change to the model, with the properties that are still open for it.
+    /// A change to the model, with the properties that are still undecided for the changed model.
     struct Trial {
         ModelElement thing = {};
         Names names = {}, open = {};
         std::function<void(Model&)> change = {};
         const Network* original = nullptr;  ///< for a change to the plant: the network of the unchanged model
     };
-    /// The search for the elements of plant and timers on which one property of all states depends.
+    /// The search for the elements of plant and timers on which one property about all states depends.
     struct PartsOf {
         std::size_t ground = 0;
-        Network open = {};                             ///< without the elements that are not needed
+        /// The network without the elements that the property does not need.
+        Network open = {};
         std::vector<Id<Network::Process>> order = {};  ///< undecided
     };
 
@@ -149,7 +150,8 @@ private:
         return over;
     }
 
-    /// The end of the next search: at most eight equal shares of the time of this pass, among the elements that are open.
+    /// Returns the time at which the next search must end. The remaining time of this pass is divided equally among the
+    /// undecided elements; a search may use at most eight shares.
     Deadline next_end() {
         const std::size_t left = units_;
         if (units_ > 0) --units_;
@@ -166,7 +168,7 @@ private:
         for (const PartsOf& parts : parts_) count += parts.order.size();
         return count;
     }
-    /// The number of trials of guards and edges, at most.
+    /// Returns the maximum number of trials for guards and edges.
     std::size_t count_edges() const {
         std::size_t count = 0;
         for_each_edge([&](Id<ClosedLoop::Instance>, Id<Component::Edge>, const ModelElement&) { count += 2; });
@@ -225,7 +227,7 @@ private:
         trials_.push_back({std::move(thing), names, names, std::move(change), original});
     }
 
-    /// Checks the open properties of the model with the change in it.
+    /// Checks the undecided properties of the changed model.
     void leave_out(Trial& trial) {
         if (trial.open.empty() || stopped()) return;
         const Deadline end = next_end();
@@ -244,8 +246,8 @@ private:
         if (!network) return;
         const std::vector<Verdict> found = search(*network, trial.open, end);
         std::erase_if(trial.open, [&](const std::string& name) {
-            // The change may remove an implicit property of the model: if stored actions can no longer race, there is
-            // no property that they do not.
+            // The change may remove an implicit property of the model: if no race of stored actions is possible any
+            // more, the model has no property `no_race`.
             const auto asks = [&](const Property& property) { return property.name == name; };
             const bool gone =
                 std::ranges::none_of(network->properties, asks) && std::ranges::find(timeless, name) == timeless.end();
@@ -307,8 +309,9 @@ private:
         }
     }
 
-    /// A property that holds for any behaviour of an instance also holds for any value of its guards, so that no search
-    /// is necessary. However, if the edge has assignments, a model error may be possible without the guard.
+    /// Adds trials for guards. If a property holds for any behaviour of an instance, it also holds without the guards
+    /// of this instance, so that no search is necessary. However, if an edge has assignments, a model error may be
+    /// possible without its guard.
     void collect_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
@@ -325,8 +328,8 @@ private:
         });
     }
 
-    /// If an edge is not urgent and no invariant forces it, the loop without it has no new behaviour. Therefore a
-    /// property about all states that holds with the edge also holds without it.
+    /// Adds trials for edges. If an edge is not urgent and no invariant forces it, the loop without the edge has no new
+    /// behaviour. Therefore a property about all states that holds with the edge also holds without it.
     void collect_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
@@ -351,7 +354,7 @@ private:
             if (why_.grounds[k].about_states) parts_.push_back({k, network, order_});
     }
 
-    /// True if the search for the property is still open on whether it depends on the instance or timer.
+    /// True if it is still undecided whether the property depends on the instance or timer `part`.
     bool is_undecided(const ProofCore& ground, const std::string& part) const {
         return std::ranges::any_of(parts_, [&](const PartsOf& parts) {
             return why_.grounds[parts.ground].property == ground.property &&
@@ -392,8 +395,9 @@ private:
         return order;
     }
 
-    /// Elements that could not be decided are tried again with the others removed: all together, and in the last pass
-    /// one by one. The next pass tries them with more states.
+    /// Removes each undecided element; an element that is not needed remains removed. Then tries to remove all elements
+    /// that are still undecided together and, in the last pass, once more one by one. Each pass explores more states
+    /// than the previous one.
     void leave_out_parts(PartsOf& parts) {
         ProofCore& ground = why_.grounds[parts.ground];
         for (const bool again : {false, true}) {
@@ -417,8 +421,9 @@ private:
         return true;
     }
 
-    /// Removes as much as possible of a process from `open`. Returns Holds if everything was removed, and Unknown if
-    /// there was no result.
+    /// Removes an instance from `open` or, if the property then fails, only its clocks; for a timer, removes the
+    /// clocks. Returns Holds if the property does not depend on the process, Violated if it does, and Unknown
+    /// otherwise.
     Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground, const Deadline& end) {
         const std::string& name = told_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
@@ -443,7 +448,8 @@ private:
         return whole;
     }
 
-    /// True if the property reads locations of instances.
+    /// True if the property may read locations of instances: in its operands, or because it is checked only in
+    /// quiescent states.
     static bool roams(const Network& network, const Property& property) {
         const auto is_place = [&](Id<Expr> leaf) { return network.exprs[leaf].op == Op::At; };
         return property.at_stable || std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
@@ -459,7 +465,7 @@ private:
     SearchEffort effort_ = {};
     bool is_last_ = false;
     Deadline pass_end_ = {};
-    std::size_t units_ = 0;  // elements that share the time left in this pass
+    std::size_t units_ = 0;  // number of elements that share the remaining time of this pass
     std::vector<Trial> trials_ = {};
     std::vector<PartsOf> parts_ = {};
     std::vector<Id<Network::Process>> order_ = {};

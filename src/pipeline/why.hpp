@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proof cores: the elements on which properties that hold depend. The loop is checked again with each element removed.
+// Proof cores: the elements of a loop on which the proofs of its properties depend. The loop is checked again without
+// each single element.
 #pragma once
 
 #include "grafverif/grafverif.hpp"
@@ -9,8 +10,9 @@
 namespace grafverif {
 
 /// Analyses the properties in `report` that hold and are declared; see ProofExplanation. Each search explores at most
-/// eight times the states of the first one, but at least 100 000, or the number that `options` allow; see
-/// VariantSearch. Elements that are undecided at the deadline or when it is stopped stay open.
+/// the number of states that `options` allow, by default eight times the states of the first search, but at least 100
+/// 000 (see VariantSearch). Elements that are undecided when the analysis is stopped or reaches its deadline remain
+/// undecided.
 ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                               const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});
 

@@ -25,13 +25,13 @@ std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
     return evaluate(exprs, root, [&](const Expr& leaf) { return slots.constant(leaf); });
 }
 
-/// Returns the variable if the term is one; otherwise invalid.
+/// Returns the variable that the term consists of, or an invalid id for any other term.
 Id<Network::Variable> variable_of(const Slots& slots, Id<Expr> root) {
     const Expr& node = slots.network.exprs[root];
     return node.op == Op::Parameter ? slots.variable(node) : Id<Network::Variable>{};
 }
 
-/// A change of a variable by a constant: `X := X + D_X`.
+/// A change of a variable by a constant, such as `X := X + D_X`.
 struct Step {
     Id<Network::Process> process = {};
     std::int64_t length = 0;
@@ -56,18 +56,19 @@ void collect_steps(const Network& network, Id<Network::Process> id, Steps& steps
     }
 }
 
-/// Bounds of a variable that follow from a conjunction.
+/// Bounds of a variable that a conjunction implies.
 struct Bounds {
     Id<Network::Variable> variable = {};
     std::optional<std::int64_t> low = {}, high = {};
 };
 
-/// True for values outside of all ranges. Sums of values for which this is false fit into 64 bits.
+/// True if the absolute value exceeds about 2^41; the range of a variable does not contain such a value. The sum of two
+/// smaller values fits into 64 bits.
 bool is_far(std::int64_t value) { return std::abs(value / 2) > std::int64_t{1} << 40U; }
 
-/// A variable, or a variable in a linear term that is bound to an input: `H`, `H - 2`, `10 - H`.
+/// A variable, or a linear term with one variable that is bound to an input: `H`, `H - 2`, `10 - H`.
 struct Shifted {
-    Id<Network::Variable> variable = {};  ///< invalid for any other term
+    Id<Network::Variable> variable = {};  ///< invalid if the term has another form
     std::int64_t offset = 0;
     bool mirrored = false;
 };
@@ -123,7 +124,7 @@ std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
 }  // namespace
 
 void check_urgent_invariants(const Network& network, Diagnostics& diagnostics) {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> told;  // reported pairs of template and edge
+    std::set<std::pair<std::uint32_t, std::uint32_t>> told;  // pairs of template and edge that are already reported
     for (const Network::Process& process : network.processes) {
         const Network::Template& automaton = network.templates[process.automaton];
         for (const Id<Network::Edge> id : automaton.edges.ids()) {

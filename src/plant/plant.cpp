@@ -22,9 +22,6 @@ namespace grafverif {
 
 namespace {
 
-// Unifies the types of parameters that are bound to several variables. Integer variables are widened to the convex hull
-// of the ranges of all variables that share a parameter, directly or transitively.
-
 using Variable = Network::Variable;
 
 /// Union-find structure, with path halving, of variables that must have the same type.
@@ -43,10 +40,12 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// Widens the integer variables of `network` and sets the types of its Read and Written parameters.
+/// Unifies the types of parameters that are bound to several variables: widens integer variables to the convex hull of
+/// the ranges of all variables that share a parameter, directly or transitively, and sets the types of Read and Written
+/// parameters.
 void unify_ranges(Network& network) {
     Classes classes(network.variables.size());
-    // First variable per template and parameter.
+    // First variable that is bound to each parameter of each template.
     std::vector<std::vector<Id<Variable>>> first(network.templates.size());
     for (const Id<Network::Template> id : network.templates.ids())
         first[id.index].resize(network.templates[id].parameters.size());
@@ -75,10 +74,10 @@ void unify_ranges(Network& network) {
     }
 }
 
-/// Returns the terms that replace the parameters of a component, followed by its variables, in a template. In general
-/// these are parameters. An input that is bound to a term is replaced by this term instead of a parameter, so that the
-/// port is a wire. Its value is exact in every state, including those between the moves of one instant. An automaton
-/// that computes the term would be late.
+/// Returns the terms that replace the parameters of a component, followed by its variables, in a template. In general a
+/// term is a parameter of the template. An input that is bound to a term is replaced by this term, not by a parameter.
+/// Therefore its value is exact in every state, including those between the moves of one instant. If an automaton
+/// computed the term, the value would be delayed.
 std::vector<Id<Expr>> read_as(const ClosedLoop& loop, const Component& component,
                               const std::vector<ClosedLoop::Argument>& arguments, Exprs& to) {
     TermCopier term(loop.exprs, to, [&](const Expr& leaf) {
@@ -194,7 +193,7 @@ Network::Process process_of(const ClosedLoop::Instance& instance, const Componen
     return process;
 }
 
-/// Widens constants to the range of UPPAAL's integers, or to that of their arguments if it is larger.
+/// Widens the types of constants, which have the range of UPPAAL's integers, so that they include all arguments.
 void admit_arguments(Network& network) {
     for (const Network::Process& process : network.processes) {
         Table<Network::Parameter>& list = network.templates[process.automaton].parameters;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// plant: translates components and their arguments to a Network of the plant alone (CEP13 section 4). There is one
-// template per component and one process per instance. Processes communicate only through shared variables.
+// plant: translates components and their arguments to a Network of the plant alone (CEP13 section 4). Each component
+// becomes a template, and each instance becomes a process. Processes communicate only through shared variables.
 //
 // Mapping:
 //   shared variable        Variable at the same index, including the inputs and outputs of controllers; its value at

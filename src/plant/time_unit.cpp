@@ -15,7 +15,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::int64_t many_units = 10'000;
-// UPPAAL's limit for constants that are compared with clocks.
+// Maximum constant that UPPAAL can compare with a clock.
 constexpr std::int64_t most_units = std::int64_t{1} << 30U;
 
 struct Duration {
@@ -28,7 +28,7 @@ void collect(const Exprs& exprs, Id<Expr> root, Span where, std::vector<Duration
     for (const Id<Expr> operand : exprs.operands(root)) collect(exprs, operand, where, found);
 }
 
-/// Collects the durations in the body of a component. Durations of its defaults are arguments.
+/// Collects the durations in the body of a component. The defaults of its parameters are collected as arguments.
 void collect(const Component& component, std::vector<Duration>& found) {
     const auto take = [&](Id<Expr> root, Span where) { collect(component.exprs, root, where, found); };
     for (const Component::Location& location : component.locations)
@@ -75,7 +75,7 @@ std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
     return found;
 }
 
-/// Returns the greatest common divisor of all durations; 0 if there are none.
+/// Returns the greatest common divisor of all durations; 0 if there are no durations.
 std::int64_t common_divisor(const std::vector<Duration>& all) {
     std::int64_t divisor = 0;
     for (const Duration& duration : all) divisor = std::gcd(divisor, duration.milliseconds);

@@ -11,13 +11,13 @@
 
 namespace grafverif {
 
-/// Returns the time unit in milliseconds. It is the unit that the loop declares, of which every duration must be a
-/// multiple, or otherwise the greatest common divisor of all durations; 1 s if there are none. Warns if a duration
-/// exceeds 10,000 units.
+/// Returns the time unit in milliseconds. If the loop declares a unit, every duration must be a multiple of this unit.
+/// Otherwise the unit is the greatest common divisor of all durations, or 1 s if there are no durations. Warns if a
+/// duration exceeds 10,000 units.
 std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
-/// Returns the duration, with all its occurrences, without which the time unit would be coarsest, or nothing if no
-/// duration makes the unit finer. If the loop declares a finer unit than its durations require, the result is that
+/// Returns the duration, with all its occurrences, without which the time unit would be coarsest, or nullopt if no
+/// duration has this effect alone. If the loop declares a finer unit than its durations require, the result is that
 /// unit, with duration 0.
 std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop);
 

@@ -15,8 +15,8 @@ namespace {
 
 using Variable = Network::Variable;
 
-/// Evaluates expressions of one instance at power-on. Constants have their arguments, and variables have the values
-/// assigned so far.
+/// Evaluates expressions of one instance at power-on. The value of a constant is its argument; the value of a variable
+/// is the value assigned so far.
 class PowerOn {
 public:
     PowerOn(const Component& component, const ClosedLoop::Instance& instance, PlantVariables& plant,
@@ -39,7 +39,8 @@ public:
         return result;
     }
 
-    /// Sets the range `low..high` and the initial value, whose default is 0 if it is in the range, otherwise `low`.
+    /// Sets the range `low..high` and the initial value. The default of the initial value is 0 if 0 is in the range,
+    /// otherwise `low`.
     void declare(Variable& variable, std::optional<Id<Expr>> low, std::optional<Id<Expr>> high,
                  std::optional<Id<Expr>> initial, Span where) const {
         if (low && high) {
@@ -132,7 +133,7 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
         const Id<Variable> variable{shared->index};
         const Type bound = plant.variables[variable].type;
         here.declare(plant.variables[variable], parameter.low, parameter.high, parameter.initial, parameter.origin);
-        // The type of the loop is used, because a controller may declare a wider range.
+        // The type is that of the loop, because a controller may declare a wider range.
         plant.variables[variable].type = bound;
         written.push_back(variable);
     }

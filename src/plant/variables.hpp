@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variables of a plant: those that the loop shares, and the internal variables of instances.
+// The variables of a plant: the shared variables of the loop and the internal variables of instances.
 #pragma once
 
 #include <optional>

@@ -15,7 +15,8 @@ std::string_view first_line(std::string_view text) {
     return text.substr(0, std::min(text.find_first_of(line_ends), text.size()));
 }
 
-/// Returns the separator. If the first row contains both separators, it is the comma: column names contain neither.
+/// Returns the separator. If the first row contains both separators, the result is the comma, because column names
+/// contain neither.
 char separator_of(std::string_view line) {
     return line.find(',') == std::string_view::npos && line.find(';') != std::string_view::npos ? ';' : ',';
 }
@@ -67,7 +68,7 @@ CsvField CsvRows::field() {
         made.text += text_[at_];
         if (!at(blanks)) end = at_ + 1;
     }
-    made.text.resize(made.text.find_last_not_of(blanks) + 1);  // correct if only blanks exist, because npos + 1 is 0
+    made.text.resize(made.text.find_last_not_of(blanks) + 1);  // empty if the text is blank, because npos + 1 is 0
     made.where = {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
     return made;
 }

@@ -14,7 +14,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t deepest_expression = 1000;
-// Lower than the limit of 1000 bytes, to leave space for a prefix and a number.
+// This maximum is lower than the limit of 1000 bytes, to leave space for a prefix and a number.
 constexpr std::size_t longest_name = 900;
 
 /// Reserved words, which are not allowed as names (see grammars/grafcet.yy).
@@ -101,7 +101,7 @@ Id<tree::Expr> Draft::copy(Id<tree::Expr> term) {
     tree::Expr node = file_.exprs[term];
     node.first = node.last = node.next = {};
     const Id<tree::Expr> id = file_.exprs.add(node);
-    for (const Id<tree::Expr> one : inner) {  // deepest_expression limits the depth
+    for (const Id<tree::Expr> one : inner) {  // deepest_expression limits the recursion depth
         const Id<tree::Expr> twin = copy(one);
         tree::append(file_.exprs, id, twin);
     }

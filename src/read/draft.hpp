@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draft: builder for the tree of a chart imported from another format. All elements keep their positions in the
-// imported file, so that later stages report errors in it. Names are made legal once. Comments are attached to
-// positions of that file; their lines are determined when the tree is laid out as text.
+// imported file, so that later stages report errors in it. Each name is converted to a legal name once. Comments are
+// attached to positions of that file; their lines are determined when the tree is laid out as text.
 #pragma once
 
 #include <initializer_list>
@@ -29,10 +29,10 @@ public:
     Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
     Id<tree::Expr> variable(std::string_view name, Span where);
     Id<tree::Expr> member(std::string_view owner, std::string_view name, Span where);
-    /// Creates a node; invalid after an error: the term exceeds the maximum depth. `And` and `Or` have any number of
-    /// operands; nested operands with the same operator are flattened.
+    /// Creates a node. The result is invalid after an error: the term exceeds the maximum depth. `And` and `Or` have
+    /// any number of operands; nested operands with the same operator are flattened.
     Id<tree::Expr> node(tree::Op op, const std::vector<Id<tree::Expr>>& operands, Span where);
-    /// Returns a copy of a term. It is needed because an operand belongs to exactly one node.
+    /// Returns a copy of a term. A copy is necessary because an operand belongs to exactly one node.
     Id<tree::Expr> copy(Id<tree::Expr> term);
     const tree::Expr& operator[](Id<tree::Expr> id) const { return file_.exprs[id]; }
     std::vector<Id<tree::Expr>> operands(Id<tree::Expr> id) const;
@@ -41,8 +41,8 @@ public:
     /// is true.
     void comment(Span where, std::string line, bool behind = false);
 
-    /// Reports a construct that cannot be imported. It is an error, or with `lossy` a warning and a comment in the
-    /// text. `hint` is the remedy.
+    /// Reports a construct that cannot be imported. This is an error, or with `lossy` a warning and a comment in the
+    /// text. `hint` states the remedy.
     void refuse(Span where, std::string_view what, std::string_view hint);
     bool lossy() const { return lossy_; }
     Diagnostics& diagnostics() { return *diagnostics_; }
@@ -63,7 +63,7 @@ private:
     std::size_t errors_ = 0;  ///< number of errors before this draft
 };
 
-/// Unique legal names of one scope. A warning is added for each name that must be changed.
+/// Generates unique legal names in one scope. A warning is added for each name that must be changed.
 class LegalNames {
 public:
     enum class Kind { Variable, Label, Chart };

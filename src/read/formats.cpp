@@ -24,7 +24,7 @@ namespace grafverif {
 
 namespace {
 
-// Reads the textual form of Sequential Function Charts (IEC 61131-3, 2.6) to a tree.
+// -- the textual form of Sequential Function Charts (IEC 61131-3, 2.6) --
 
 std::string_view without_marks(std::string_view comment) {
     if (comment.starts_with("//")) return comment.substr(2);
@@ -68,13 +68,14 @@ tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, 
     return draft.take();
 }
 
-/// First words of files in IEC 61131-3 with which a .grafcet file cannot begin.
+/// Words with which files in the languages of IEC 61131-3 can begin, but .grafcet files cannot.
 constexpr std::array first_text = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
                                    "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
 
 constexpr std::array our_first_words = {"grafcet", "component", "closed_loop", "include"};
 
-/// Returns the text without leading white space, comments of both languages and pragmas.
+/// Returns the text without white space, comments (`//`, `/* */`) and pragmas (`{ }`) at its start. A comment `(*` is
+/// kept, because it identifies Structured Text.
 std::string_view without_comments(std::string_view text) {
     for (;;) {
         text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\f\v"), text.size()));

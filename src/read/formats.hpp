@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // formats: reads a file of any supported format to a tree. The format is detected from the content, never from the file
-// name. Therefore every command accepts every format, and a .grafcet file can include any of them.
+// name. Therefore, every command accepts every format, and a .grafcet file can include files of every format.
 //
 // Trees from other formats keep the positions of their file, so that later stages report errors in it. A construct
-// that the language of .grafcet files cannot represent is reported as an error. With `lossy`, it is reported as a
-// warning and becomes a comment in the generated text.
+// that the language of .grafcet files cannot represent is reported as an error. With `lossy`, such a construct is
+// reported as a warning and becomes a comment in the generated text.
 #pragma once
 
 #include <atomic>
@@ -36,7 +36,7 @@ struct ImportOptions {
 tree::File read_any(Id<Source> source, Sources& sources, const ImportOptions& options, Diagnostics& diagnostics);
 
 /// Returns the tree of an imported file in the order of the input language, with its comments between the related
-/// declarations. It is the argument of `format`.
+/// declarations. `format` prints this tree.
 tree::File laid_out(tree::File file);
 
 }  // namespace grafverif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Determines the ranges of integers for which an imported file specifies none. For a variable that is only compared
-// with constants and assigned constants, these values are sufficient. For an input, one value below and one above them
-// are added, because the chart cannot distinguish further values. Any other variable has the complete range of its
-// type.
+// with constants and assigned constants, these values are sufficient. For an input, one smaller value and one larger
+// value are added, because the chart cannot distinguish further values. Any other variable has the complete range of
+// its type.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct OpenInteger {
 
 struct FoundRange {
     std::int64_t low = 0, high = 0;
-    bool exact = false;  ///< true if the chart cannot distinguish other values
+    bool exact = false;  ///< true if the chart cannot distinguish values outside of the range
 };
 
 /// Returns the range of each of `integers`, in order.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Assigns positions to an imported tree in the order of the input language: elements that are printed first have
-// smaller positions. Comments are attached to the element that they describe by its position in the imported file. If
-// the element no longer exists, its comments are placed at the head.
+// smaller positions. A comment is attached to the element that it describes by the position of the element in the
+// imported file. If the element no longer exists, the comment is placed at the head of the file.
 #include <map>
 #include <utility>
 
@@ -84,7 +84,8 @@ private:
                            },
                            [&](tree::Partial& partial) {
                                begin(partial.where, gap);
-                               items(partial.items);  // this is not recursive, because partial charts cannot be nested
+                               // The recursion depth is one, because partial charts cannot be nested.
+                               items(partial.items);
                                end(partial.where);
                            },
                        },

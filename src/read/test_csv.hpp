@@ -2,9 +2,10 @@
 // read/test_csv: reads a table of inputs and expected outputs (CSV, RFC 4180) to a TestSequence of one chart.
 //
 // The first row contains the column names: every input and every output of the chart, and optionally `sequence`
-// (default: one), `step`, `wait`, `cycles` (default: 1) and `situation`, as printed by syntax/print/test_csv. A name of
-// a variable of the chart denotes this variable, unless the row begins like one printed by syntax/print/test_csv. A new
-// value of `sequence` begins a sequence at power-on; `step` 0 is its activation.
+// (default: one), `step`, `wait`, `cycles` (default: 1) and `situation`, as printed by syntax/print/test_csv. If a
+// variable of the chart has the name of such a column, the column belongs to this variable, unless the row begins like
+// a row printed by syntax/print/test_csv. A new value of `sequence` begins a sequence at power-on; `step` 0 is its
+// activation.
 #pragma once
 
 #include <optional>

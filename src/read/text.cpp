@@ -232,7 +232,7 @@ std::optional<Model> model_of(std::span<const tree::File> files, bool files_miss
     ReadState reading{sources, context, diagnostics};
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
-    // If declarations were omitted because of an error, they may define the missing names.
+    // Declarations that were omitted because of an error may define the missing names.
     const bool hidden = std::ranges::any_of(files, &tree::File::lost) || files_missing;
     const LoopContext loops = loop_context(reading);
     if (!hidden)

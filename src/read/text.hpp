@@ -25,33 +25,33 @@ struct LibraryEntry {
 };
 
 struct ReadContext {
-    /// Returns the text of the file at `path`. `written` is the path in the include, relative to the folder of the
-    /// including file or to one of `folders`. The result is empty after an error, with the reason in `why`: not found,
+    /// Returns the text of the file at `path`. The result is empty after an error, with the reason in `why`: not found,
     /// not permitted, too large.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
     std::span<const LibraryEntry> library = {};
-    bool lossy = false;  ///< omit, with a warning, constructs of other formats that a chart cannot represent
-    /// Returns the identity of the file at `path`. It is equal for all paths to one file, and empty if there is no
-    /// file. Without this function, every path is a separate file.
+    bool lossy = false;  ///< omits constructs of other formats that a chart cannot represent, with a warning
+    /// Returns the identity of the file at `path`. The identity is equal for all paths to one file, and empty if there
+    /// is no file. Without this function, every path is a separate file.
     std::function<std::string(const std::string& path)> identity = {};
     /// Folders searched for includes, after the folder of the including file.
     std::span<const std::string> folders = {};
     /// Constants of closed loops set by the user: value by name.
     std::map<std::string, std::string, std::less<>> constants = {};
-    /// Cancellation flag. When it is set, `read_text` soon returns an empty result with arbitrary diagnostics.
+    /// Cancellation flag. After the flag is set, `read_text` soon returns an empty result with arbitrary diagnostics.
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// Returns the file to which an include of `written` in the file `from` refers: the first existing candidate, otherwise
-/// the first candidate.
+/// Returns the file to which an include of `written` in the file `from` refers. The path `written` is relative to the
+/// folder of `from` or to one of `context.folders`: the result is the first candidate that exists, otherwise the first
+/// candidate.
 std::string path_of_include(const std::string& from, const std::string& written, const ReadContext& context);
 
 /// Reads the charts, components and loops of `file` and its includes, in order; empty after at least one error.
 /// Guarantees verify(model).empty().
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics);
 
-/// Builds a model of parsed files, without following includes; also empty if one of them is `broken`. `files_missing`
-/// is true if some files could not be read.
+/// Builds a model from parsed files, without following includes. The result is also empty if a file is `broken`.
+/// `files_missing` is true if some files could not be read.
 std::optional<Model> model_of(std::span<const tree::File> files, bool files_missing, Sources& sources,
                               const ReadContext& context, Diagnostics& diagnostics);
 

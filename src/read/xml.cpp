@@ -39,7 +39,7 @@ std::string_view declared_encoding(std::string_view text) {
 bool decode_xml(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
     std::string& text = sources[source].text;
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        if (text.size() % 2 == 0) text = utf8_of_utf16(text);  // an odd size is reported by is_readable
+        if (text.size() % 2 == 0) text = utf8_of_utf16(text);  // is_readable reports an odd size
         return true;
     }
     const std::size_t mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;

@@ -27,7 +27,7 @@ public:
     pugi::xml_node root() const { return root_; }
     Id<Source> source() const { return source_; }
 
-    /// Returns the span of the name in the start tag of an element; for other nodes, of their text.
+    /// Returns the span of the name in the start tag of an element; for other nodes, the span of their text.
     Span where(pugi::xml_node node) const;
     /// Returns the span of the attribute's value, or where(node) if it is missing.
     Span where(pugi::xml_node node, std::string_view attribute) const;
@@ -37,7 +37,7 @@ public:
     st::Text text(pugi::xml_node node, std::string_view attribute) const;
     /// Returns the value of an xsd:boolean; false if it is missing or after an error.
     bool flag(pugi::xml_node node, std::string_view attribute, Diagnostics& diagnostics) const;
-    /// Returns the characters that text() denotes.
+    /// Returns the characters of text(node).
     std::string content(pugi::xml_node node) const;
 
 private:

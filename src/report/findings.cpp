@@ -58,13 +58,13 @@ std::string subjects_text(const std::vector<std::string>& subjects) {
     return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
 }
 
-/// Prints the open queries, one line for each code and each number of searched instants.
+/// Prints the undecided checks, one line for each code and each number of explored instants.
 void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
     out << fmt::format("inconclusive: {} of {} checks; {}\n", analysis.open.size(), analysis.questions,
                        analysis.obstacle);
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines;
-    std::set<std::pair<const void*, std::string_view>> told;  // several queries may have one subject
+    std::set<std::pair<const void*, std::string_view>> told;  // several undecided checks may have the same subject
     for (const OpenQuestion& question : analysis.open) {
         std::vector<std::string>& subjects = lines[{question.code, open_text(question)}];
         if (!question.subject.empty() && told.emplace(&subjects, question.subject).second)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Writes an analysis as text and as JSON; for SARIF see report/sarif.hpp.
+// Writes the results of `analyse` as text and as JSON; for SARIF see report/sarif.hpp.
 //
-// The text contains each finding as a diagnostic at its position, followed by the run that shows it. Accepted findings
-// have one line each. The open queries follow, with the number of searched instants.
+// The text contains each finding as a diagnostic at its position, followed by a run as evidence. Accepted findings have
+// one line each. The text ends with the undecided checks and the number of explored instants.
 //
 // JSON: missing values are null; a trace is as in report/json.hpp. Findings about absorbing regions also have `lost`.
 //
@@ -25,7 +25,7 @@ namespace grafverif {
 void print_findings(const Analysis& analysis, const Sources& sources, Colour colour, std::ostream& out);
 void print_findings_json(const Analysis& analysis, const Sources& sources, std::ostream& out);
 
-/// Returns the extent of the search for an open query, such as `none in the first 9 instants`.
+/// Returns the extent of the search for an undecided check, such as `none in the first 9 instants`.
 std::string open_text(const OpenQuestion& question);
 
 /// Returns the inputs of a run, change by change, such as `START at 0 s; !START, V_IN at 5 s`.

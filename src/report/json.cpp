@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns a number if it fits into 64 bits, otherwise its digits as text: JSON has no limit, but its readers do.
+/// Returns a JSON number if the value fits into 64 bits, otherwise a string with its digits, because many JSON parsers
+/// do not support larger numbers.
 Json number(const std::string& decimal) {
     if (decimal.empty()) return nullptr;
     std::uint64_t value = 0;

@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// Sets the source positions.
+/// Sets the source positions of the components and clocks.
 void name_places(StateProfile& profile, const Sources& sources);
 
 /// Prints one line per component and clock in the order of decreasing factor, followed by remarks about the states.

@@ -17,12 +17,13 @@ namespace grafverif {
 
 /// Returns the assumptions for the controllers and the granularity of `network`.
 CheckSettings settings_of(const Network& network, std::string engine);
-/// Returns the assumptions of an untimed check. It has no granularity unless the caller sets one.
+/// Returns the assumptions of an untimed check. Their granularity is empty unless the caller sets it.
 CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed);
 
-/// Returns `verdict` with the text of its property. Its run is converted to a trace and removed from the verdict.
+/// Returns `verdict` with the text of its property. The run of the verdict is converted to a trace and removed from the
+/// verdict.
 PropertyResult result_of(const Network& network, Verdict verdict, Detail detail);
-/// Returns the result of an untimed check; `run` shows the verdict.
+/// Returns the result of an untimed check; `run` is the counterexample or witness.
 PropertyResult result_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run,
                          Detail detail);
 ModelErrorTrace error_trace_of(const TransitionSystem& system, const SystemFault& fault, Detail detail);
@@ -39,8 +40,8 @@ struct Tally {
 };
 Tally tally(const Report& report);
 
-/// True if the report has a verdict on the property, or on a part of it (`S.X7`). False if its model omits the
-/// property.
+/// True if the report has a verdict on the property or on one of its steps (`S.X7`). The result is false if the model
+/// of the report omits the property.
 bool has_result(const Report& report, const Property& property);
 
 }  // namespace grafverif

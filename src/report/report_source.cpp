@@ -19,7 +19,9 @@ Id<Chart> chart_of(const ReportSource& written, Id<ChartRun::Controller> control
     return controller.index < controllers.size() ? controllers[{controller.index}].chart : Id<Chart>();
 }
 
-/// Returns the element of the chart's table at index `id` in the list of its controller.
+/// Returns the position of the element of the chart that corresponds to `id`, an element of its controller in the run.
+/// `list` has the elements of the controller, and `entities` those of the chart, in the same order. Returns null if
+/// there is none.
 template <class T, class Entities>
 const Span* origin_in(const std::vector<Id<T>>& list, Id<T> id, const Entities& entities) {
     const auto found = std::ranges::find(list, id);
@@ -36,7 +38,8 @@ const Span* origin_of(const ReportSource& written, const ChartRun& run, Id<Chart
     return nullptr;
 }
 
-/// Returns the position of a step of the situation; if the row has a controller, a step of this controller.
+/// Returns the position of an active step after the row. If the row belongs to a controller, the step is a step of this
+/// controller.
 const Span* origin_of_situation(const ReportSource& written, const ChartRun& run, const ChartRun::Row& row) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
         const Id<Chart> chart = chart_of(written, id);

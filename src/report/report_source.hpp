@@ -25,7 +25,7 @@ Span origin(const ReportSource& written);
 /// the position of the loop.
 Span origin(const ReportSource& written, const Verdict& verdict);
 /// Returns the position of the element that causes row `index` of a run: the cleared transition, the moving instance or
-/// the active step. For a delay, it is that of the previous row.
+/// the active step. For a delay, it is the position of the previous row.
 Span origin(const ReportSource& written, const ChartRun& run, std::size_t index);
 
 /// File, line and column (in bytes) of a span in a file.

@@ -54,7 +54,7 @@ Json location(Span where, const Sources& sources) {
 
 Json text_json(std::string_view text) { return Json{{"text", text}}; }
 
-/// Returns the index of the rule in the log, to which it is added if it is missing.
+/// Returns the index of the rule in the log. If the log does not contain the rule, adds it.
 std::size_t rule_index(SarifLog& log, std::string_view id, std::string_view meaning, std::string_view level) {
     for (std::size_t index = 0; index < log.rules.size(); ++index)
         if (log.rules[index]["id"] == id) return index;
@@ -119,7 +119,7 @@ Json code_flow(const ChartRun& run, std::string_view end, const ReportSource& wr
     return {{"threadFlows", {{{"locations", std::move(locations)}}}}};
 }
 
-/// Returns a result. `kind` is `fail`, or `open` for an undecided and `review` for a vacuous property, which have no
+/// Returns a result. `kind` is `fail`, `open` (undecided property) or `review` (vacuous property). Only `fail` has a
 /// level.
 Json result(std::string_view rule, std::size_t index, std::string_view kind, std::string_view message, Span where,
             const ReportSource& written) {
@@ -161,7 +161,8 @@ void add_result(const Report& report, const PropertyResult& answer, const Report
         object["codeFlows"] = {code_flow(*answer.trace, end_of(verdict), written)};
     log.results.push_back(std::move(object));
     if (!open) return;
-    log.successful = log.successful && !verdict.declared;  // the same rule applies to the exit code
+    // As for the exit code, an undecided property counts only if it is declared.
+    log.successful = log.successful && !verdict.declared;
     log.notifications.push_back(
         {{"level", "warning"}, {"message", text_json("unknown: " + message)}, {"associatedRule", {{"id", rule}}}});
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Writes SARIF 2.1.0 (OASIS). The results of one invocation, for one or several files, are one run of one tool.
+// Writes SARIF 2.1.0 (OASIS). The log has one run of one tool, which contains the results of an invocation for all its
+// files.
 //
 // A rule is a type of finding, a type of unexpected verdict, or the code of an error. A result is an occurrence of a
-// rule with its position. The run of an unexpected verdict is a code flow. It has one location per row of its table, at
-// the element of the chart or loop that causes the row. An undecided property is a result of kind `open` and a
-// notification. Expected verdicts are omitted. File names are those used on the command line.
+// rule with its position. The run of an unexpected verdict is a code flow. A code flow has one location per row of the
+// trace: the element of the chart or loop that causes the row. An undecided property is a result of kind `open` and a
+// notification. Expected verdicts are omitted. File names are written as on the command line.
 #pragma once
 
 #include <iosfwd>
@@ -23,7 +24,7 @@ namespace grafverif {
 struct SarifLog {
     using Json = nlohmann::ordered_json;
     Json rules = Json::array(), results = Json::array(), notifications = Json::array();
-    bool successful = true;  ///< true if every property is decided, without internal failures
+    bool successful = true;  ///< true if there are no errors, and every declared property and check is decided
 };
 
 void add_findings(const Analysis& analysis, const Sources& sources, SarifLog& log);

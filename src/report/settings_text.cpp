@@ -66,8 +66,8 @@ std::string common_text(const CheckSettings& settings) {
     return fmt::format("{}, untimed: {}; {}{}{}", settings.engine, settings.untimed, settings.mode, grain, constants);
 }
 
-/// The additional parts of a verdict: states, subsystems, implication for the timed loop, input abstraction. Each may
-/// be empty.
+/// The additional parts of a verdict: states, subsystems, implication for the timed loop, input abstraction. Each part
+/// may be empty.
 using Parts = std::array<std::string, 4>;
 Parts parts_of(const PropertyResult& answer) {
     const Verdict& verdict = answer.verdict;
@@ -75,8 +75,8 @@ Parts parts_of(const PropertyResult& answer) {
             abstraction_text(answer)};
 }
 
-/// Returns, for each part, the common text; empty if texts differ. Undecided properties that were not searched are
-/// ignored.
+/// Returns, for each part, the text that all results have in common; empty if the texts differ. Undecided properties
+/// for which no search was started are ignored.
 std::array<std::optional<std::string>, 4> agreed(const std::vector<const PropertyResult*>& answers) {
     std::array<std::set<std::string>, 4> values;
     for (const PropertyResult* answer : answers) {
@@ -100,7 +100,7 @@ std::string settings_text(const Report& report, const PropertyResult& answer) {
 
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers) {
     SharedSettings settings{common_text(report.settings), {}};
-    std::map<std::string, std::size_t> known;  // index of the group with each text
+    std::map<std::string, std::size_t> known;  // index of the group, by text
     const auto same = agreed(answers);
     for (const auto& part : same) append(settings.shared, part.value_or(""), "; ");
     for (const PropertyResult* answer : answers) {

@@ -15,8 +15,8 @@ namespace grafverif {
 /// implication for the timed loop.
 std::string settings_text(const Report& report, const PropertyResult& answer);
 
-/// The assumptions of several verdicts. `shared` and the `words` of its group apply to each verdict, except that the
-/// search for an undecided verdict may have ended before its first state.
+/// The assumptions of several verdicts. Each verdict has the assumptions in `shared` and in `words` of its group. The
+/// number of states does not apply to an undecided verdict whose search found no state.
 struct SharedSettings {
     struct Group {
         std::string words = {};
@@ -27,7 +27,7 @@ struct SharedSettings {
 };
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers);
 
-/// Returns the name of the property of which this is one step (`S` for `S.X7`); empty if it is not a step.
+/// Returns `S` if the result is for one step of the property `S` (`S.X7`); otherwise an empty string.
 std::string family_of(const PropertyResult& answer);
 
 /// Number of verdicts of a report for each result of family_of.

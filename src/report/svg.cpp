@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The layout consists of the title, strips of columns one below the other, and the foot. A strip consists of a header
-// with slanted labels, the numbers of events and the times, and the rows in groups. All lengths are in pixels; a
-// character is assumed to be `character` wide.
+// From top to bottom, the layout consists of the title, the strips of columns, and the foot. A strip consists of a
+// header with slanted labels, the numbers of events and the times, and the rows in groups. All lengths are in pixels.
+// The assumed width of a character is `character`.
 #include "report/svg.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-/// The drawn part of the run. There is one column for the state after each row.
+/// The states to draw, one column for each: the states after the rows in the selected range.
 using Columns = std::vector<const ChartRun::State*>;
 
 Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {

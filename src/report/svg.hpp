@@ -2,8 +2,8 @@
 // Writes a trace as a timing diagram with one column per event, so that events within one instant are visible. Events
 // are numbered like `steps` in JSON. A time label is printed where time advances, and the event is printed above each
 // column. Long traces are divided into strips, each with the names of its rows. There is one row per input, output,
-// internal variable, variable of the plant, and step of the charts. Those that are constantly 0 are listed at the foot.
-// The part that repeats forever has a shaded background.
+// internal variable, variable of the plant, and step of the charts. Rows that would be constantly 0 are listed at the
+// foot instead. The part that repeats forever has a shaded background.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@
 
 namespace grafverif {
 
-/// Range of the drawn events. Missing events are ignored; a range beyond the end selects the last event.
+/// Range of the events to draw. Event numbers beyond the end of the run are ignored; if the complete range is beyond
+/// the end, the last event is drawn.
 struct EventRange {
     std::size_t from = 0, to = std::numeric_limits<std::size_t>::max();
 };

@@ -44,7 +44,8 @@ void print_cells(const Cells& cells, const std::string& bar, const TableWidths& 
     }
 }
 
-/// Returns the widths of the columns: as wide as the contents; the widest columns are reduced until all fit.
+/// Returns the widths of the columns. Each column is as wide as its contents, but the widest columns are reduced until
+/// the table fits into a line.
 TableWidths fitting(const ChartRun& run) {
     TableWidths widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
@@ -56,7 +57,7 @@ TableWidths fitting(const ChartRun& run) {
     for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > room;) {
         const auto widest = std::ranges::max_element(widths);
         const auto rest = sum - *widest;
-        // Reduces them to the width of the next widest column, or as far as necessary.
+        // Reduces the widest column to the width of the second widest column, or by less if this is sufficient.
         std::size_t next = least_width;
         for (auto width = widths.begin(); width != widths.end(); ++width)
             if (width != widest) next = std::max(next, *width);
@@ -98,7 +99,7 @@ bool repeats(const Line& line, const Line& later, std::int64_t delay_ms) {
            line.in_loop == later.in_loop && !line.marked && !later.marked;
 }
 
-/// Lines that are repeated: `period` lines, `copies` times in total.
+/// A sequence of `period` lines that occurs `copies` times in succession.
 struct Repetition {
     std::size_t period = 1, copies = 1;
 };

@@ -4,8 +4,8 @@
 // A trace is a table with these columns: time; event; the inputs that changed (`V_IN`, `!V_IN`, `LEVEL = 3`; at
 // power-on all nonzero inputs); the cleared transitions, with `;` between evolutions; situation; outputs. Situation and
 // outputs are printed if they changed, and in the first and the last row. Time is printed when it advances. Rows that
-// repeat forever are marked with a bar, and rows in which a cause begins with a star. The causes, and the shortest
-// change, are printed below.
+// repeat forever are marked with a bar, and rows in which a cause begins with a star. The causes and the shortest
+// change are printed below the table.
 #pragma once
 
 #include <array>
@@ -21,18 +21,19 @@
 namespace grafverif {
 
 struct TextOptions {
-    bool verbose = false;  ///< also print witnesses of `reachable`, and the time that was used
-    /// Print only unexpected violations and undecided properties; nothing if there are none.
+    bool verbose = false;  ///< also print witnesses of `reachable`, and the time of the check
+    /// Print only unexpected violations and undecided properties. If there are none, print nothing.
     bool failures_only = false;
     Colour colour = Colour::Plain;
     std::size_t columns = 0;  ///< columns of the terminal, which limit the width of the final table; 0 means unlimited
 };
 
-/// Returns the error at the end of a finite counterexample, or an empty string if its last state shows the violation.
+/// Returns text about the end of a finite counterexample, such as `from here, no edge can be taken`, or an empty string
+/// if the last state violates the property.
 std::string_view end_of(const Verdict& verdict);
 
 /// Prints the assumptions of the verdicts, violated and unknown properties with details, a table of all verdicts, and
-/// their number. The reached steps of `reachable all steps` share one row.
+/// the number of verdicts. The reached steps of `reachable all steps` share one row.
 void print_report(const Report& report, const TextOptions& options, std::ostream& out);
 
 /// The maximum width of a line of text, in columns.
@@ -43,7 +44,7 @@ void print_trace(const ChartRun& run, std::ostream& out);
 
 /// Widths of the columns time, event, inputs, cleared transitions, situation, outputs.
 using TableWidths = std::array<std::size_t, 6>;
-/// Widths for a table whose rows are not known yet.
+/// Widths for a table that is printed before all its rows are known.
 inline constexpr TableWidths usual_widths = {8, 30, 16, 10, 12, 12};
 void print_header(const TableWidths& widths, std::ostream& out);
 /// Prints row `index` of the run. If `complete`, situation and outputs are printed even if they have not changed.

@@ -26,12 +26,12 @@ bool fails(const PropertyResult& answer) {
     return verdict.outcome == Outcome::Unknown ? verdict.declared : !as_expected(verdict);
 }
 
-/// Returns the remark on a property that neither the model nor the command requests.
+/// Returns the remark on a property that is not declared in the model, or not selected by the command.
 const char* undeclared(const Verdict& verdict) { return verdict.about.valid() ? " (not selected)" : " (not declared)"; }
 
 using Answers = std::vector<const PropertyResult*>;
 
-/// Texts that several verdicts share, in the order of their first use: reasons and notes.
+/// A reason or note, and the verdicts that have this text.
 struct Shared {
     std::string text = {};
     Answers answers = {};
@@ -114,14 +114,14 @@ private:
         return answer.verdict.outcome == Outcome::Holds && as_expected(answer.verdict);
     }
 
-    /// True if only the reason for being undecided is known.
+    /// True if the property is undecided and its reason is the only information about it.
     static bool is_reason_only(const PropertyResult& answer) {
         const Verdict& verdict = answer.verdict;
         return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
-    /// True if the note is printed here: notes of properties that hold, and shared notes. Others are printed after
-    /// their verdict.
+    /// True if the note is printed before the verdicts. These are notes of properties that hold, and notes of several
+    /// properties. Other notes are printed after their verdict.
     bool is_reported_above(const Shared& note) const {
         return note.answers.size() > 1 || in_table_only(*note.answers.front());
     }
@@ -192,7 +192,7 @@ private:
         out_ << '\n';
     }
 
-    /// Returns the rows. The reached steps of one property are one row.
+    /// Returns the rows of the table. All reached steps of one property share one row.
     std::vector<Row> rows() const {
         std::vector<Row> rows;
         std::set<std::string> families;

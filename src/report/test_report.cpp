@@ -105,7 +105,7 @@ std::vector<std::string> verify(const TestReport& report) {
         for (std::size_t row = 0; row < report.verdicts[k].size(); ++row) {
             const bool told = failure != report.failures.end() && failure->sequence == k && failure->row == row;
             if (told != (report.verdicts[k][row] == StepVerdict::Failed))
-                faults.push_back("a failure without a failed verdict");
+                faults.push_back("the failures differ from the failed verdicts");
             if (told) ++failure;
         }
     }

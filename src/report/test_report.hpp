@@ -21,8 +21,8 @@ struct TestReport {
         Different,      ///< an output differs from the expected one
         NotUnderstood,  ///< the response is not a valid line of outputs
         Silent,         ///< there was no response within the time limit
-        Ended,          ///< the response has more than one line, or its line is too long
-        Flood,          ///< more than one line, or one without end
+        Ended,          ///< the controller ended, or closed its output, before it responded
+        Flood,          ///< the response has more than one line, or its line is too long
     };
     struct Failure {
         std::size_t sequence = 0;  ///< index in TestSequence::sequences
@@ -30,7 +30,7 @@ struct TestReport {
         std::uint32_t scan = 1;    ///< number of the first failed scan of the row, starting at 1
         Cause cause = Cause::Different;
         std::vector<std::int64_t> answered = {};  ///< value of each output; only for Different
-        std::string message = {};                 ///< details; empty for Different
+        std::string message = {};                 ///< details of the cause; empty for Different
         bool operator==(const Failure&) const = default;
     };
 
@@ -43,7 +43,7 @@ struct TestReport {
     bool operator==(const TestReport&) const = default;
 };
 
-/// Returns the activation, if there is one, and the steps.
+/// Returns the rows of a sequence: its activation, if it has one, and its steps.
 std::vector<const TestSequence::Step*> rows_of(const TestSequence::Sequence& sequence);
 /// Returns a name such as `step 2` or `sequence 3, step 2`; an activation is step 0.
 std::string row_name(const TestSequence& test, std::size_t sequence, std::size_t row);
@@ -60,10 +60,10 @@ std::vector<std::string> verify(const TestReport& report);
 /// printed.
 void print_text(const TestReport& report, bool failures_only, std::ostream& out);
 
-/// Prints `{"chart", "mode", "controller", "verdict":"passed|failed|unknown", "passed", "failed", "not_run", "seconds",
+/// Prints the report as JSON. Missing values, and `failure` of rows that have not failed, are null. The document is
+/// `{"chart", "mode", "controller", "verdict":"passed|failed|unknown", "passed", "failed", "not_run", "seconds",
 /// "steps":[{"sequence", "step", "verdict":"passed|failed|not run", "cycles", "wait_ms", "inputs":{}, "expected":{},
-/// "situation", "failure":{"cause", "scan", "answered":{}, "message"}}]}`. Missing values, and `failure` of other rows,
-/// are null.
+/// "situation", "failure":{"cause", "scan", "answered":{}, "message"}}]}`.
 void print_json(const TestReport& report, std::ostream& out);
 
 /// Returns a test case per row: passed, failed, or skipped if it was not run.

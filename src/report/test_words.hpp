@@ -12,7 +12,7 @@ namespace grafverif {
 /// Returns `stability-search` or `every-cycle`.
 std::string_view mode_word(ExecutionMode mode);
 
-/// Returns a cause such as `V1 and W1 differ` or `no answer in time`.
+/// Returns a cause such as `differs in V1, W1` or `no response within 5s`.
 std::string cause_text(const TestReport& report, const TestReport::Failure& failure);
 
 /// Returns inputs, expected and actual outputs by name, and the expected situation. Lines end with a line feed.

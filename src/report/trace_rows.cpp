@@ -111,7 +111,8 @@ void TraceRowBuilder::add_event(std::size_t moment) {
             moment);
 }
 
-/// The sampling of a cycle has a separate row if a sampled input changes before the evolution that reads it.
+/// Adds a row for the sampling of each controller that has sampled an input which changes before the evolution that
+/// reads it.
 void TraceRowBuilder::add_sampling_row(std::size_t moment) {
     const std::vector<std::int64_t>& before = run_.moments[moment - 1].after.values;
     const std::vector<std::int64_t>& after = run_.moments[moment].after.values;
@@ -163,7 +164,7 @@ void TraceRowBuilder::add_act_rows(std::size_t moment, const Act& act) {
     if (act.writes == Act::Writes::Yes || !run_.searches) close(index, moment);
 }
 
-/// In a run that counts steps, each evolution is a phase.
+/// Adds a row for an evolution in a run that counts steps. In such a run, each evolution is a phase.
 void TraceRowBuilder::report_phase(std::size_t moment, const Act& act) {
     const OpenRow open = std::exchange(open_[act.controller.index], {});
     const bool internal = open.fired.empty() && !open.changed;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Trace rows: groups the events of a ChartRun into the rows of a printed trace.
 //
-//   event of an instance     own row: the location reached, changed plant variables
 //   event of an instance     separate row: the location reached, changed plant variables
 //   timer expiry             separate row; other timer events are internal
+//   actions of a controller  one row per stability search that clears a transition or changes an output; other actions
 //                            are internal. In a run that counts steps: one row per evolution
 //   consecutive delays       one row
+//
 // If the plant moves during a PLC cycle, the cycle is split into two rows. If the plant then changes a relevant sampled
 // input, the sampling is a separate row.
 #pragma once
@@ -20,13 +21,13 @@
 
 namespace grafverif {
 
-/// Everything also includes the internal events of the translation, each in a row that is marked as internal.
+/// `Everything` also includes the internal events of the translation, each in a row that is marked as internal.
 enum class Detail { Chart, Everything };
 
 /// Builds the rows of a run while it is executed.
 class TraceRowBuilder {
 public:
-    /// `run` must outlive the object and have no rows yet.
+    /// Requires a run without rows. `run` must outlive the object.
     TraceRowBuilder(ChartRun& run, Detail detail)
         : run_(run), detail_(detail), open_(run.controllers.size()), sampled_(run.controllers.size()) {}
 
@@ -34,7 +35,7 @@ public:
     void catch_up();
     /// Adds rows for new events, and completes open rows.
     void flush();
-    /// Ends the run. A loop without rows gets one row.
+    /// Completes the rows at the end of the run. Adds a row to a loop that has none.
     void finish();
 
 private:
@@ -64,7 +65,7 @@ private:
     /// For each controller: true if it has sampled inputs on which transitions to be cleared depend.
     std::vector<bool> sampled_;
     std::size_t next_ = 0;                   ///< index of the next event
-    std::optional<std::size_t> delay_ = {};  ///< the last event of a delay that does not have a row yet
+    std::optional<std::size_t> delay_ = {};  ///< the last event of a delay for which no row has been added yet
     std::int64_t delay_ms_ = 0;
 };
 

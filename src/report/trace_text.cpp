@@ -40,7 +40,7 @@ std::string choice_text(const Network& network, const NetworkState& state, const
 
 namespace {
 
-/// Returns a time condition such as `3s/X2`; for a longer term only the duration.
+/// Returns a time condition such as `3s/X2`; only the duration if the observed term has no name.
 std::string timer_condition(const ChartRun::Timer& timer, bool value = true) {
     if (timer.watched.empty()) return duration_text(value && timer.rise_ms > 0 ? timer.rise_ms : timer.fall_ms);
     return time_text(timer.rise_ms, timer.watched, timer.fall_ms);
@@ -50,7 +50,8 @@ std::string step_text(const ChartRun::Step& step) {
     return (step.controller.empty() ? "" : step.controller + ".") + step.name.variable();
 }
 
-/// Returns the time condition as in properties: the step name is qualified by its controller if there are several.
+/// Returns the time condition in the notation of properties: if there are several controllers, the step name is
+/// qualified by its controller.
 std::string timer_in_loop(const ChartRun& run, Id<ChartRun::Timer> id) {
     ChartRun::Timer timer = run.timers[id];
     for (const ChartRun::Controller& controller : run.controllers)

@@ -12,25 +12,24 @@ namespace grafverif {
 /// changed inputs of controllers are included.
 std::string instance_text(const ChartRun& run, std::size_t moment, bool inputs = false);
 
-/// Returns text such as `3s/X2 is true` or `a/2s is false` for a timer one of whose delays has expired and whose output
-/// is now `value`.
+/// Returns text such as `3s/X2 is true` or `a/2s is false` for an expired timer. `value` is its new output.
 std::string timer_text(const ChartRun::Timer& timer, bool value);
 
-/// Returns `X`, `!X` or `N = 3`.
+/// Returns the value of a signal: `X`, `!X` or `N = 3`.
 std::string value_text(const ChartRun::Signal& signal, std::int64_t value);
 
-/// Returns `X`, `!X` or `N 3 -> 4`.
+/// Returns the change of a signal: `X`, `!X` or `N 3 -> 4`.
 std::string change_text(const ChartRun::Signal& signal, std::int64_t before, std::int64_t after);
 
 /// Returns a cause in the notation of terms: `X2`, `!a`, `N = 3`, `H_Act.going_out`, `!3s/X2`.
 std::string cause_text(const ChartRun& run, const ChartRun::Cause& cause);
 
-/// Returns all causes of a run in one line: `at 13 s: X2, !a; from 14 s on: !L`. Above a limit, only the number of
-/// further causes is given. Empty if there are none.
+/// Returns all causes of a run in one line: `at 13 s: X2, !a; from 14 s on: !L`. If there are many causes, the text
+/// contains the first ones and the number of the others. If there are none, it is empty.
 std::string causes_text(const ChartRun& run);
 
-/// Returns the shortest change: `without Start (START) at 1 s the property holds along the run`. Empty if there is
-/// none.
+/// Returns the shortest change: `without Start (START) at 1 s the property holds along the run`. Returns an empty
+/// string if none was found.
 std::string counterfactual_text(const ChartRun& run);
 /// Returns the new value of a signal, such as `START`, `!a`, `N = 3`, or the expired timer, such as `3s/X2`.
 std::string counterfactual_text(const ChartRun& run, const ChartRun::Counterfactual& left_out);

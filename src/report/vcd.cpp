@@ -64,7 +64,7 @@ public:
             time = std::max(time + 1, run_.after(run_.rows[i]).time_ms * 1000);
             changes(i, time);
         }
-        out_ << fmt::format("#{}\n", time + 1000);  // makes the last step visible for some time
+        out_ << fmt::format("#{}\n", time + 1000);  // shows the last step for one millisecond
     }
 
 private:

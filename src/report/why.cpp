@@ -26,7 +26,7 @@ constexpr std::array kinds = {ProofExplanation::Kind::Transition, ProofExplanati
                               ProofExplanation::Kind::Term, ProofExplanation::Kind::Guard,
                               ProofExplanation::Kind::Edge};
 
-/// Maximum number of open queries of one type that are listed; for more queries, only their number is given.
+/// Maximum number of undecided elements of one type that are listed by name.
 constexpr std::size_t most_open = 3;
 
 std::string listed(const Names& names, std::string_view last = ", ", std::string_view between = ", ") {
@@ -46,7 +46,8 @@ std::string nth_of(const ProofExplanation::ModelElement& thing) {
     return thing.nth > 1 ? fmt::format(" ({})", thing.nth) : "";
 }
 
-/// Returns the name in a list of its type. Elements of an instance follow the name of the instance (see by_instance).
+/// Returns the name of an element in a list of elements of its type. In such a list, the elements of an instance are
+/// printed after the name of the instance (see by_instance).
 std::string name_of(const ProofExplanation::ModelElement& thing) {
     if (thing.kind == ProofExplanation::Kind::Term)
         return fmt::format("`{}`{} of {}", thing.name, nth_of(thing), thing.of);
@@ -91,7 +92,7 @@ std::string without(ProofExplanation::Kind kind, const Names& names) {
     return {};
 }
 
-/// The elements of charts that a property needs.
+/// The elements of charts that the proof of a property needs, and the undecided elements.
 struct OfCharts {
     Names fails = {};  ///< names of elements without which the property fails, by type
     Names open = {};
@@ -148,7 +149,8 @@ std::string plural(ProofExplanation::Kind kind) {
 bool is_needed(const ProofExplanation::ModelElement& thing) { return !thing.needed_by.empty(); }
 bool is_free(const ProofExplanation::ModelElement& thing) { return thing.needed_by.empty() && thing.open.empty(); }
 
-/// Returns the number of elements of the type that some property needs, and the elements that none needs.
+/// Returns the number of elements of a type that at least one property needs, and lists the elements that no property
+/// needs.
 std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofExplanation::ModelElement>& things,
                           bool verbose) {
     const auto covered = std::ranges::count_if(things, is_needed), free = std::ranges::count_if(things, is_free);
@@ -182,7 +184,8 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
     return listed(said, "; ", "; ");
 }
 
-/// Prints the proof cores. Properties with the same text are grouped at the position of the first of them.
+/// Prints the proof cores. Properties with the same text are printed together, at the position of the first of these
+/// properties.
 void print_proof_cores(const ProofExplanation& why, std::ostream& out) {
     std::vector<std::pair<Names, std::string>> said;
     for (const ProofExplanation::ProofCore& ground : why.grounds) {

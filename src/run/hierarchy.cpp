@@ -31,7 +31,7 @@ Id<Chart::Step> Levels::exit(Id<Chart::Step> step) const {
     return step;
 }
 
-/// True if `inner` is `region`, or is the expansion of a macro-step in `region`.
+/// True if `inner` is `region`, or is the expansion of a macro-step in `region`, directly or through other expansions.
 bool Levels::contains(Partial region, Partial inner) const {
     while (inner != region && chart_.partial_charts[inner].kind == Chart::PartialKind::Expansion)
         inner = chart_.steps[chart_.partial_charts[inner].owner].chart;
@@ -73,8 +73,8 @@ std::vector<bool> Levels::initial() const {
     return has_hierarchy_ ? settled(nullptr, marked) : marked;
 }
 
-/// Computes a fixed point. The activity of each level depends on the levels above it, so that the iteration converges
-/// level by level.
+/// Computes a fixed point. The activity of each level of the hierarchy depends only on the levels above it, so that the
+/// iteration converges one level at a time.
 std::vector<bool> Levels::settled(const std::vector<bool>* old, const std::vector<bool>& cleared) const {
     std::vector<bool> now = cleared;
     for (std::size_t level = 0; level <= 2 * chart_.partial_charts.size() + 1; ++level) {
@@ -148,7 +148,7 @@ Id<Chart::ForcingOrder> Levels::conflict(const std::vector<bool>& situation) con
     return {};
 }
 
-/// True if both forcing orders force one chart into the same situation.
+/// True if both forcing orders force the same chart into the same situation.
 bool Levels::agree(const Chart::ForcingOrder& one, const Chart::ForcingOrder& other) const {
     if (one.forced != other.forced) return false;
     const bool first_holds = one.to == Chart::ForcedTo::Current, second_holds = other.to == Chart::ForcedTo::Current;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Applies the rules of the standard for macro-steps, enclosing steps and forcing orders to sets of steps. Activity is
-// computed level by level up to a fixed point.
+// computed for one level of the hierarchy after another, up to a fixed point.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,15 @@
 
 namespace grafverif {
 
-/// The part of the structure of a chart that the rules require.
+/// The levels of the hierarchy of a chart, with the rules that apply to them.
 class Levels {
 public:
     explicit Levels(const Chart& chart);
 
     /// Returns the step that is activated in place of `step`: for a macro-step, the entry step of its expansion.
     Id<Chart::Step> entry(Id<Chart::Step> step) const;
-    /// Returns the step that must be active for `step` to be left: for a macro-step, the exit step of its expansion.
+    /// Returns the step that must be active before `step` can be left: for a macro-step, the exit step of its
+    /// expansion.
     Id<Chart::Step> exit(Id<Chart::Step> step) const;
 
     /// True if the rules allow clearing `transition` when its upstream steps are active: no forcing order is active for
@@ -26,8 +27,8 @@ public:
     /// Returns the situation after an evolution from `old`. `cleared` is the result of rules 3 and 5.
     std::vector<bool> after(const std::vector<bool>& old, const std::vector<bool>& cleared) const;
 
-    /// Returns the situation after the user activates or deactivates `step`; for a macro-step, its expansion. The rules
-    /// take precedence, so that `step` may have another activity in the result.
+    /// Returns the situation after the user activates or deactivates `step`, or the expansion of a macro-step. The
+    /// rules take precedence, so that the activity of `step` in the result may differ from `active`.
     std::vector<bool> by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const;
 
     /// Returns a step whose forcing order applies to the partial chart in `situation`, or an invalid id if there is

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Rules 2 and 4: determines the transitions to clear. All are determined from the old situation.
+/// Rules 2 and 4: determines the transitions to clear. All of them are determined from the old situation.
 void clear_transitions(const Chart& chart, const Levels& levels, const State& old, Reader& reader,
                        Evolution& evolution) {
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
@@ -34,8 +34,8 @@ void age(const std::vector<bool>& before, State& state) {
         if (before[step] != state.situation[step]) state.ages[step] = state.situation[step] ? 0 : -1;
 }
 
-/// Rules 3 and 5: first deactivates, then activates, so that activation has priority. A step that was already active
-/// keeps its age. The hierarchy is applied last.
+/// Rules 3 and 5: first deactivates steps, then activates steps, so that activation has priority. A step that was
+/// already active keeps its age. The hierarchy is applied last.
 void change_situation(const Chart& chart, const Levels& levels, const State& old, Evolution& evolution) {
     State& state = evolution.state;
     for (const Id<Chart::Transition> id : evolution.fired)
@@ -46,7 +46,7 @@ void change_situation(const Chart& chart, const Levels& levels, const State& old
     age(old.situation, state);
 }
 
-/// True if `action` is executed in an evolution; empty if its event is undefined.
+/// Returns true if `action` is executed in an evolution; empty if its event is undefined.
 std::optional<bool> is_triggered(const Chart::StoredAction& action, const State& old, Reader& reader,
                                  const Evolution& evolution) {
     if (action.on == Chart::StoredOn::Clearing)
@@ -91,7 +91,7 @@ void store(const Chart& chart, const State& old, Reader& reader, Evolution& evol
     }
 }
 
-/// Stores the values with which edges of the next evolution are compared: the values before this evolution.
+/// Stores the values with which the next evolution compares terms to detect edges: the values before this evolution.
 void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolution& evolution) {
     evolution.state.previous.resize(memory.edges.size());
     for (std::size_t place = 0; place < memory.edges.size(); ++place) {
@@ -101,7 +101,7 @@ void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolutio
     }
 }
 
-/// Starts and stops the timing of changed terms; terms are evaluated after the evolution. If a term changes at the
+/// Starts and stops the timing of changed terms, which are evaluated after the evolution. If a term changes at the
 /// instant at which its t1 elapses, `ended` determines the order of the two events.
 void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& ended, Reader& reader,
            Evolution& evolution) {
@@ -243,7 +243,8 @@ void write_outputs(const Chart& chart, InputValues inputs, Cycle& result) {
 Cycle cycle(const Chart& chart, const State& state, InputValues inputs, ExecutionMode mode) {
     Cycle result;
     result.state = state;
-    // Brent's cycle detection: compare with a stored state, which is replaced after 1, 2, 4, ... evolutions.
+    // Brent's cycle detection: each state is compared with a stored state, which is replaced after 1, 2, 4, ...
+    // evolutions.
     State kept = state;
     std::size_t since_kept = 0;
     std::size_t patience = 1;

@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: MIT
 // Interpreter: executes the five evolution rules of IEC 60848 on a Chart as sets of steps and transitions. It is
-// independent of Equations, so that each can be tested against the other. It is used by the simulation, by the
-// emulation of a PLC and by the replay of traces.
+// independent of Equations, so that the two implementations can be tested against each other. The simulation, the
+// emulation of a PLC and the replay of traces use it.
 //
 //   rule 1  initial situation     power_on; its steps count as activated, so the first evolution runs their actions on
 //                                 activation and clears nothing
 //   rule 2  clearing              a transition is enabled when all upstream steps are active, and cleared when its
 //                                 condition also holds
 //   rule 3  evolution             clearing activates all downstream steps and deactivates all upstream steps
-//   rule 4  simultaneous          all transitions that can be cleared are cleared simultaneously, from the old
-//           situation
-//   rule 5  activated and         a step that is activated and deactivated simultaneously stays active: it runs no
-//           action
-//           deactivated           and its time conditions continue
+//   rule 4  simultaneous          all transitions that can be cleared in the old situation are cleared simultaneously
+//   rule 5  activated and         a step that is activated and deactivated simultaneously stays active: its actions on
+//           deactivated           activation and deactivation are not executed, and its time conditions continue
 //
 // An evolution reads only old values: conditions, events and stored values are evaluated over the situation and the
-// variables before it. An edge compares a term with its value in the previous evolution. Therefore it is true only in
+// variables before it. An edge compares a term with its value in the previous evolution. Therefore, it is true only in
 // the first evolution after the change, and never in the first evolution after power-on. Stored actions on outputs
-// change the process image immediately; the plant receives it with the other outputs at the end of a cycle. A condition
-// that reads a continuous output evaluates the actions on it in the current situation, not the value that was last
-// written.
+// change the process image immediately; the plant receives the image with the other outputs at the end of a cycle. If a
+// condition reads a continuous output, the actions on the output are evaluated in the current situation; the last
+// written value is not used.
 //
-// Hierarchy is applied level by level. A macro-step is active while a step of its expansion is active. When it is
-// activated, its entry step is activated; its exit step must be active for it to be left. If an enclosing step becomes
-// active, the steps with activation links become active. If it is deactivated, all enclosed steps are deactivated,
-// independently of the enclosed evolution. While the step of a forcing order is active, the forced chart is in the
-// situation that the order names, and none of its transitions is cleared. Source transitions of an expansion or an
-// enclosed chart are enabled while the step that owns it is active. At power-on, the initial steps are active, except
-// those whose enclosing step is not, and forcing orders are applied.
+// The hierarchy is applied one level after another. A macro-step is active while a step of its expansion is active.
+// When it is activated, its entry step is activated; it can be left only while its exit step is active. If an enclosing
+// step becomes active, the steps with activation links become active. If the enclosing step is deactivated, all
+// enclosed steps are deactivated, independently of the enclosed evolution. While the step of a forcing order is active,
+// the forced chart is in the situation that the order names, and none of its transitions is cleared. Source transitions
+// of an expansion or an enclosed chart are enabled while the step that owns it is active. At power-on, the initial
+// steps are active, except for steps whose enclosing step is inactive, and forcing orders are applied.
 //
 // Requires a chart that `derive` accepts: verify(chart).empty(), and no cycle among outputs or levels.
 #pragma once
@@ -43,10 +41,10 @@
 
 namespace grafverif {
 
-/// Elapsed times of an observed term at the end of an evolution.
+/// The elapsed times of an observed term at the end of an evolution.
 struct Timing {
-    std::int64_t risen = -1;  ///< milliseconds since it became true; -1 while it is false
-    /// Milliseconds since it became false, if it had been true for at least t1 before; otherwise -1.
+    std::int64_t risen = -1;  ///< milliseconds since the term became true; -1 while it is false
+    /// Milliseconds since the term became false, if it had been true for at least t1 before; otherwise -1.
     std::int64_t fallen = -1;
 
     bool operator==(const Timing&) const = default;
@@ -60,13 +58,13 @@ struct State {
     /// For each variable: outputs as written to the plant; otherwise the initial value.
     std::vector<std::int64_t> outputs = {};
     std::vector<bool> previous = {};  ///< for each term whose edges are read: its value in the previous evolution
-    std::vector<Timing> timing = {};  ///< per element of timed_elements(): its timing
+    std::vector<Timing> timing = {};  ///< for each element of timed_elements(): its timing
     bool started = false;             ///< true if the first evolution has been executed
 
     bool operator==(const State&) const = default;
 };
 
-/// Two actions have stored different values in one variable in one evolution.
+/// A race: two actions have stored different values in one variable in one evolution.
 struct StoredRace {
     Id<Chart::Variable> variable = {};
     Id<Chart::StoredAction> first = {}, second = {};
@@ -74,7 +72,8 @@ struct StoredRace {
     bool operator==(const StoredRace&) const = default;
 };
 
-/// An undefined or out-of-range value. The evolution is then not an evolution of the chart.
+/// A fault in an evolution, such as an undefined or out-of-range value. The result is then not an evolution of the
+/// chart.
 struct RunFault {
     enum class Kind {
         NoValue,      ///< division by zero, or a result outside 64 bits, in a condition or a stored value
@@ -84,7 +83,7 @@ struct RunFault {
     Kind kind = Kind::NoValue;
     Id<Chart::Variable> variable = {};  ///< variable of the stored value; invalid for a value in a condition
     std::int64_t value = 0;
-    Span where = {};  ///< position of the transition, action or time condition; otherwise of the chart
+    Span where = {};  ///< position of the transition, action or time condition, otherwise of the chart
 
     bool operator==(const RunFault&) const = default;
 };
@@ -101,18 +100,19 @@ struct Evolution {
 struct Cycle {
     State state = {};
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
-    bool stable = false;                                         ///< value in the last evolution
+    bool stable = false;                                         ///< `stable` of the last evolution
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};
     /// Total instability (stability search only): the situations that repeat forever with these inputs. Outputs were
     /// not written.
     std::vector<std::vector<bool>> endless = {};
-    /// True if neither a stable situation nor a cycle was found within `evolution_limit` evolutions. Outputs were not
-    /// written.
+    /// True if the search found neither a stable situation nor a cycle within `evolution_limit` evolutions. Outputs
+    /// were not written.
     bool gave_up = false;
 };
 
-/// Limit for one cycle. With counters, the number of evolutions can be finite but extremely large.
+/// The maximum number of evolutions in one cycle. In a chart with counters, the number of evolutions can be finite but
+/// extremely large.
 inline constexpr std::size_t evolution_limit = 1'000'000;
 
 /// Values per Chart::variables; only the entries of inputs are read.
@@ -122,8 +122,8 @@ using InputValues = std::span<const std::int64_t>;
 /// are 0.
 State power_on(const Chart& chart);
 
-/// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848) is the time condition 3s/X
-/// on its step; the end of its time limit is one, too.
+/// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848) is a time condition such
+/// as 3s/X on its step, and so is the end of its time limit.
 struct TimedElement {
     Id<Expr> watched = {};  ///< observed term; invalid if `step` is observed
     Id<Chart::Step> step = {};
@@ -134,30 +134,32 @@ struct TimedElement {
     bool operator==(const TimedElement&) const = default;
 };
 
-/// Returns the time conditions in order, and then the delay and the time limit of each continuous action, if any.
+/// Returns the time conditions in order, followed by the delay and the time limit of each continuous action, if any.
 std::vector<TimedElement> timed_elements(const Chart& chart);
 
-/// Returns, per element of timed_elements(), true if `t1/v/t2` holds for the level after the last evolution.
+/// Returns, for each element of timed_elements(), true if `t1/v/t2` holds for the value of v after the last evolution.
 std::vector<bool> time_conditions(const Chart& chart, const State& state);
 
 /// Executes one evolution. The first evolution after power_on clears no transition. `timed` is the result of
 /// time_conditions().
 Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed);
-/// Executes one evolution, in which delays may elapse between the evaluation of conditions and the change of the
-/// situation. `ended` contains, per element, the time condition when the levels change.
+/// Executes one evolution. Delays may elapse between the evaluation of conditions and the change of the situation.
+/// `ended` contains, for each timed element, the value of its time condition at the instant at which the observed terms
+/// change.
 Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
                  const std::vector<bool>& ended);
 
 /// Returns `state` with another situation, which the user has set. Timing starts and stops as in an evolution; stored
-/// actions are not executed. The result is empty if a time condition is then undefined.
+/// actions are not executed. The result is empty if a time condition is undefined in this situation.
 std::optional<State> with_situation(const Chart& chart, State state, std::vector<bool> situation, InputValues inputs);
 
-/// Returns, per variable, the outputs for the situation and image of `state`; other entries are 0. The result is empty
-/// if an assignation condition is undefined. `timed` is the argument of the evolution that led to `state`.
+/// Returns the values of the outputs for the situation and process image of `state`, indexed by variable; the entries
+/// of other variables are 0. The result is empty if an assignation condition is undefined. `timed` is the argument of
+/// the evolution that led to `state`.
 std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const State& state, InputValues inputs,
                                                        const std::vector<bool>& timed);
 
-/// Executes one cycle of the PLC, with time conditions from the ages of the steps. Under stability search it executes
+/// Executes one cycle of the PLC, with time conditions from the ages of the steps. Under stability search, it executes
 /// evolutions until the situation is stable, and then writes the outputs. Otherwise it executes one evolution and
 /// writes the outputs.
 Cycle cycle(const Chart& chart, const State& state, InputValues inputs, ExecutionMode mode);

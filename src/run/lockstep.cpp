@@ -109,7 +109,7 @@ std::optional<std::size_t> Lockstep::difference(const std::vector<Comparison::Sc
     return {};
 }
 
-/// True if the constraints of both charts are satisfied by the inputs.
+/// True if the inputs satisfy the constraints of both charts.
 bool Lockstep::possible(const Comparison::Scan& scan) const {
     for (const LockstepSide& side : sides_) {
         if (side.chart == nullptr) continue;

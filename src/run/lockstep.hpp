@@ -36,16 +36,16 @@ public:
     Lockstep(std::array<LockstepSide, 2> sides, ExecutionMode mode, std::vector<Comparison::Variable> inputs)
         : sides_(std::move(sides)), mode_(mode), inputs_(std::move(inputs)) {}
 
-    /// Returns the responses of both to each scan, in the order of Comparison::inputs and outputs. The last scan is the
-    /// first one in which one of them stops.
+    /// Returns the responses of both to each scan, in the order of Comparison::inputs and outputs. The execution ends
+    /// after the first scan in which one of them stops.
     std::array<std::vector<Comparison::ScanOutputs>, 2> answers(const std::vector<Comparison::Scan>& scans) const;
 
-    /// Returns the first scan with different responses. Both have responded to all scans before it.
+    /// Returns the first scan with different responses. Both have responded to all previous scans.
     std::optional<std::size_t> difference(const std::vector<Comparison::Scan>& scans) const;
 
-    /// Returns a shorter or simpler sequence of scans with a difference in the last scan. It has less time between
-    /// scans (0, or one of `times`; no other time if `times` is empty) and fewer input changes, and satisfies the
-    /// constraints of both charts.
+    /// Returns a simpler sequence of the same length that also ends with the first difference. If possible, it has less
+    /// time between scans (0, or one of `times`; no other time if `times` is empty) and fewer input changes. It
+    /// satisfies the constraints of both charts.
     std::vector<Comparison::Scan> simplified(std::vector<Comparison::Scan> scans,
                                              const std::vector<std::int64_t>& times) const;
 

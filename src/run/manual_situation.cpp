@@ -11,8 +11,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the variable bound to a Boolean parameter of the process's template, or an invalid id if there is no
-/// parameter with that name.
+/// Returns the variable that is bound to the Boolean parameter `name` of the process, or an invalid id if its template
+/// has no such parameter.
 Id<Network::Variable> argument(const Network& network, Id<Network::Process> id, std::string_view name) {
     const Network::Process& process = network.processes[id];
     const auto& parameters = network.templates[process.automaton].parameters;

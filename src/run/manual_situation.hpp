@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// by_hand: the user activates or deactivates a step to explore the consequences ("what if"). After that, the result is
-// not a run of the chart or of the model. The new situation is consistent with the rules of hierarchy:
+// by_hand: the user activates or deactivates a step to explore the consequences ("what if"). After such a change, the
+// trace is not a run of the chart or of the model. The new situation is consistent with the rules of hierarchy:
 //
 //   ordinary step    only this step; a step of an expansion activates its macro-steps
 //   macro-step       if activated, its entry step is also activated; if deactivated, all steps of its expansion are
@@ -32,8 +32,8 @@ ManualSituation by_hand(const Chart& chart, const std::vector<bool>& situation, 
 
 /// Returns the situation of the chart of `controller`, per step.
 std::vector<bool> situation_of(const Network& network, const NetworkState& state, Id<Network::Controller> controller);
-/// Sets the situation of a controller. It then waits for its next cycle, and a cycle is requested. Timers of steps that
-/// change are started and stopped.
+/// Sets the situation of a controller. The controller then waits for its next cycle, and a cycle is requested. Timers
+/// of steps that change are started and stopped.
 void put_situation(const Network& network, NetworkState& state, Id<Network::Controller> controller,
                    const std::vector<bool>& situation);
 

@@ -18,7 +18,7 @@ void lower(std::optional<std::int64_t>& least, std::int64_t value) { least = lea
 /// Returns the greatest value of a clock that the constraint admits; clocks are integers.
 std::int64_t greatest(Op relation, std::int64_t bound) { return relation == Op::Less ? bound - 1 : bound; }
 
-/// Returns the time until the invariant of the current location blocks delay, or nothing if it never does.
+/// Returns the time until the invariant of the current location blocks delay, or nothing if it never blocks delay.
 std::optional<std::int64_t> patience(const Network& network, const NetworkState& state, Id<Network::Process> id) {
     const Network::Process& process = network.processes[id];
     std::optional<std::int64_t> limit;

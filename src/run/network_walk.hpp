@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interactive exploration of a Network: possible next events and delays. The moves themselves are performed by
-// ir/network_run.
+// Interactive exploration of a Network: possible next events and delays. ir/network_run performs the moves.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +12,17 @@
 
 namespace grafverif {
 
-/// Delays that are possible from a state without taking an edge, in time units.
+/// The delays that are possible from a state without taking an edge, in time units.
 struct Leeway {
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};   ///< time until an invariant blocks delay; empty if none does
-    std::optional<std::int64_t> change = {};  ///< time until a disabled edge becomes enabled; empty if none ever does
+    std::optional<std::int64_t> limit = {};   ///< time until an invariant blocks delay; empty if never
+    std::optional<std::int64_t> change = {};  ///< time until a disabled edge becomes enabled; empty if never
     bool operator==(const Leeway&) const = default;
 };
 
 Leeway leeway(const Network& network, const NetworkState& state);
 
-/// Returns the constraints of the invariant of its location that another unit of time would violate.
+/// Returns the constraints in the invariant of the current location of `id` that another unit of time would violate.
 std::vector<Network::ClockConstraint> reached_bounds(const Network& network, const NetworkState& state,
                                                      Id<Network::Process> id);
 

@@ -3,11 +3,11 @@
 //
 // Mapping for a Network:
 //   edge of an instance, of a timer    an event; for a timer an internal one, unless one of its delays elapses
-//   edge of a PLC                      an event with the actions of its controller, phase by phase as in its procedures
+//   edge of a PLC                      an event with the actions of its controller, in the order of its phases
 //   delay                              an event
-// For a TransitionSystem, each step is split into events, in this order: time; the controllers that acted, with their
-// results; timers that expired; components that moved; inputs that changed spontaneously. The time of an event is its
-// step number, or a time if the system has ticks. A step without visible changes is an internal event. For a Chart
+// For a TransitionSystem, each step is split into events in the following order: time; controllers that acted, with
+// their results; timers that expired; components that moved; inputs that changed spontaneously. The time of an event is
+// its step number, or a time if the system has ticks. A step without visible changes is an internal event. For a Chart
 // executed by the interpreter, the caller defines the events.
 #pragma once
 
@@ -25,11 +25,11 @@
 
 namespace grafverif {
 
-/// Maps the values of a model's state to the signals of charts and plant; keys are indices of these values.
+/// Maps the values in a state of a model to the signals of charts and plant. A key is the index of such a value.
 class ChartView {
 public:
-    /// If the controller is not the only one (`alone`), its name qualifies the names of its steps and internal
-    /// variables.
+    /// If there are several controllers (`alone` is false), the name of a controller qualifies the names of its steps
+    /// and internal variables.
     ChartView(ChartRun& run, std::size_t keys, bool alone) : run_(&run), alone_(alone), signals_(keys) {}
 
     /// Returns the controller without timers and images. `add(named, role)` adds the signal of a variable.
@@ -58,11 +58,11 @@ private:
 
     ChartRun* run_;
     bool alone_;
-    std::vector<Id<ChartRun::Signal>> signals_;  ///< signal of each key
+    std::vector<Id<ChartRun::Signal>> signals_;  ///< signal by key
     std::vector<std::uint32_t> signal_keys_ = {}, step_keys_ = {};
 };
 
-/// Converts a run move by move.
+/// Converts a run incrementally, one move at a time.
 class NetworkProjection {
 public:
     /// Initializes `run` as a run of `network` that begins in `state`. `network` and `run` must outlive the projection.
@@ -93,18 +93,17 @@ private:
     std::int64_t time_ms_ = 0;
 };
 
-/// Returns a run of a chart that the interpreter executes with free inputs. It has declarations but no events. Its
-/// signals are the variables of the chart, in order; stored outputs have no images.
+/// Returns an empty run (declarations, no events) of `chart`, for a chart that the interpreter executes with free
+/// inputs. Its signals are the variables of the chart, in order; stored outputs have no images.
 ChartRun project(const Chart& chart, ExecutionMode mode);
-/// Returns the values of the signals of such a run in `state`.
+/// Returns the values of the signals in a run of `chart` for the state `state`.
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
-/// Appends an event and its row: an instant in which `fired` was cleared, evolution by evolution, and the state after
-/// it. The first evolution of a run clears no transition; it has a separate row.
+/// Appends an event and its row: an instant and the state after it. `fired` contains the transitions that each
+/// evolution of the instant clears. The first evolution of a run clears no transition and has a separate row.
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after);
 
-/// Converts a run. Requires that a stage of grafverif created the system or network, and that a SystemRun belongs to
-/// `system`.
+/// Converts a run. Requires that grafverif built the network or system, and that `run` is a run of it.
 ChartRun project(const Network& network, const Run& run);
 ChartRun project(const TransitionSystem& system, const SystemRun& run);
 

@@ -26,7 +26,8 @@ bool calls(const Network::Edge& edge, Id<Network::Procedure> procedure) {
     return procedure.valid() && std::ranges::find(edge.calls, procedure) != edge.calls.end();
 }
 
-/// Returns the variables that `edge` itself assigns, without its procedures, each once, in order.
+/// Returns the variables that `edge` assigns directly, without its procedures. Each variable occurs once, in order of
+/// assignment.
 std::vector<Id<Network::Variable>> assigned(const Slots& slots, const Network::Edge& edge) {
     std::vector<Id<Network::Variable>> found;
     for (const Network::Assignment& assignment : edge.assignments) {
@@ -59,7 +60,7 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
     }
     ChartRun::Event power_on;
     for (const Id<Network::Controller> id : network.controllers.ids())
-        if (!network.controllers[id].start.valid())  // the first evolution has no effect
+        if (!network.controllers[id].start.valid())  // the first evolution has no effect and is not an edge
             power_on.acts.push_back({.controller = {id.index},
                                      .starts = true,
                                      .inputs = std::vector<std::int64_t>(run_.controllers[{id.index}].inputs.size())});
@@ -105,7 +106,7 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         const Network::Timer& timer = from.timers[k];
         const auto& words = from.words.timers[k];
-        const bool exact = timer.restarts;  // timers as published are intentionally inexact
+        const bool exact = timer.restarts;  // the timers of the papers are intentionally inexact
         timer_of_[timer.process.index] =
             run_.timers.add({from.words.name, words.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);
@@ -159,7 +160,7 @@ void NetworkProjection::fill(ChartRun::Event& moment, const Fire& fire, const Ne
     const Id<ChartRun::Timer> timer = timer_of_[fire.process.index];
     if (!timer.valid()) return;
     moment.timer_holds = holds(after, end_of_[timer.index]);
-    // Without a delay the output directly follows the observed term.
+    // Without a delay, the output equals the observed term.
     const ChartRun::Timer& of = run_.timers[timer];
     moment.internal = holds(before, end_of_[timer.index]) == moment.timer_holds ||
                       (moment.timer_holds ? of.rise_ms : of.fall_ms) == 0;
@@ -178,7 +179,7 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
         for (const auto& input : from.words.inputs) act.inputs.push_back(before.variables[input.variable.index]);
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         if (act.samples) act.timers.push_back(holds(before, from.words.timers[k].end));
-        // Its output is not sufficient, because it may still be true from an earlier rise.
+        // The output of the timer is not sufficient, because it may still be true from an earlier rise.
         if (act.evolves) act.done.push_back(before.locations[from.timers[k].process.index] == from.timers[k].done);
     }
     // If the evolution is a separate edge, it resets the firing conditions.

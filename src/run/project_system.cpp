@@ -10,7 +10,7 @@ namespace grafverif {
 namespace {
 
 using System = TransitionSystem;
-using Values = std::vector<std::int64_t>;  ///< value of each symbol of main
+using Values = std::vector<std::int64_t>;  ///< the value of each symbol of main
 using Writes = ChartRun::Act::Writes;
 
 ChartRun::Kind kind_of(System::Component::Kind kind) {
@@ -108,7 +108,7 @@ private:
         return changed;
     }
 
-    /// Projects step `index`, from its state to `next`.
+    /// Projects step `index`, which leads to the state `next`.
     void project_step(std::size_t index, const Values& next) {
         const Values& before = run_.states[index];
         step_ = index;
@@ -159,7 +159,7 @@ private:
         return act.evolves && searches ? Writes::IfStable : Writes::Yes;
     }
 
-    /// A timer t1/X is relevant while its step is active.
+    /// Adds the timers of controller `index` to its event. A timer t1/X is relevant only while its step is active.
     void project_timers(std::uint32_t index, const Values& before, const Values& next) {
         const auto& from = system_.controllers[index].words;
         for (std::size_t k = 0; k < from.timers.size(); ++k) {
@@ -178,7 +178,8 @@ private:
 
     void project_component(std::uint32_t index, const Values& next) {
         const System::Component& component = system_.components[index];
-        const bool of_model = component.kind == System::Component::Kind::Timer;  // true if the model shows its expiry
+        const bool of_model = component.kind == System::Component::Kind::Timer;  // the expiry of a timer is a separate
+                                                                                 // event
         ChartRun::Event moment{.kind = kind_of(component.kind), .internal = of_model, .instance = {index}};
         if (component.location.valid() && take(component.location, next))
             moment.location =
@@ -196,7 +197,7 @@ private:
 
     const System& system_;
     const SystemRun& run_;
-    Values shown_;  ///< values as displayed in the run so far
+    Values shown_;  ///< values as displayed at the current position of the run
     ChartRun made_ = {};
     ChartView view_;
     std::size_t step_ = 0;

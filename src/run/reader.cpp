@@ -35,7 +35,7 @@ Memory memory(const Chart& chart) {
 }
 
 std::optional<std::int64_t> Reader::value(Id<Expr> term) {
-    // This belongs to the term that reads an output with this condition.
+    // The old value of `lost_` belongs to the enclosing term, which reads an output with this condition.
     const bool outer = std::exchange(lost_, false);
     const auto result = evaluate(chart_.exprs, term, [this](const Expr& leaf) { return leaf_value(leaf); });
     const bool lost = std::exchange(lost_, outer);
@@ -74,7 +74,7 @@ std::int64_t Reader::variable_value(Id<Chart::Variable> variable) {
     return set.value_or(0);
 }
 
-/// Returns true in the first evolution after the change.
+/// Returns the value of an edge: true in the first evolution after the change.
 std::int64_t Reader::edge_value(const Expr& edge) {
     if (memory_ == nullptr) return 0;
     const Id<Expr> operand = chart_.exprs.operands(edge)[0];
@@ -109,7 +109,7 @@ std::optional<std::int64_t> Reader::look_up(Id<Chart::Variable> output) {
     return 0;
 }
 
-/// For an action whose step is active: true if its delay has elapsed and its time limit has not.
+/// For an action whose step is active: true if its delay has elapsed and its time limit has not elapsed.
 bool Reader::in_time(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     std::size_t place = first_time_[id.index];

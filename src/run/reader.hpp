@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reader: evaluates terms of a chart for one situation, one set of variables and the inputs of one evolution. Memory
-// contains the terms of a chart whose previous values an evolution requires.
+// Reader: evaluates terms of a chart for one situation, the values of the variables, and the inputs of one evolution.
+// Memory contains the terms of a chart whose previous values an evolution requires.
 #pragma once
 
 #include <optional>
@@ -11,26 +11,26 @@
 
 namespace grafverif {
 
-/// Values that an evolution must store for the next one. Only terms that the chart reads are included.
+/// The values that an evolution must store for the next evolution. Only terms that the chart reads are included.
 struct Memory {
     std::vector<Id<Expr>> edges = {};        ///< operands of edges, in order
-    std::vector<std::uint32_t> places = {};  ///< for each term: its index in `edges`; empty if there are no edges
-    std::vector<bool> time_conditions = {};  ///< for each time condition: true if it is read
+    std::vector<std::uint32_t> places = {};  ///< for each term: index in `edges`; empty if there are no edges
+    std::vector<bool> time_conditions = {};  ///< for each time condition: true if the chart reads it
 };
 
 Memory memory(const Chart& chart);
 
-/// Evaluates terms. Continuous outputs in conditions are evaluated once each.
+/// Evaluates terms. Each continuous output in conditions is evaluated at most once.
 class Reader {
 public:
-    /// `timed` is the argument of evolve(). Without `memory`, as in the first evolution, there are no edges.
+    /// `timed` is the argument of evolve(). Without `memory`, as in the first evolution, all edges are false.
     Reader(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
            const Memory* memory)
         : chart_(chart), state_(state), inputs_(inputs), timed_(timed), memory_(memory) {}
 
     /// Returns the value of a term, or nothing if it is undefined.
     std::optional<std::int64_t> value(Id<Expr> term);
-    /// Returns 1 if an action currently sets `output`, otherwise 0, or nothing if this is undefined.
+    /// Returns 1 if an action currently sets `output`, 0 if none does, or nothing if a condition is undefined.
     std::optional<std::int64_t> output(Id<Chart::Variable> output);
     /// True if an action stores values in `variable`.
     bool is_stored(Id<Chart::Variable> variable);

@@ -50,7 +50,7 @@ public:
     }
 
     std::size_t evolutions() const { return evolutions_; }
-    /// True if both have a race. Nothing after the race is compared.
+    /// True if both the run and the rules have a race. Events after the race are not compared.
     bool raced() const { return raced_; }
     const std::string& racing() const { return racing_; }
     const std::string& name() const { return controller_.name; }
@@ -67,7 +67,7 @@ private:
         return {};
     }
 
-    /// Visits the variables of one kind, in order. They correspond to the controller's signals of that kind.
+    /// Visits the variables of one kind, in order. These variables correspond to the controller's signals of this kind.
     template <class Visit>
     void each(Chart::VariableKind kind, Visit visit) const {
         std::size_t place = 0;
@@ -82,8 +82,8 @@ private:
             timed_[k] = act.samples && timers_[k] && act.timers[*timers_[k]];
     }
 
-    /// Returns an error if a timer has not expired although its duration has elapsed. At exactly that time it may not
-    /// have expired yet.
+    /// Returns an error if a timer has not expired although its duration has elapsed. At exactly this time, the timer
+    /// need not have expired.
     std::string timers_fault() const {
         for (std::size_t k = 0; k < timers_.size(); ++k) {
             if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
@@ -110,8 +110,8 @@ private:
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
-    /// Returns, per element, true if its t1 has elapsed. A timer may expire during a cycle, after the sampling of
-    /// inputs and before the evolution.
+    /// Returns, for each timed element, true if its t1 has elapsed. A timer may expire during a cycle, after the
+    /// sampling of inputs and before the evolution.
     std::vector<bool> ended(const ChartRun::Act& act) const {
         if (act.done.empty()) return timed_;
         std::vector<bool> ended;
@@ -134,10 +134,10 @@ private:
         return stored_fault(after);
     }
 
-    /// If one evolution has several faults, the order of their detection is unspecified.
+    /// Compares races and faults. If one evolution has several faults, the order of their detection is unspecified.
     std::string race_fault(const ChartRun::Act& act, const Evolution& result) {
         const bool broken = result.race || result.fault;
-        // A model without race flags continues after a race, but the rules do not.
+        // A model without race flags continues after a race, but the interpreter does not.
         over_ = broken && act.race.value_or(true);
         raced_ = over_ && act.race.has_value();
         if (result.race) racing_ = chart_.variables[result.race->variable].name;

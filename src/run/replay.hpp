@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Replay of a run according to IEC 60848: the interpreter repeats each action of each controller, evolution by
-// evolution, on the chart itself. It uses the inputs and the values of time conditions that were sampled in the run. If
-// a run fails the replay, it is not a run of the chart. This is an internal error between derive and the engine.
+// Replay of a run according to IEC 60848: the interpreter repeats each evolution and each other action of each
+// controller on the chart. The replay uses the inputs and the values of time conditions that were sampled in the run.
+// If a run fails the replay, it is not a run of the chart. This is an internal error in derive, in the engine, or in a
+// stage between them.
 //
 //   starts      the first evolution: situation and stored variables agree
 //   samples     the age of the observed term agrees with its timer, if timers are exact
@@ -21,15 +22,15 @@
 namespace grafverif {
 
 struct Disagreement {
-    std::size_t move = 0;    ///< index of the move in the projected run
+    std::size_t move = 0;    ///< index of the move in the original run
     std::string where = {};  ///< position such as `controller press, evolution 12`
     std::string what = {};   ///< values in the run and according to the rules
 
     bool operator==(const Disagreement&) const = default;
 };
 
-/// Returns the first disagreement, if any. `charts` are those of the run's controllers, in order. Requires charts that
-/// derive accepts.
+/// Returns the first disagreement, if any. `charts` contains the charts of the run's controllers, in order. Requires
+/// charts that `derive` accepts.
 std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// Contradictory actions in one evolution.
@@ -38,11 +39,12 @@ struct ContradictoryActions {
     /// The variable to which two stored actions assign different values; empty if forcing orders contradict each other.
     std::string variable = {};
 };
-/// Returns the contradiction at the end of a run that ends in a race, or nothing if the rules find none.
+/// Returns the contradiction at the end of a run that ends in a race, or nothing if there is none according to the
+/// rules.
 std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
-/// In an untimed run: two time conditions on one step. A cycle samples the longer one as true and the shorter one as
-/// false. This run is not possible with any plant.
+/// Two time conditions on one step in an untimed run. A cycle samples the condition with the longer time as true and
+/// the condition with the shorter time as false. Such a run is impossible with any plant.
 struct UntimelyConditions {
     StepName step = {};
     std::int64_t longer_ms = 0, shorter_ms = 0;

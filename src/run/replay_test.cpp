@@ -77,7 +77,7 @@ private:
         return {};
     }
 
-    /// Returns the first difference between the outputs and the expected ones.
+    /// Returns the first difference between the outputs and the expected outputs.
     std::string difference(const TestSequence::Step& step) const {
         std::size_t output = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
@@ -95,7 +95,7 @@ private:
     State state_ = {};
     std::vector<std::int64_t> inputs_ = {};  ///< value of each variable of the chart
     std::int64_t time_ms_ = 0;
-    std::optional<ChartRun> told_ = {};  ///< only if the run is requested
+    std::optional<ChartRun> told_ = {};  ///< the recorded run; empty unless requested
 };
 
 }  // namespace

@@ -13,8 +13,8 @@
 
 namespace grafverif {
 
-/// Describes the first scan in which the outputs of the chart differ from those that `test` expects; empty if the test
-/// passes. Requires that the inputs and outputs of the test are those of the chart, in its order.
+/// Describes the first scan in which the outputs of the chart differ from the outputs that `test` expects; empty if the
+/// test passes. Requires that the test has the same inputs and outputs as the chart, in the same order.
 std::optional<std::string> disagreement(const Chart& chart, const TestSequence& test);
 
 /// Returns the run of the chart in each sequence of a test, independently of the expected outputs, with one row per

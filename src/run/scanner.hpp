@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scanner: executes a chart scan by scan, as a PLC does. In a scan, inputs are read, one cycle is executed (with
-// stability search, depending on the mode), and outputs are written. Time passes between scans.
+// Scanner: executes a chart scan by scan, as a PLC does. In a scan, inputs are read, one cycle is executed (with or
+// without stability search, according to the mode), and outputs are written. Time passes between scans.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace grafverif {
 /// Returns the variables of one kind in order of declaration.
 std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::VariableKind kind);
 
-/// Returns a situation such as `{2, 5}`.
+/// Returns the text of a situation, such as `{2, 5}`.
 std::string situation_text(const Chart& chart, const std::vector<bool>& situation);
 
 /// Returns the message, with its code, for a chart that repeats the situations of `endless` forever. `endless` must not
@@ -25,7 +25,7 @@ std::string instability_text(const Chart& chart, const std::vector<std::vector<b
 /// for contradictory forcing orders.
 std::string race_text(std::string_view variable);
 
-/// Returns the reason why a PLC cannot execute `cycle`, or an empty string if it can.
+/// Returns the reason why a PLC cannot execute `cycle`, or an empty string if there is none.
 std::string problem_in(const Chart& chart, const Cycle& cycle);
 
 class Scanner {
@@ -35,14 +35,14 @@ public:
 
     const std::vector<Id<Chart::Variable>>& inputs() const { return inputs_; }
 
-    /// Lets time pass. Time that passes before the first scan passes before power-on.
+    /// Advances the time. Time that passes before the first scan is treated as time before power-on.
     void wait(std::int64_t milliseconds);
 
-    /// Executes one scan with `values` in the order of the inputs. Returns the fault that stops the PLC, or an empty
-    /// string.
+    /// Executes one scan. `values` contains the values of the inputs, in order. Returns the fault that stops the PLC,
+    /// or an empty string.
     std::string scan(const std::vector<std::int64_t>& values);
 
-    /// Returns the outputs that were last written.
+    /// Returns the last written values of the outputs.
     std::vector<std::int64_t> outputs() const;
     const State& state() const { return state_; }
 

@@ -40,8 +40,8 @@ public:
     }
 
 private:
-    /// Returns the value of a variable. It is invalid for a scratch variable that is not yet assigned, or for a
-    /// variable of main that the automaton only writes.
+    /// Returns the value of a variable. The result is invalid for a scratch variable that is not yet assigned, and for
+    /// a variable of main that the automaton writes but does not read.
     Id<Expr> value_of(Place variable) {
         const auto found = now_.find(variable.index);
         if (found != now_.end()) return found->second;
@@ -71,7 +71,7 @@ private:
         });
     }
 
-    /// True if comparisons of `value` with constants in the guard keep it in the range.
+    /// True if the guard compares `value` with constants such that `value` is in the range.
     bool kept_by_guard(Id<Expr> guard, Id<Expr> value, Type range) const {
         Interval bounds = interval(exprs_, value, types_);
         std::vector<Id<Expr>> conjuncts{guard};
@@ -91,8 +91,8 @@ private:
     }
 
     /// Returns `value`, or `kept` if it is undefined or outside the range. The fault is recorded unless the guard
-    /// excludes it. The range condition is always included, because a model checker also evaluates values that no run
-    /// uses.
+    /// excludes the fault. The range condition is always included, because a model checker also evaluates values that
+    /// do not occur in any run.
     Id<Expr> guarded(EdgeTerms& edge, Place target, Id<Expr> value, Id<Expr> kept) {
         const Type type = slots_.network.variables[target].type;
         const auto [safe, undefined] = total(exprs_, value, types_);
@@ -124,7 +124,8 @@ EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
 
 namespace {
 
-/// Returns the value of a variable after an edge, given its value before, or nothing if it is not constant.
+/// Returns the value of a variable after an edge, given its value before the edge, or nullopt if the new value is not
+/// constant.
 std::optional<std::int64_t> value_after(const Slots& slots, const Network::Edge& edge, Id<Network::Variable> variable,
                                         std::int64_t before) {
     const Exprs& exprs = slots.network.exprs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Expresses one edge of an automaton as terms over the values before the step: its sequential assignments are
-// substituted into each other.
+// Expresses an edge of an automaton by terms over the values before the step. For this purpose, the sequential
+// assignments of the edge are substituted into each other.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,9 @@
 
 namespace grafverif::schedule {
 
-// Variables that are functions of the location. DESDES06 6.2 defines `h_c_l := state = left`.
-
-/// Returns the value of `variable`, which only this process writes, per location. The result is empty if a location can
-/// be entered with different or non-constant values. Unreachable locations get the initial value.
+/// Returns the value of `variable` in each location, as in DESDES06 6.2 (`h_c_l := state = left`). Requires that only
+/// this process writes the variable. The result is empty if the variable can have different or non-constant values in
+/// some location. For unreachable locations, the value is the initial value.
 std::optional<std::vector<std::int64_t>> location_values(const Slots& slots, Id<Network::Variable> variable);
 
 struct EdgeValue {
@@ -31,7 +30,7 @@ struct EdgeTerms {
     Id<Expr> fault = {};  ///< condition under which an assignment leaves the range of its target or divides by zero
 };
 
-/// Returns the terms of an edge. `symbols` contains, per variable, the symbol of the module `draft` with its value
+/// Returns the terms of an edge. For each variable, `symbols` contains the symbol of the module `draft` with its value
 /// before the step. `name` creates a definition for a value that a later assignment reads.
 EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
                      const std::vector<Id<TransitionSystem::Symbol>>& symbols, const Draft& draft,

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Builds the module of an automaton in three stages:
-//   Declared   its symbols, which edges read: parameters, the choice of an edge, the location, clocks, and the
-//              variables that only it writes
-//   Taken      each edge as terms over the values before the step
-//   Finally, the next value of every symbol is set, by cases over the edge that is taken.
+//   Declared     the symbols, which edges read: parameters, the choice of an edge, the location, clocks, and the
+//                variables that only this automaton writes
+//   Taken        the edges, as terms over the values before the step
+//   next values  the next value of every symbol, by cases over the edge that is taken
 //
-// Correctness: the module has exactly the steps of the process. The choice selects one edge or none. The `guard` of an
-// edge holds exactly if the network allows taking it, as determined by its location, its guard, its clock constraint,
-// and the target's invariant after its resets. A transition constraint relates choice and guard. Next values are
-// defined by disjoint cases over the choice. The discipline determines if it is allowed to choose no edge.
+// Correctness: the module has the same steps as the process, and no other steps. The choice selects one edge or none.
+// The module's `guard` of an edge holds if and only if the edge is enabled in the network. This depends on the source
+// location, the guard and the clock constraint of the edge, and on the target's invariant after the resets. A
+// transition constraint relates choice and guard. Next values are defined by disjoint cases over the choice. The
+// discipline determines if a step may take no edge.
 #include "schedule/automaton_module.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ using Edge = Id<Network::Edge>;
 
 // -- symbols ----------------------------------------------------------------------------------------------------------
 
-/// Declares the symbols, in this order. All are declared when the constructor returns.
+/// Declares the symbols, in the order of the members. All symbols are declared when the constructor returns.
 class Declared {
 public:
     Declared(const AutomatonContext& laid_out, Id<Network::Process> process, Draft& drafted)
@@ -61,8 +62,8 @@ public:
     Id<Expr> clock(Id<Network::Clock> id) const {
         return clocks[id.index].valid() ? draft.leaf(clocks[id.index]) : draft.exprs.integer(0);
     }
-    /// Returns the `value` of the edge that is taken. If no edge, or an edge without an entry in `cases`, is taken,
-    /// returns `otherwise`.
+    /// Returns a term for the entry in `cases` of the edge that is taken. If no edge, or an edge without an entry, is
+    /// taken, the value is `otherwise`.
     template <class Cases>
     Id<Expr> by_edge(const Cases& cases, Id<Expr> otherwise) const {
         for (auto one = cases.rbegin(); one != cases.rend(); ++one)
@@ -74,8 +75,8 @@ public:
     const Slots slots;
     Draft& draft;
     const std::vector<Place> written;
-    std::vector<Id<Symbol>> symbols;  ///< symbol in the module, per variable
-    std::vector<Id<Symbol>> clocks;   ///< symbol per clock; invalid if it is never compared
+    std::vector<Id<Symbol>> symbols;  ///< symbol of each variable in the module
+    std::vector<Id<Symbol>> clocks;   ///< symbol of each clock; invalid if the clock is never compared
     AutomatonModule made = {};        ///< module with its parameters, choice, location and owned variables
 
 private:
@@ -153,7 +154,7 @@ public:
     }
 
 private:
-    /// Returns the values that a constraint admits under the arguments of the process.
+    /// Returns the range of clock values that satisfy a constraint, for the arguments of the process.
     ClockInterval values(const Network::ClockConstraint& constraint) const {
         return admitted(constraint.relation,
                         bound_value(declared_.context.network, declared_.slots.process, constraint.bound));
@@ -167,7 +168,7 @@ private:
         return exprs_.conjunction(low, high);
     }
 
-    /// Returns the clock value after an edge, capped for the target location.
+    /// Returns the clock value after an edge, limited to the cap of the target location.
     Id<Expr> after_edge(const Network::Edge& edge, Id<Network::Clock> id) const {
         const std::int64_t cap = caps_.cap[edge.to.index][id.index];
         if (resets(edge, id) || cap <= 0) return exprs_.integer(0);
@@ -176,10 +177,10 @@ private:
         return exprs_.conditional(exprs_.apply(Op::Greater, now, greatest), greatest, now);
     }
 
-    /// Returns the clock value after a tick, capped for each location.
+    /// Returns the clock value after a tick, limited to the cap of the current location.
     Id<Expr> after_tick(Id<Network::Clock> id) const {
         const Id<Expr> now = declared_.clock(id), more = exprs_.apply(Op::Plus, now, exprs_.integer(1));
-        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // locations for each cap
+        std::map<std::int64_t, std::vector<Id<Expr>>> locations;  // locations with the same cap
         for (const Id<Network::Location> location : declared_.automaton().locations.ids())
             locations[caps_.cap[location.index][id.index]].push_back(declared_.at(location));
         Id<Expr> next = now;
@@ -198,7 +199,7 @@ private:
 
 // -- edges ------------------------------------------------------------------------------------------------------------
 
-/// All edges as terms over the values before the step.
+/// Contains all edges as terms over the values before the step.
 struct Taken {
     /// For each edge: condition under which it can be taken, including its location and clock constraints.
     std::vector<Id<Expr>> guards = {};
@@ -207,7 +208,7 @@ struct Taken {
     std::vector<Id<Expr>> faults = {};
 };
 
-/// Translates all edges. `within` receives the firing conditions that exist only within a step.
+/// Translates all edges. Appends the firing conditions that exist only within a step to `within`.
 Taken edges_taken(const Declared& declared, const std::optional<Clocks>& clocks,
                   std::vector<AutomatonModule::Held>& within) {
     Exprs& exprs = declared.draft.exprs;
@@ -324,7 +325,7 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     list.push_back(implies(exprs, exprs.conjunction(turn, stays), idle));
 }
 
-/// Returns the locations that must be left within a bounded time (they have an invariant) by an edge that time enables.
+/// Returns the locations with an invariant. An automaton stays in such a location only for a bounded time.
 std::vector<Movement> movements(const Declared& declared) {
     Draft& draft = declared.draft;
     std::vector<Movement> found;

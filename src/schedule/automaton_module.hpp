@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One automaton of a Network as a module of the TransitionSystem (DESDES06 6.2). In each step it takes one of its edges
-// or stays. A choice selects the edge, and a transition constraint per edge restricts the choice. The next values of
-// location, variables and clocks are defined by cases over the edge that is taken.
+// Translates one automaton of a Network to a module of the TransitionSystem (DESDES06 6.2). In each step the automaton
+// takes one of its edges or stays in its location. A choice selects the edge, and a transition constraint per edge
+// restricts the choice. The next values of location, variables and clocks are defined by cases over the edge that is
+// taken.
 //
 //   MODULE cylinder_5_2(G_IN, G_OUT)
 //   IVAR   edge : {stay, in_to_moving_out, ...};
@@ -11,12 +12,12 @@
 //   TRANS  edge = in_to_moving_out -> location = in & G_OUT & !G_IN;
 //
 // Clocks are omitted, or count time units up to their caps (ir/network_clocks, as in the timed engine): a step with
-// `tick` increments each clock that is compared in its location or later.
+// `tick` increments each clock that is compared in the current location or in a later location.
 //
 // Assignments are sequential in the automaton and simultaneous in the module: each value is a term over the values
 // before the step. Variables with several writers (the flags of the PLC) are variables of main. The module defines when
-// it writes them, and which values it writes. An assignment that would leave the range of its variable sets
-// `out_of_range` permanently and keeps the old value.
+// it writes these variables, and the values that it writes. An assignment of a value outside the range of its variable
+// sets `out_of_range` permanently and does not change the variable.
 #pragma once
 
 #include <string>
@@ -29,18 +30,18 @@
 
 namespace grafverif::schedule {
 
-/// Constraints of a schedule on automata.
+/// Restrictions that a schedule imposes on the steps of automata.
 enum class Discipline {
-    Turns,     ///< a parameter `turn`: the automaton takes one edge if it is true, and none if it is false
-    Together,  ///< one edge in each step; no edge only if no urgent edge can be taken
-    Rounds,    ///< as Together in its `turn`, once in each `round`; timed edges only in the `first` round
+    Turns,     ///< the automaton takes one edge if the parameter `turn` is true, and no edge if it is false
+    Together,  ///< the automaton takes one edge in each step, or no edge if no urgent edge can be taken
+    Rounds,    ///< as Together, but only if `turn` is true, once in each `round`; timed edges only in the `first` round
 };
 
-/// Assignment of the elements of a Network to modules.
+/// Context of the translation of automata: the network, and the assignment of its variables to modules.
 struct AutomatonContext {
     const Network& network;
     Discipline discipline = Discipline::Turns;
-    std::vector<bool> shared = {};  ///< for each variable: true if several processes or no process writes it
+    std::vector<bool> shared = {};  ///< for each variable: true if several processes write it
     bool fairness = false;
     /// Clock analysis of the expanded network if clocks are counted; empty if they are omitted.
     std::vector<ProcessClocks> clocks = {};
@@ -50,10 +51,12 @@ struct AutomatonContext {
 /// symbols.
 struct Movement {
     Id<Symbol> moving = {};  ///< definition: the movement is in progress
-    Id<Symbol> ended = {};   ///< variable: an edge has just ended the movement and restarted it; may be invalid
+    /// Variable: the previous step took an edge that ends the movement and restarts it; may be invalid.
+    Id<Symbol> ended = {};
 };
 
-/// A variable of main that the automaton writes. `writes` is true if it does so in the current step.
+/// A variable of main that the automaton writes. `writes` is true if the automaton writes the variable in the current
+/// step.
 struct Effect {
     Id<Network::Variable> variable = {};
     Id<Symbol> writes = {}, value = {};
@@ -64,18 +67,18 @@ struct AutomatonModule {
 
     TransitionSystem::Module module = {};
     Id<Symbol> turn = {}, first = {}, round = {}, tick = {};  ///< parameters; invalid if omitted
-    std::vector<Id<Network::Variable>> reads = {};            ///< the other parameters, which follow these, in order
+    std::vector<Id<Network::Variable>> reads = {};            ///< the other parameters, which follow those above
     Id<Symbol> edge = {};      ///< choice: 0 for no edge, otherwise the index of the edge plus one
-    Id<Symbol> location = {};  ///< location; invalid if there is only one
+    Id<Symbol> location = {};  ///< location; invalid if there is only one location
     std::vector<Held> owned = {};
     std::vector<Held> within = {};  ///< definitions: firing conditions that exist only within a step
-    Id<Symbol> may_wait = {};       ///< definition: its clocks permit a time unit to pass; always true if invalid
+    Id<Symbol> may_wait = {};  ///< definition: the clocks permit a time unit to pass; invalid if this is always true
     std::vector<Effect> effects = {};
     Id<Symbol> can_move = {};      ///< definition: an edge can be taken; exists only if clocks are counted
     Id<Symbol> must_move = {};     ///< definition: an urgent edge can be taken
     Id<Symbol> stays = {};         ///< definition: this step takes no edge
-    Id<Symbol> out_of_range = {};  ///< invalid if no assignment can leave its range
-    Id<Symbol> done = {};          ///< in rounds: true after its turn in the current round
+    Id<Symbol> out_of_range = {};  ///< invalid if no assignment can leave its range and no term can divide by zero
+    Id<Symbol> done = {};          ///< in rounds: true after the automaton's turn in the current round
     std::vector<Movement> movements = {};
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builds main: free inputs and timer outputs, and the instances of the controllers' modules, to which they are
-// connected.
+// Builds main, which contains the free inputs and timer outputs, and the instances of the controllers' modules.
 #include "schedule/controller.hpp"
 
 #include <algorithm>
@@ -22,7 +21,7 @@ using Role = Equations::Role;
 
 // -- constraints as invariants over free inputs --
 
-/// Returns the inputs that a constraint reads, or nothing if it reads other variables.
+/// Returns the inputs that a constraint reads, or nullopt if the constraint also reads other variables.
 std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& loop, Id<Expr> condition) {
     std::vector<Id<ClosedLoop::Shared>> found;
     for (const Id<Expr> leaf : leaves(loop.exprs, condition)) {
@@ -36,7 +35,7 @@ std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& l
     return found;
 }
 
-/// The set of inputs that satisfy the constraints added so far, as a function of their bits.
+/// The set of input combinations that satisfy the constraints added so far, as a Boolean function of the input bits.
 class Inputs {
 public:
     /// Bits of equal significance are adjacent in the order, so that comparisons of inputs have small decision
@@ -56,7 +55,8 @@ public:
         for (const auto& [input, word] : words_) left_ &= in_range(space_, word);
     }
 
-    /// True if this constraint and those added so far are jointly satisfiable; empty if the memory limit is reached.
+    /// Adds a constraint. Returns true if all constraints added so far are jointly satisfiable, or nullopt if the
+    /// memory limit is reached.
     std::optional<bool> admit(Id<Expr> condition) {
         try {
             const BddTerm& found = terms_(condition);
@@ -80,8 +80,8 @@ private:
     BddTerms terms_;
 };
 
-/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1). Other constraints do not
-/// apply to this model.
+/// Adds every constraint that reads only inputs of controllers as an invariant (DESDES06 5.1). All other constraints
+/// are ignored in this model.
 void assume_constraints(const LoopMeaning& meaning) {
     for (const ClosedLoop::Constraint& constraint : meaning.loop.constraints) {
         std::string reason;
@@ -97,9 +97,9 @@ Id<Symbol> add_free(Main& main, const std::string& wish, Type type, const char* 
     return main.draft.add(wish, type, TransitionSystem::StateSymbol{}, section, origin);
 }
 
-/// Adds the free variables of each controller: its timer outputs and, with several controllers, its turn. They are
-/// passed as its last arguments. Then gives the instances unique names. Returns the turns, each of which is true
-/// infinitely often.
+/// Adds the free variables of each controller as its last arguments: its timer outputs and, if there are several
+/// controllers, its turn. Then sets unique names of the instances. Returns the turns, each of which is true infinitely
+/// often.
 std::vector<Id<Expr>> add_own_variables(const ControllerInstances& controllers) {
     Main& main = controllers.main;
     const bool several = controllers.parts.size() > 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The controllers as instances of main, independently of where their inputs come from.
+// Adds the controllers as instances of main. The caller determines the source of their inputs.
 #pragma once
 
 #include <optional>
@@ -24,18 +24,19 @@ std::vector<ControllerPart> controller_parts(const ClosedLoop& loop, std::span<c
 struct ControllerInstances {
     Main& main;
     const std::vector<ControllerPart> parts;
-    /// Module of each controller; its contents have been moved into the system.
+    /// Module of each controller. The contents of the modules have been moved into the system.
     std::vector<ControllerModule> modules = {};
     std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< instance of each controller
 
-    /// `turns` and `with_plant` have the same meaning as in ControllerStyle. Names (`name`) and arguments of the
-    /// instances are set later.
+    /// `turns` and `with_plant` have the same meaning as in ControllerStyle. `name` sets the names of the instances,
+    /// and the arguments are added later.
     ControllerInstances(Main& main, std::vector<ControllerPart> parts, bool turns, bool with_plant);
 
-    /// Gives the instances names that are unused in main. Requires that no member has been used yet.
+    /// Sets unused names of the instances in main. Requires that no symbol of an instance is used in main yet.
     void name() const;
 
-    /// Returns the variable of a controller's equations that properties read: a symbol or an argument of its module.
+    /// Returns the symbol that represents a variable of a controller's equations in properties: a symbol or an argument
+    /// of its module.
     Id<Symbol> variable(std::size_t controller, Id<Equations::Variable> id) const;
     Id<Expr> inner(std::size_t controller, Id<Symbol> symbol) const {
         return main.inner(instances[controller], symbol);
@@ -52,8 +53,8 @@ struct ControllerInstances {
     Id<Expr> settled() const;
     /// Adds `no_race` and `no_out_of_range` if such faults are possible.
     void add_fault_properties() const;
-    /// Adds the names of the controllers for traces. `runs` contains, per controller, a condition that is true in its
-    /// steps; empty if all controllers run in every step.
+    /// Adds the names of the controllers for traces. `runs` contains a condition for each controller, which is true in
+    /// the steps in which it runs; empty if all controllers run in every step.
     void add_words(const std::vector<Id<Expr>>& runs) const;
 };
 

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The module of one controller: translates the equations of a PLC cycle to a step of the system.
 //
-// First every variable of the equations gets a symbol, because each equation may read any of them (Cycle). Then the
-// equations of each type define the values of their symbols. They are evaluated at three times, which differ in the
-// meaning of leaves:
-//   now     in a cycle: variables before it and the inputs it samples: firing conditions, next values
-//   after   after a cycle: activities and stored values after it, the inputs it sampled: equation (13), every cycle
-//   first   in the first evolution: initial values and the inputs that it samples; no timer has expired
+// First a symbol is declared for every variable of the equations, because an equation may read any variable (Cycle).
+// Then the equations of each type define the values of the symbols. Equations are evaluated at three times, which
+// differ in the meaning of leaves:
+//   now     in a cycle: variables before the cycle, and sampled inputs; for firing conditions and next values
+//   after   after a cycle: activities and stored values after it, and sampled inputs; for equation (13), every cycle
+//   first   in the first evolution: initial values and sampled inputs; no timer has expired
 //
 // State 0 is power-on. If the first evolution has a visible effect (a stored action, an output, a previous value), it
-// is a separate step. `started` distinguishes this step from cycles and guards the effects of both. Otherwise the first
-// step is the first cycle, and `started` is constantly true.
+// is a separate step. `started` is false in this step and true in cycles, and guards the effects of both. Otherwise the
+// first step is the first cycle, and `started` is constantly true.
 //
-// A TransitionSystem must be total. Therefore a term that divides by zero is replaced by one that does not
-// (ranges.hpp), and if an assignment would leave its range, the variable is unchanged. Both are faults (Faults), which
-// set `out_of_range` permanently. A cycle reads what the PLC reads: all right-hand sides are over the values before the
-// step, except those of `after`, which substitute the next values. An output with stored actions is read in its image,
-// since it may not have been written to the plant yet. While `turn` is false, no variable changes.
+// A TransitionSystem must be total. Therefore a term that divides by zero is replaced by a term that does not
+// (ranges.hpp), and a variable is unchanged if its new value would be outside its range. Both cases are faults
+// (Faults), which set `out_of_range` permanently. A cycle reads the same values as the PLC: all right-hand sides are
+// over the values before the step, except those of `after`, in which the next values are substituted. A cycle reads an
+// output with stored actions from its image, because the output may not have been written to the plant yet. While
+// `turn` is false, no variable changes.
 #include "schedule/controller_module.hpp"
 
 #include <algorithm>
@@ -33,16 +34,16 @@ namespace {
 using Role = Equations::Role;
 using Variable = Equations::Variable;
 
-/// Faults of a step, which are collected during construction.
+/// The faults of a step. They are collected while the module is built.
 struct Faults {
     std::vector<Id<Expr>> conditions = {};
-    std::vector<Id<Variable>> bounded = {};  ///< variables that an assignment may take out of their range
+    std::vector<Id<Variable>> bounded = {};  ///< variables with assignments of values that may be outside their range
 };
 
 // -- symbols and readings ---------------------------------------------------------------------------------------------
 
-/// Declares the symbols, in this order, and translates the equations to them. All are declared when the constructor
-/// returns.
+/// Declares the symbols, in the order of the members, and translates the equations to terms over them. All symbols are
+/// declared when the constructor returns.
 class Cycle {
 public:
     Cycle(const Equations& equations, const ControllerStyle& style, Draft& draft)
@@ -73,12 +74,13 @@ public:
     Id<Expr> turn() const { return turn_.valid() ? draft_.leaf(turn_) : draft_.exprs.constant(true); }
     Id<Expr> elapses() const { return draft_.leaf(elapse_); }
 
-    /// Returns the condition that the first evolution has been executed, so that the current step is a cycle.
+    /// Returns the condition that the first evolution has been executed and that the current step is therefore a cycle.
     Id<Expr> in_cycles() const { return started_.valid() ? draft_.leaf(started_) : draft_.exprs.constant(true); }
     Id<Expr> initial(Id<Variable> id) const { return literal(draft_.exprs, variable(id).type, variable(id).initial); }
     Id<Expr> now(Id<Expr> term) { return now_(term); }
     Id<Expr> first(Id<Expr> term) { return first_(term); }
-    /// Returns a translator to the values after the step. `next` contains the new value of each variable that changes.
+    /// Returns a copier of terms that translates leaves to values after the step. `next` contains the new value of each
+    /// variable that changes.
     TermCopier after(const std::vector<Id<Expr>>& next) const {
         return {equations_.exprs, draft_.exprs, [this, &next](const Expr& node) {
                     const Id<Expr> changed = next[static_cast<std::size_t>(node.value)];
@@ -92,7 +94,8 @@ public:
         draft_.set(symbol, TransitionSystem::StateSymbol{initial, next});
     }
 
-    /// Returns `term`, or `instead` if it divides by zero. The condition for this is added to `faults`.
+    /// Returns a term with the value of `term`, or of `instead` if `term` divides by zero. Adds the condition of the
+    /// division by zero to `faults`.
     Id<Expr> total(Id<Expr> term, Id<Expr> instead, std::vector<Id<Expr>>& faults) const {
         if (!divides_) return term;
         const auto [safe, undefined] = schedule::total(draft_.exprs, term, draft_.types());
@@ -104,7 +107,7 @@ public:
 private:
     static Id<Variable> of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
-    /// Declares every variable with this role under its name.
+    /// Declares a symbol for every variable with this role. The symbol has the name of the variable.
     std::vector<Id<Variable>> declare(Role role, const char* section) {
         std::vector<Id<Variable>> found;
         for (const Id<Variable> id : equations_.variables.ids()) {
@@ -137,7 +140,8 @@ private:
         });
     }
 
-    /// A timer expires after the activation from which it counts. The earliest activation is in the first evolution.
+    /// Adds `started` if the first evolution is a separate step. No timer has expired in this step, because a timer
+    /// expires only after the activation of its step.
     void add_started() {
         if (!style_.scans && !first_evolution_shows()) return;
         Exprs& exprs = draft_.exprs;
@@ -185,11 +189,11 @@ private:
     const bool divides_ = divides(equations_.exprs);
     std::vector<bool> stored_ =
         std::vector<bool>(equations_.variables.size());  ///< for each variable: true if it has stored actions
-    /// For each variable: the symbol that the cycle reads, and the symbol that is visible outside. They differ for an
-    /// output with stored actions under stability search, whose first symbol is its image.
+    /// For each variable: the symbol that the cycle reads, and the symbol that is visible outside the module. The two
+    /// symbols differ only for an output with stored actions under stability search: the cycle reads its image.
     std::vector<Id<Symbol>> read_, shown_;
     std::vector<Id<Variable>> parameters_ = {};
-    Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if the module does not use it
+    Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< invalid if the module does not use the symbol
     TermCopier now_{equations_.exprs, draft_.exprs, [this](const Expr& node) { return draft_.leaf(read(of(node))); }};
     TermCopier first_{equations_.exprs, draft_.exprs, [this](const Expr& node) {
                           const Role role = variable(of(node)).role;
@@ -200,7 +204,8 @@ private:
 
 // -- values -----------------------------------------------------------------------------------------------------------
 
-/// Returns `value` if it is defined and in the range of the variable, otherwise `kept`. The fault is a definition.
+/// Returns a term with the value of `value` if it is defined and in the range of the variable, otherwise of `kept`.
+/// Adds a definition for the fault.
 Id<Expr> guarded(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> value, Id<Expr> kept, bool at_first,
                  Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -229,7 +234,7 @@ void set_firings(Cycle& cycle, Draft& draft, Faults& faults) {
     }
 }
 
-/// Sets step activities and stored variables. Returns the value after the step of each variable that changes.
+/// Sets step activities and stored variables. Returns, for each variable that changes, the value after the step.
 std::vector<Id<Expr>> set_next_values(Cycle& cycle, Draft& draft, Faults& faults) {
     std::vector<Id<Expr>> next(cycle.equations().variables.size());
     for (const Equations::StepActivity& step : cycle.equations().steps) {
@@ -271,7 +276,7 @@ bool is_unwritten(Cycle& cycle, const Equations::Output& output) {
     return cycle.now(output.value) == cycle.initial(output.variable);
 }
 
-/// Sets variables that are never written.
+/// Sets the values of variables that are never written.
 void set_constants(Cycle& cycle, Draft& draft) {
     const Equations& equations = cycle.equations();
     std::vector<bool> written(equations.variables.size());
@@ -291,7 +296,7 @@ Id<Symbol> add_stable(Cycle& cycle, Draft& draft, Faults& faults) {
 }
 
 /// Adds an output that is written only when the situation is stable. `now` is the value to write. Returns the condition
-/// that the output is up to date.
+/// that the output already has this value.
 Id<Expr> written_when_stable(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> stable, Id<Expr> now) {
     const Id<Expr> kept = draft.leaf(cycle.shown(id));
     cycle.set(cycle.shown(id), cycle.initial(id), draft.exprs.conditional(stable, now, kept));
@@ -304,7 +309,7 @@ Id<Expr> add_now(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> val
                                 variable.origin));
 }
 
-/// Adds equation (13) for stability search. Returns the condition that the output is up to date.
+/// Adds equation (13) for stability search. Returns the condition that the output already has the value to write.
 Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Output& output, Id<Expr> stable,
                               Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -317,7 +322,7 @@ Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Outpu
 }
 
 /// True if the value of `term` after a cycle depends on an input sampled in the cycle, and not only on the state after
-/// it.
+/// the cycle.
 bool reads_inputs(const Equations& equations, Id<Expr> term) {
     return std::ranges::any_of(leaves(equations.exprs, term), [&](Id<Expr> leaf) {
         const Role role = equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role;
@@ -325,8 +330,8 @@ bool reads_inputs(const Equations& equations, Id<Expr> term) {
     });
 }
 
-/// Adds equation (13) for every cycle, including the first evolution. Returns the condition that the output is up to
-/// date.
+/// Adds equation (13) for every cycle, including the first evolution. Returns the condition that the output already has
+/// the value to write.
 Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& output, TermCopier& after,
                            Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -338,7 +343,7 @@ Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& 
         if (cycle.first(output.value) != initial)
             value = is_false(exprs, initial) ? exprs.conjunction(cycle.in_cycles(), value)
                                              : exprs.conditional(cycle.in_cycles(), value, initial);
-        std::vector<Id<Expr>> seen_before;  // values in the previous cycle
+        std::vector<Id<Expr>> seen_before;  // faults that the previous cycle has already recorded
         draft.set(symbol, TransitionSystem::DefineSymbol{cycle.total(value, off, seen_before)});
         return exprs.constant(true);
     }
@@ -364,9 +369,9 @@ Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std:
                         "quiescent: another cycle with the same inputs would change nothing");
 }
 
-/// Sets the timers. While its step is active, a timer of a step may expire at any time that `elapse` permits. It is
-/// reset when the step is deactivated or activated again. Other timers (with a second duration, or for another term)
-/// are free.
+/// Sets the timers. While its step is active, a timer of a step may expire at any time that `elapse` permits. The timer
+/// is reset when the step is deactivated or activated again. The outputs of other timers (with a second duration, or
+/// for another term) are free.
 void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
     if (!cycle.style().with_plant) return;
     Exprs& exprs = draft.exprs;
@@ -398,7 +403,7 @@ Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* wish, const st
     return flag;
 }
 
-/// Returns the conditions of races, which may themselves divide by zero.
+/// Returns the conditions of races. Divisions by zero in these conditions are added to `found`.
 std::vector<Id<Expr>> races(Cycle& cycle, Draft& draft, Faults& found) {
     Exprs& exprs = draft.exprs;
     const Id<Expr> off = exprs.constant(false), at_start = exprs.negation(cycle.in_cycles());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draft: builder of a module of the TransitionSystem. It contains the symbols of the module, with unique names, and
-// creates terms over them. A symbol that others read is declared first and gets its value later (`set`). Main: builder
-// of the system. It contains main as a draft, the modules and their instances in main, and the symbols of instances
-// that are visible in main.
+// Draft: builder of a module of the TransitionSystem. A Draft contains the symbols of the module, with unique names,
+// and creates terms over these symbols. A symbol can be declared before its value is defined (`set`), so that other
+// symbols can read it. Main: builder of the system. Main contains the module `main` as a Draft, all modules and their
+// instances in main, and the symbols of instances that are visible in main.
 #pragma once
 
 #include <map>
@@ -58,7 +58,7 @@ struct Main {
     TransitionSystem system = {};
     Draft draft{system.exprs};
     UniqueNames module_names = {};
-    /// Symbols of instances in main, added on first use.
+    /// Symbols of main for symbols of instances, which are added on first use.
     std::map<std::pair<Id<Instance>, Id<Symbol>>, Id<Symbol>> members = {};
 
     explicit Main(const std::string& name) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Interleaving: one process of the network moves in each step. The choice `move` of main selects it; the modules of the
-// processes implement the moves (automaton_module.hpp). A module moves exactly if main gives it the turn. Therefore two
+// processes implement the moves (automaton_module.hpp). A module moves if and only if main selects it. Therefore two
 // processes never move simultaneously.
 //
-// Completeness: every run of the network is preserved, because a process that can move may be chosen in every state.
-// Soundness: no run is added, except through time. `none` (and, if clocks are counted, the tick) can be chosen only if
-// the network lets time pass, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its
-// process can move; otherwise `none` can be chosen. If clocks are counted, `none` is reserved for states without
-// successors, which repeat themselves.
+// Completeness: every run of the network is preserved, because in every state each process that can move may be chosen.
+// Soundness: only the abstraction of time adds runs. `none` (and, if clocks are counted, the tick) can be chosen only
+// if time can pass in the network, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its
+// process can move; otherwise `none` can be chosen. If clocks are counted, `none` can be chosen only in states without
+// successors, which are then repeated.
 //
 // The properties are those of the loop, translated to main (properties.hpp); the controllers of the network map the
-// names of the loop to it.
+// names of the loop to main.
 #include "schedule/network.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ namespace {
 using namespace schedule;
 using System = TransitionSystem;
 
-/// Marks the variables of main: those that several processes write.
+/// Marks the variables of main, which are the variables that several processes write.
 std::vector<bool> shared_variables(const Network& network) {
     std::vector<std::size_t> writers(network.variables.size());
     for (const Id<Network::Process> process : network.processes.ids())
@@ -44,8 +44,8 @@ std::vector<bool> shared_variables(const Network& network) {
 
 // -- choice of the moving process -------------------------------------------------------------------------------------
 
-/// The choice of the moving process. The value `none` follows the values for processes, and the value for time follows
-/// `none`.
+/// The choice `move`, whose value is the process that moves. The value `none` follows the values for processes, and the
+/// value for time follows `none`.
 struct Turn {
     Id<Symbol> symbol = {};
     std::size_t processes = 0;
@@ -65,7 +65,7 @@ Turn add_move(Main& main, const Network& network, bool discrete) {
             network.processes.size()};
 }
 
-/// Passes the condition for its turn to each process, and to the clocks.
+/// Passes to each process the condition that it moves, and to the clocks the condition that time passes.
 void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
     Main& main = plant.main;
     const Network& network = plant.context.network;
@@ -81,12 +81,12 @@ void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
     plant.wire(signals);
 }
 
-/// Conditions under which processes move or time passes, if clocks are counted.
+/// Conditions under which a process can move or time can pass, if clocks are counted.
 struct Offers {
     Id<Expr> can_move = {}, can_wait = {};
 };
 
-/// Abstract time: no process needs to move if no urgent edge is enabled. Discrete time: a process moves or time passes
+/// Abstract time: `none` can be chosen if no urgent edge is enabled. Discrete time: a process moves or time passes
 /// whenever possible.
 Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) {
     Main& main = plant.main;
@@ -108,8 +108,8 @@ Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) 
 
 // -- properties -------------------------------------------------------------------------------------------------------
 
-/// Adds the property of the network that expresses `property` in terms of its observer (compose/observe.hpp), and its
-/// probes.
+/// Adds the property of the network that has the name of `property` and refers to its observer (compose/observe.hpp),
+/// followed by its vacuity probes (ir/probes.hpp). If there is none, adds `property` itself.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
     const Network& network = plant.context.network;
     const auto known = std::ranges::find(network.properties, property.name, &Property::name);
@@ -123,7 +123,8 @@ void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const 
         if (probed_by(probe) == property.name) add(probe);
 }
 
-/// Adds the properties of the network first, then those with observers.
+/// Adds the observers and the properties of the loop, those that read an observer after the others, and the properties
+/// that exclude races and values outside their ranges.
 void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     const ClosedLoop& loop = meaning.loop;
     const Network& network = plant.context.network;
@@ -140,7 +141,8 @@ void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     plant.add_range_property();
 }
 
-/// Returns the parts of the network; empty if an observer reads all of them.
+/// Returns the subsystems of the network. The result is empty if there are observers, because each observer reads the
+/// complete network.
 System::Subsystems parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
     Main& main = plant.main;
     const bool watched = std::ranges::find(plant.context.network.processes, Network::ProcessKind::Observer,
@@ -176,7 +178,7 @@ System::Controller words(const PlantInstances& plant, const Network::Controller&
     const std::size_t plc = controller.process.index;
     const auto place = [&](Id<Equations::Variable> id) {
         const Id<Network::Variable> variable = controller.variables[id.index];
-        for (const auto& [known, symbol] : plant.automata[plc].within)  // these are not part of the state
+        for (const auto& [known, symbol] : plant.automata[plc].within)  // these variables do not belong to the state
             if (known == variable) return plant.main.member(plant.instances[plc], symbol);
         return plant.variables[variable.index];
     };
@@ -200,7 +202,7 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
     wire_turns(plant, move, discrete);
     plant.set_effects();
     const Offers offers = add_offers(plant, move, discrete);
-    if (options.fairness) {  // movements terminate and time diverges, so that urgent edges are not postponed forever
+    if (options.fairness) {  // movements terminate, and time diverges; therefore urgent edges are not postponed forever
         plant.add_fairness();
         main.draft.module.justice.push_back(plant.none_urgent());
     }

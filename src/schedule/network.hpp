@@ -4,7 +4,7 @@
 //
 // Mapping:
 //   process          an instance of a module, one module per component and set of constants: see automaton_module.hpp.
-//                    The PLC is one of them: its cycle, in the grain of the network, with the state of the network
+//                    The PLC is also a process: its cycle, in the grain of the network, with the state of the network
 //   moving process   a choice `move` of main: `of_H_Cyl`, `of_PLC`, or `none`, which can be chosen only if no urgent
 //                    edge is enabled
 //   shared variable  a variable of the module that writes it, or a definition if the location determines its value; a
@@ -12,11 +12,11 @@
 //   time             abstract: clocks are omitted, so that a timed edge may be taken at any time: the model has every
 //                    run of the timed loop, and more. Discrete: clocks are bounded counters of their modules, with the
 //                    normalization of the timed engine, and `move = of_time` is a tick: the states are those of the
-//                    engine. `no deadlock` becomes `always possible` of an edge, and `no timelock` of a tick
-//   observer         a module that follows every step
+//                    engine. `no deadlock` is translated to `always possible` for an edge, and `no timelock` for a tick
+//   observer         a module that observes every step
 //
 // The system is total. If an urgent edge is enabled, its process can move; otherwise `none` can be chosen. If clocks
-// are counted, a state without successors repeats itself.
+// are counted, a step from a state without successors leads to the same state.
 #pragma once
 
 #include <optional>

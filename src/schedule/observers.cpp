@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Guards may read the locations of all observers. Therefore all observers are declared first, as instances of modules
-// with only a location. The module is then replaced by the complete one with parameters and edges.
+// with only a location. Then each module is replaced by the complete module with parameters and edges.
 #include "schedule/observers.hpp"
 
 #include <unordered_map>
@@ -11,7 +11,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// `location 101` is not a NuSMV identifier; the name of the state is.
+/// Returns the names of the locations as identifiers of NuSMV: `101` becomes `state_101`.
 std::vector<std::string> value_names(const ClosedLoop::Observer& observer) {
     std::vector<std::string> names;
     for (const auto& [name, origin] : observer.locations) {
@@ -26,7 +26,8 @@ struct Guarded {
     Id<Expr> guard = {};  ///< guard over symbols of main
 };
 
-/// Returns the name of the symbol in the instance, for `instance.symbol` in main.
+/// For a symbol `instance.symbol` of main, returns its name in the module of the instance (`symbol`). For any other
+/// symbol, returns its name in main.
 const std::string& own_name(const System& system, const Symbol& symbol) {
     const auto* const member = std::get_if<System::MemberSymbol>(&symbol.kind);
     if (member == nullptr) return symbol.name;
@@ -85,7 +86,7 @@ void watch(Main& main, Id<Symbol> location, const std::vector<Guarded>& edges) {
     known.symbol = here;
 }
 
-/// Finds the observers that depend, directly or through other observers, on names that do not exist in the model.
+/// Determines the observers that depend, directly or through other observers, on names that do not exist in the model.
 /// Properties cannot read these observers.
 void find_unobserved(LoopMeaning& meaning) {
     const ClosedLoop& loop = meaning.loop;

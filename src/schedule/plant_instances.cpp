@@ -13,7 +13,7 @@ namespace {
 
 using System = TransitionSystem;
 
-// Maximum number of values; for an integer with more values, NuSMV needs noticeable time.
+// Maximum number of values of an integer; with more values, NuSMV needs noticeable time.
 constexpr std::int64_t most_values = 4096;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PlantInstances: the processes of a Network as instances of main, for all schedules.
+// PlantInstances: represents the processes of a Network by instances of main, for all schedules.
 #pragma once
 
 #include <string>
@@ -10,26 +10,26 @@
 
 namespace grafverif::schedule {
 
-/// Signals that a schedule passes to the modules.
+/// Conditions that a schedule passes to the modules.
 struct Signals {
-    std::vector<Id<Symbol>> turns = {};  ///< turn of each process
+    std::vector<Id<Symbol>> turns = {};  ///< for each process: condition that it moves
     Id<Symbol> first = {}, round = {}, tick = {};
-    Id<Symbol> over = {};  ///< in rounds: true if all processes have had their turn
+    Id<Symbol> over = {};  ///< in rounds: true if all processes have had their turn in this round
 };
 
 struct PlantInstances {
     Main& main;
     const AutomatonContext context;
-    /// Module of each process; its contents have been moved into the system.
+    /// Module of each process. The contents of the modules have been moved into the system.
     std::vector<AutomatonModule> automata = {};
     std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< instance of each process
     std::vector<Id<Symbol>> variables = {};                      ///< symbol in main for each variable of the network
 
     /// Adds modules and instances of every process, and variables of main for variables that no process owns. `known`
-    /// contains existing symbols of main for variables of the network (outputs of controllers).
+    /// contains the symbols of main that already exist for variables of the network (outputs of controllers).
     PlantInstances(Main& main, AutomatonContext context, std::vector<Id<Symbol>> known);
 
-    /// Returns a symbol of the module of a process as a term of main.
+    /// Returns a term of main that reads a symbol of the module of a process.
     Id<Expr> inner(std::size_t process, Id<Symbol> symbol) const { return main.inner(instances[process], symbol); }
     /// Returns the condition that the process is in a location.
     Id<Expr> at(std::size_t process, std::uint32_t location) const {
@@ -46,15 +46,15 @@ struct PlantInstances {
     std::vector<Id<Expr>> each(Id<Symbol> AutomatonModule::*symbol) const;
     /// Returns the condition that no process has an enabled urgent edge.
     Id<Expr> none_urgent() const;
-    /// Returns the names of a process for traces: its location, and those of its variables that controllers neither
-    /// read nor write.
+    /// Returns the names of a process for traces: its location, and its variables that controllers neither read nor
+    /// write.
     TransitionSystem::Component component(std::size_t process) const;
 
     /// Passes the arguments to each instance.
     void wire(const Signals& signals) const;
     /// Sets the next values of the variables of main that processes write.
     void set_effects() const;
-    /// Adds one justice condition per movement of the plant and per timer. There are none for the environment.
+    /// Adds one justice condition per movement of the plant and per timer, but none for the environment.
     void add_fairness() const;
     /// Adds `no_out_of_range` if some automaton can leave a range.
     void add_range_property() const;

@@ -152,7 +152,8 @@ private:
         main_.system.instances[instances_[k]].arguments = std::move(arguments);
     }
 
-    /// Returns `count` minus the time until the next scan.
+    /// Returns a term for the next value of a counter: `count` minus the time until the next scan, at least 0, in a
+    /// step with `waits`; otherwise `count`.
     Id<Expr> counted_down(Id<Expr> count) {
         const Id<Expr> passed = passed_units();
         const Id<Expr> rest = exprs().conditional(exprs().apply(Op::Greater, count, passed),
@@ -166,9 +167,9 @@ private:
                                "remaining time units of timers");
     }
 
-    /// Adds the output of a timer. It observes a step or a level after the last evolution. While the level is false,
-    /// the remaining time is the complete t1. `lasted` is true if, in the previous state, the level was true and t1 had
-    /// elapsed.
+    /// Adds the output of a timer. The timer observes a step or a level after the last evolution. While the level is
+    /// false, the remaining time is equal to t1. `lasted` is true if, in the previous state, the level was true and t1
+    /// had elapsed.
     Id<Symbol> end_of(std::size_t k, Id<Equations::Variable> id) {
         const auto timer = std::ranges::find(equations_[k]->timers, id, &Equations::Timer::end);
         const std::string name = (k == 0 ? "a_" : "b_") + timer->name;
@@ -228,7 +229,7 @@ private:
                                                               exprs().conjunction(exprs().negation(waits()), done)});
     }
 
-    /// Assumes the constraints of both charts.
+    /// Adds the constraints of both charts as assumptions.
     void assume() {
         for (const Equations* chart : equations_)
             for (const Equations::Assumption& assumption : chart->assumptions)
@@ -239,8 +240,8 @@ private:
                     }));
     }
 
-    /// Adds a tautology that relates variables of the same name. It affects only the order of decision diagrams, which
-    /// keep variables of one term close together; mostly these variables are equal.
+    /// Adds a tautology that relates variables of the same name. It affects only the variable order of decision
+    /// diagrams, in which variables of one term are close together. Variables of the same name are usually equal.
     void keep_twins_together() {
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
             for (const Id<Equations::Variable> of_b : equations_[1]->variables.ids()) {
@@ -256,7 +257,7 @@ private:
             }
     }
 
-    /// Returns the condition that some output differs.
+    /// Returns the condition that an output of the two charts differs.
     Id<Expr> differing() {
         std::vector<Id<Expr>> pairs;
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
@@ -270,7 +271,7 @@ private:
         return exprs().disjunction(pairs);
     }
 
-    /// Returns the condition that fewer than `than` scans have been answered.
+    /// Returns the condition that the charts have completed fewer than `than` scans.
     Id<Expr> scans_are_fewer(std::int64_t than) {
         const Id<Symbol> scans = main_.draft.add("scans", integer_type(0, than), TransitionSystem::StateSymbol{},
                                                  "number of scans begun after the first");

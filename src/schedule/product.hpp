@@ -43,7 +43,7 @@ struct ProductSide {
 
 struct ProductOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::int64_t unit_ms = 1;                      ///< divides all durations of the charts, and the interval
+    std::int64_t unit_ms = 1;                      ///< a divisor of all durations of both sides, and of the interval
     std::optional<std::int64_t> fewer_scans = {};  ///< restricts `same` to runs with fewer scans than this
     std::optional<std::int64_t> interval_ms = {};  ///< time between two scans; arbitrary if empty
     bool settles = false;                          ///< see above; requires stability search
@@ -55,7 +55,7 @@ struct ProductMachine {
     std::vector<Id<TransitionSystem::Symbol>> inputs = {};  ///< inputs in the order of the first chart or program
     Id<TransitionSystem::Symbol> waits = {};                ///< true if both charts have answered the scan
     Id<TransitionSystem::Symbol> passed =
-        {};  ///< in a step from such a state: time units until the next scan; invalid if there are no timers
+        {};  ///< in a step with `waits`: time units until the next scan; invalid if there are no timers
 };
 
 /// Requires that both have the same inputs with equal types, and each of the compared outputs, and that verify is empty

@@ -9,8 +9,8 @@ namespace grafverif::schedule {
 
 namespace {
 
-/// Translates a name of the loop. If it has no meaning in the model, the result is invalid, and `reason` receives the
-/// reason.
+/// Translates a name of the loop. If the name has no meaning in the model, the result is invalid, and `reason` receives
+/// the reason.
 Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, std::string& reason) {
     const ClosedLoop& loop = meaning.loop;
     const Draft& main = meaning.main.draft;
@@ -84,7 +84,8 @@ std::string refusal(const LoopMeaning& meaning, const Property& property) {
     unreachable();
 }
 
-/// Adds one `reachable` per step, named `PROP.X7`, or `PROP.chart.X7` with several controllers.
+/// Adds a property `reachable` for each step, with the name `PROP.X7` or, if there are several controllers,
+/// `PROP.chart.X7`.
 void add_all_steps(const LoopMeaning& meaning, const Property& property) {
     for (std::size_t controller = 0; controller < meaning.equations.size(); ++controller) {
         const Equations& equations = meaning.equations[controller];
@@ -127,7 +128,8 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
     if (meaning.checked_when_stable) translated.at_stable = true;
     if (property.pattern == Pattern::ReachableAllSteps) return add_all_steps(meaning, translated);
     if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
-        // Until an edge is enabled, only time passes. Therefore `possible` is equivalent to `eventually`.
+        // Until an edge is enabled, only time passes, so that there is only one run. Therefore `possible` is equivalent
+        // to `eventually`.
         translated.pattern = Pattern::AlwaysPossible;
         translated.operands = {property.pattern == Pattern::NoDeadlock ? meaning.can_move : meaning.can_wait};
     }

@@ -37,7 +37,7 @@ bool may_leave_64_bits(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of)
 
 Id<Expr> has_no_value(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     const Op op = exprs[term].op;
-    if (may_leave_64_bits(exprs, term, type_of)) return exprs.constant(true);  // conservatively treated as undefined
+    if (may_leave_64_bits(exprs, term, type_of)) return exprs.constant(true);  // conservatively assumed to be undefined
     const std::vector<Id<Expr>> operands = operands_of(exprs, term);
     const auto fault = [&](std::size_t i) { return has_no_value(exprs, operands[i], type_of); };
     if (op == Op::Conditional) return exprs.disjunction(fault(0), either(exprs, operands[0], fault(1), fault(2)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conditions under which a value is undefined or outside of its variable's range: an assignment would leave the range
-// of its target or divide by zero. Both conditions are terms, which are constant if the types alone determine them.
+// Conditions under which a value is undefined (division by zero) or outside the range of its variable. Both conditions
+// are terms; a condition is constant if the types determine it.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 namespace grafverif::schedule {
 
 /// A total version of a term, in which divisors of 0 are replaced by 1. It is necessary because a model checker also
-/// evaluates values that no run uses.
+/// evaluates values that do not occur in any run.
 struct Total {
     Id<Expr> term = {};
-    /// Condition under which the original is undefined: grafverif::evaluate divides by zero, or the types permit a
+    /// Condition under which the original term is undefined: grafverif::evaluate divides by zero, or the types permit a
     /// value outside 64 bits.
     Id<Expr> undefined = {};
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texts that state the consequences of an untimed model's verdicts for the timed closed loop. A text is one paragraph
-// for the header of the model and for reports. It depends on the approach, the schedule and the type of property.
+// for the header of the model and for reports. The text depends on the approach and the schedule, and distinguishes the
+// types of properties.
 #pragma once
 
 #include <span>
@@ -16,7 +17,7 @@ namespace grafverif::schedule {
 std::string controllers_scope(std::span<const ControllerPart> controllers, bool constrained);
 /// Returns the text for controllers and plant automata, synchronous or sequenced.
 std::string together_scope(Schedule schedule, std::span<const ControllerPart> controllers, bool fairness);
-/// Returns the text for the network, in which one process moves at a time.
+/// Returns the text for schedule interleaved, in which one process moves at a time.
 std::string network_scope(const Network& network, const ScheduleOptions& options);
 
 }  // namespace grafverif::schedule

@@ -10,8 +10,8 @@ namespace {
 
 using Subsystem = TransitionSystem::Subsystem;
 
-/// Sets the values that replace the members of omitted instances in main: omitted instances cannot and need not move,
-/// and all let time pass.
+/// Sets the values that replace the members of omitted instances in main: omitted instances cannot move, have no urgent
+/// edges and do not prevent time from passing.
 void omit_members(const PlantInstances& plant, const NetworkSubsystems& parts, std::vector<Subsystem>& made) {
     Main& main = plant.main;
     Exprs& exprs = main.system.exprs;

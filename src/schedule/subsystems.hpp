@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Independent subsystems of an interleaved loop: those of its network (ir/network_subsystems.hpp), translated to main.
+// Translates the independent subsystems of a network (ir/network_subsystems.hpp) to main, for schedule interleaved.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace grafverif::schedule {
 /// Translates a term of the network, over variables and At, to main.
 Id<Expr> over_main(const PlantInstances& plant, Id<Expr> term);
 
-/// Returns at least two parts, or none. `turns` contains, per process, the condition that is true in its steps.
-/// Requires that main has all its members.
+/// Returns at least two subsystems, or an empty result. For each process, `turns` contains the condition that is true
+/// in its steps. Requires that all symbols of main are declared.
 std::vector<TransitionSystem::Subsystem> interleaved_subsystems(const PlantInstances& plant,
                                                                 const std::vector<Id<Expr>>& turns);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Controllers and automata read each other. Therefore declarations precede connections. First the instances and their
-// members are added: the outputs of the controllers, which automata read as variables of the network with the same
-// index, and then the automata, whose variables are the inputs of the controllers. Then arguments are passed. Elements
-// of the complete system (fairness, `settled`, properties) are added last.
+// Controllers and automata read variables of each other. Therefore all instances and their symbols are added first. The
+// outputs of the controllers are added before the automata, which read them as variables of the network with the same
+// index. The variables of the automata are the inputs of the controllers. Then the arguments of the instances are set.
+// Elements of the complete system (fairness, `settled`, properties) are added last.
 #include "schedule/together.hpp"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ std::vector<Id<Symbol>> outputs(const ControllerInstances& controllers, const Cl
     return shared;
 }
 
-/// Sets the arguments `turn` and `elapse` of the controllers. Returns the conditions under which they run; empty if
-/// they run in every step.
+/// Sets the arguments `turn` and `elapse` of the controllers. Returns the conditions under which controllers run. The
+/// result is empty if they run in every step.
 std::vector<Id<Expr>> wire_turns(const ControllerInstances& controllers, const std::optional<Sequencer>& sequencer) {
     Draft& main = controllers.main.draft;
     const auto timed = [](const ControllerPart& part) { return !part.equations.timers.empty(); };
@@ -46,8 +46,9 @@ std::vector<Id<Expr>> wire_turns(const ControllerInstances& controllers, const s
     return std::vector<Id<Expr>>(controllers.parts.size(), main.leaf(turn));
 }
 
-/// Returns the condition that the evolution has ended: controllers with stability search are quiescent, and the others
-/// have executed their single cycle, which directly follows the first evolution.
+/// Returns the condition that the evolution of the controllers has ended: controllers with stability search are
+/// quiescent, and the other controllers have executed one cycle. If this is the first cycle, it directly follows the
+/// first evolution.
 Id<Expr> evolution_over(const ControllerInstances& controllers) {
     std::vector<Id<Expr>> over;
     for (std::size_t index = 0; index < controllers.parts.size(); ++index) {

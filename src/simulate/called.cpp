@@ -11,12 +11,13 @@ namespace grafverif {
 
 namespace {
 
-/// Returns `name`, qualified by its owner if there is one.
+/// Returns `name`, qualified by the name of its owner if it has an owner.
 std::string within(std::string_view owner, std::string_view name) {
     return owner.empty() ? std::string(name) : fmt::format("{}.{}", owner, name);
 }
 
-/// Returns the steps that match the name. `own` is the last part of the step's name in the command.
+/// Returns the steps that match the name: those with this complete name or, if there are none, those with this name
+/// after a qualifier. In `name`, the step name follows `before_own`, which is empty, or `X` for a step variable.
 std::vector<Id<ChartRun::Step>> matching(const ChartRun& run, std::string_view name, std::string_view before_own) {
     std::vector<Id<ChartRun::Step>> whole, shortened;
     for (const ChartRun::Controller& controller : run.controllers)
@@ -88,7 +89,7 @@ std::string variable_of(const ChartRun::Step& step) { return within(step.control
 std::string range_text(std::string_view name, const Type& type, std::int64_t value) {
     if (value >= type.low && value <= type.high) return {};
     if (type.boolean) return fmt::format("`{}` is Boolean and cannot be {}; use true or false", name, value);
-    return fmt::format("`{}` takes {} to {}; not {}", name, type.low, type.high, value);
+    return fmt::format("`{}` ranges from {} to {} and cannot be {}", name, type.low, type.high, value);
 }
 
 std::string ambiguous_text(std::string_view name, const std::vector<std::string>& all) {

@@ -19,7 +19,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the term that a timer observes in the notation of conditions, such as `X2` or `a`, if it is a name;
+/// Returns the term that a timer observes, in the notation of conditions, if the term is a name such as `X2` or `a`;
 /// otherwise an empty string.
 std::string watched_text(const Chart& chart, const TimedElement& element) {
     if (element.step.valid()) return step_variable(chart, element.step);
@@ -132,7 +132,7 @@ std::vector<std::string> ChartSimulation::violated_constraints() const {
     return broken;
 }
 
-/// Returns the actions of the controller. If `reads`, the inputs and timer outputs are sampled.
+/// Returns an act of the controller. If `reads` is true, it samples the inputs and timer outputs.
 ChartRun::Act ChartSimulation::act_of(bool reads) const {
     ChartRun::Act act{.controller = {0}};
     for (const Id<Chart::Variable> id : chart_.variables.ids())
@@ -142,7 +142,8 @@ ChartRun::Act ChartSimulation::act_of(bool reads) const {
     return act;
 }
 
-/// Appends the evolutions of the cycle `made`, each with its situation, and the outputs that are written at its end.
+/// Appends the evolutions of the cycle `made` with their situations, and the outputs that are written at the end of the
+/// cycle.
 void ChartSimulation::add_evolution_rows(const Cycle& made) {
     for (std::size_t k = 0; k < made.fired.size(); ++k) {
         const bool first = !state_.started;
@@ -175,8 +176,8 @@ std::string ChartSimulation::cycle() {
     return problem;
 }
 
-/// Executes cycles until one of them changes nothing. If each cycle is one evolution, Brent's cycle detection finds
-/// infinite sequences.
+/// Executes cycles until a cycle changes nothing. If each cycle is one evolution, infinite sequences are found by
+/// Brent's cycle detection.
 std::string ChartSimulation::follow() {
     State kept = state_;
     std::vector<std::vector<bool>> since_kept;
@@ -204,7 +205,7 @@ std::string ChartSimulation::settle() {
     return problem;
 }
 
-/// Returns the time until the next delay has elapsed.
+/// Returns the time until the next delay of a timer has elapsed.
 std::optional<std::int64_t> ChartSimulation::next_end() const {
     std::optional<std::int64_t> soonest;
     const auto offer = [&](std::int64_t left) {
@@ -308,7 +309,7 @@ std::string ChartSimulation::force(std::string_view step, bool active) {
     return make(*trial);
 }
 
-/// Performs a forced step change, which must not have been rejected.
+/// Performs a forced change of a step. Requires that the change was accepted.
 void ChartSimulation::put(const WhatIfRun& trial) {
     ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
     if (auto state = with_situation(chart_, state_, std::move(made.situation), inputs_)) state_ = std::move(*state);

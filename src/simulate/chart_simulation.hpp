@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ChartSimulation: interactive simulation of a single chart according to IEC 60848. Commands set inputs and let time
-// pass. After each command, cycles of the PLC are executed until they change nothing. Inputs set by one command change
+// pass. After each command, PLC cycles are executed until a cycle changes nothing. Inputs set by one command change
 // simultaneously.
 #pragma once
 
@@ -29,15 +29,15 @@ public:
     const ChartRun& told() const { return told_; }
     ChartRun with_trace_rows(Detail detail) const;
 
-    /// Returns the adjacent values of each input that do not violate more constraints than the current values.
+    /// Returns changes of one input to an adjacent value that do not violate more constraints than the current values.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return settings().size(); }
     DelayBounds patience() const;
-    /// Returns the constraints that the inputs currently violate, which a simulation permits.
+    /// Returns the constraints that the current inputs violate. A simulation permits such inputs.
     std::vector<std::string> violated_constraints() const;
 
-    /// The following functions are as in LoopSimulation. A command that returns an error may have changed inputs and
-    /// let time pass.
+    /// The following functions have the same meaning as in LoopSimulation. A command that returns an error may have
+    /// changed inputs and let time pass.
     std::string settle();
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
@@ -46,7 +46,8 @@ public:
     std::string set(const std::vector<Setting>& settings);
     std::string act(std::string_view instance, std::string_view location);
     std::string force(std::string_view step, bool active);
-    /// Returns the first row that is not part of a run of the chart because a step was forced.
+    /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
+    /// on, the recording is not a run of the chart.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
     bool back();
     /// Returns the number of commands that can be undone.

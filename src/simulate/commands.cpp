@@ -52,7 +52,7 @@ Command set_of(const std::vector<std::string>& list) {
     return set;
 }
 
-/// Returns the line without its first `count` words.
+/// Returns the text of the line after its first `count` words.
 std::string_view behind(std::string_view line, std::size_t count) {
     for (; count > 0; --count) {
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));

@@ -3,17 +3,18 @@
 //
 //   NAME = VALUE         set an input (or a variable of the plant) to true, false, or a number; for a single chart also
 //                        `NAME = VALUE, NAME = VALUE`, simultaneously
-//   wait 3s              let time pass: ms, s or min;  `wait` alone: until the next spontaneous or possible event
-//   do INSTANCE          take the first enabled edge of the instance;  `do INSTANCE LOCATION`: one to the location
-//   force STEP on        activate (`off`: deactivate) a step by hand; from then on not a run of the model
-//   3                    the third of the listed choices
+//   wait 3s              let this time pass (in ms, s or min);  `wait`: until the next spontaneous or possible event
+//   do INSTANCE          take the first enabled edge of the instance;  `do INSTANCE LOCATION`: an edge to it
+//   force STEP on        activate (`off`: deactivate) a step; the result is no longer a run of the model
+//   3                    make the third of the listed choices
 //   back, undo           undo the last command
-//   expect CLAIM         it holds now (simulate/expectation.hpp);  `expect within 5s CLAIM`: it becomes true within
-//   this time wait until CLAIM     let time pass until it holds
+//   expect CLAIM         check that CLAIM holds now (simulate/expectation.hpp);  `expect within 5s CLAIM`: that it
+//                        becomes true within this time
+//   wait until CLAIM     let time pass until CLAIM holds
 //   show                 print all current values
 //   repeat 3 {           in a script: repeat the lines up to a line `}`
-//   save FILE            write the commands so far as a script
-//   quit                 end; the end of the input has the same effect
+//   save FILE            write the commands executed so far as a script
+//   quit                 end the simulation; the end of the input has the same effect
 //
 // Empty lines are ignored. Text after `//` or `#` is also ignored.
 #pragma once
@@ -32,7 +33,7 @@
 namespace grafverif {
 
 struct SetCommand {
-    std::vector<Setting> settings = {};  ///< contains at least one setting
+    std::vector<Setting> settings = {};  ///< at least one input with its new value
     bool operator==(const SetCommand&) const = default;
 };
 struct WaitCommand {
@@ -55,8 +56,8 @@ struct ChooseCommand {
 struct BackCommand {
     bool operator==(const BackCommand&) const = default;
 };
-/// An `expect` command. `response_timeout_ms` is its time limit. If it is 0, the expectation must hold now. If it is
-/// empty, the expectation may become true for as long as spontaneous events occur.
+/// An `expect` command. `response_timeout_ms` is its time limit. With the limit 0, the expectation must hold now.
+/// Without a limit, the expectation may become true as long as spontaneous events occur.
 struct ExpectCommand {
     Expectation claim = {};
     std::optional<std::int64_t> response_timeout_ms = 0;
@@ -69,7 +70,7 @@ struct RepeatCommand {
     std::uint64_t times = 0;
     bool operator==(const RepeatCommand&) const = default;
 };
-/// The end of a `repeat`: `}`.
+/// The line `}`, which ends a `repeat`.
 struct EndCommand {
     bool operator==(const EndCommand&) const = default;
 };
@@ -86,7 +87,7 @@ struct HelpCommand {
 struct NoCommand {
     bool operator==(const NoCommand&) const = default;
 };
-/// The message for an invalid line.
+/// An invalid line, with an error message.
 struct BadCommand {
     std::string error_text = {};
     bool operator==(const BadCommand&) const = default;
@@ -96,7 +97,7 @@ using Command =
     std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, ChooseCommand, BackCommand, ExpectCommand,
                  ShowCommand, RepeatCommand, EndCommand, SaveCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
 
-/// Words with which a command begins.
+/// Words with which a command can begin.
 inline constexpr std::array<std::string_view, 12> command_text = {
     "back", "do", "expect", "force", "help", "quit", "repeat", "save", "show", "undo", "wait", "wait until"};
 

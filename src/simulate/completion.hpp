@@ -10,11 +10,11 @@
 
 namespace grafverif {
 
-/// Returns the commands and names that are allowed at this position and that begin with the last word of `line`, which
-/// may be empty.
+/// Returns the commands and names that are allowed as the last word of `line` and begin with this word, which may be
+/// empty.
 std::vector<std::string> completions(const Simulation& simulation, std::string_view line);
 
-/// Returns the start of the last word of `line`.
+/// Returns the position at which the last word of `line` begins.
 std::size_t last_word(std::string_view line);
 
 }  // namespace grafverif

@@ -58,7 +58,7 @@ struct Now {
     bool is_step = false, boolean = false;
 };
 
-/// Returns the current value of the variable, step variable or location with this name, or nothing after an error, with
+/// Returns the current value of the variable, step variable or location with this name, or nullopt after an error, with
 /// the reason in `problem`.
 std::optional<Now> now_of(const ChartRun& run, std::size_t moment, std::string_view name, const LocationOf& location_of,
                           std::string& problem) {
@@ -103,7 +103,7 @@ std::variant<Expectation, std::string> preservation_class_of(std::string_view te
     const auto is = [&](std::size_t at, std::string_view word) { return at < list.size() && list[at] == word; };
     std::size_t at = 0;
     do {
-        if (!claim.parts.empty()) ++at;  // skips `and` or `,`
+        if (!claim.parts.empty()) ++at;  // skips the operator `and` or `,`
         const bool negated = is(at, "not") || is(at, "!");
         if (negated) ++at;
         if (at >= list.size() || is_sign(list[at][0]))

@@ -6,7 +6,7 @@
 //   LEVEL >= 3            =, ==, !=, <, <=, >, >=; for Booleans `LAMP = true`
 //   Gate in open          the instance Gate is in its location open
 //
-// The operators `and` and `,` form conjunctions of these.
+// The operators `and` and `,` form conjunctions of these expectations.
 #pragma once
 
 #include <cstddef>
@@ -31,30 +31,31 @@ struct Expectation {
         std::string location = {};  ///< location for In and NotIn
         bool operator==(const Condition&) const = default;
     };
-    std::vector<Condition> parts = {};  ///< conjunction of at least one condition
+    std::vector<Condition> parts = {};  ///< at least one condition; the expectation is their conjunction
     std::string text = {};              ///< text as entered
     bool operator==(const Expectation&) const = default;
 };
 
-/// Returns the value of an integer, or nothing if the text is not one.
+/// Parses a decimal integer. Returns nullopt if `text` is not an integer.
 std::optional<std::int64_t> number_of(std::string_view text);
-/// Returns the value of `true`, `false` or an integer, as in commands and expectations.
+/// Parses a value of a command or an expectation: `true` (1), `false` (0) or an integer.
 std::optional<std::int64_t> value_of(std::string_view text);
 
 /// Parses an expectation. Returns a message if the text is invalid.
 std::variant<Expectation, std::string> preservation_class_of(std::string_view text);
 
-/// Returns the location of the instance with this name after the considered event, or nothing if there is no such
+/// Returns the location of the instance with this name after the considered event, or nullopt if there is no such
 /// instance.
 using LocationOf = std::function<std::optional<std::string>(std::string_view instance)>;
 
-/// Returns the first part that does not hold after `moment` of `run`, with the actual value (`X3 is not active`). The
-/// string is empty if all parts hold. The result is empty after an error; `problem` then names what does not exist.
+/// Returns the first condition that does not hold after event `moment` of `run`, with the actual value (`X3 is not
+/// active`), or an empty string if all conditions hold. After an error, the result is nullopt, and `problem` names the
+/// element that does not exist.
 std::optional<std::string> unmet_part(const Expectation& claim, const ChartRun& run, std::size_t moment,
                                       const LocationOf& location_of, std::string& problem);
 
-/// True if each part names a step. Such an expectation has a value in transient situations, in which outputs are not
-/// yet written.
+/// True if each condition concerns a step. Such an expectation can also be evaluated in transient situations, in which
+/// outputs are not yet written.
 bool names_only_steps(const Expectation& claim, const ChartRun& run);
 
 }  // namespace grafverif

@@ -27,7 +27,7 @@ const Network::Edge& edge_of(const Network& network, const Fire& fire) {
     return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
 }
 
-/// The situations of controllers within an instant.
+/// Records the situations of controllers within an instant.
 class Course {
 public:
     Course(const Network& network, const std::vector<const Chart*>& charts) : network_(network), charts_(charts) {}
@@ -41,7 +41,7 @@ public:
         others_moved_ = others_moved_ || of_plant(network_, fire);
         note(state);
     }
-    /// Returns the message for a sequence that has returned to its first state.
+    /// Returns the message for a sequence of moves that has returned to its first state.
     std::string endless_text() const {
         const auto moved = std::ranges::find_if(situations_, [](const auto& each) { return each.size() > 1; });
         if (others_moved_ || moved == situations_.end()) return "the moves repeat forever within one instant";
@@ -102,7 +102,7 @@ std::vector<Choice> LoopSimulation::choices() const {
     return list;
 }
 
-/// Returns the command with the name of the instance, if it is unambiguous.
+/// Returns `do INSTANCE LOCATION` if this command is unambiguous, otherwise the number of the choice.
 std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size_t choice) const {
     const auto target = [&](const Fire& fire) { return edge_of(network_, fire).to; };
     const auto same = [&](const Fire& other) {
@@ -163,8 +163,8 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
         const auto found = std::ranges::find_if(moves, wanted);
         return found == moves.end() ? std::nullopt : std::optional(*found);
     };
-    // If an instance has a single urgent edge, it takes this edge. Its timed edges are alternatives that need not be
-    // taken.
+    // If an instance has only one enabled urgent edge, this edge is taken. The timed edges of the instance are
+    // alternatives that need not be taken.
     const auto alone = [&](const Fire& fire) {
         const auto& count = edge_of(network_, fire).urgent ? urgent_options : options;
         return of_plant(network_, fire) && count[fire.process.index] == 1;
@@ -180,7 +180,7 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
         [&](const Fire& fire) { return alone(fire) && std::ranges::find(hurried, fire.process) != hurried.end(); });
 }
 
-/// Executes the spontaneous moves of this instant. Brent's cycle detection finds infinite sequences.
+/// Executes the spontaneous moves of this instant. Infinite sequences are found by Brent's cycle detection.
 std::string LoopSimulation::follow() {
     if (detail_ == Detail::Everything) return {};
     NetworkState kept = state_;
@@ -300,9 +300,8 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
         return unknown_reason_text("instance", instance, known);
     if (named != told_.instances.end() && !location.empty() &&
         std::ranges::find(named->locations, location) == named->locations.end())
-        return unknown_reason_text(fmt::format("location of `{}`", instance), location, named->locations);
-    return fmt::format("`{}`{} is not possible now", instance,
-                       location.empty() ? "" : fmt::format(" to `{}`", location));
+        return unknown_reason_text(fmt::format("`{}` location", instance), location, named->locations);
+    return fmt::format("`{}` cannot move{} now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
 }
 
 std::optional<std::int64_t> LoopSimulation::soonest_ms() const {
@@ -384,7 +383,7 @@ ManualSituation LoopSimulation::forced(const WhatIfRun& trial) const {
                    {static_cast<std::uint32_t>(trial.step)}, trial.active);
 }
 
-/// Performs a forced step change, which must not have been rejected.
+/// Performs a forced change of a step. Requires that the change was accepted.
 void LoopSimulation::put(const WhatIfRun& trial) {
     put_situation(network_, state_, {trial.controller.index}, forced(trial).situation);
     what_if_runs_.push_back({run_.moves.size(), trial});

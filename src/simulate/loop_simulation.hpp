@@ -3,12 +3,12 @@
 // inputs and let time pass. The remaining moves are executed automatically, in the following order, until a choice is
 // required:
 //
-//   1  urgent edges of the plant and its environment, if an instance has only one: sensors follow the plant
+//   1  urgent edges of the plant and its environment, if an instance has only one such edge: sensors follow the plant
 //   2  timers
 //   3  PLC cycles
-//   4  edges that an invariant forces now, if an instance has only one: movements continue
+//   4  edges that an invariant forces now, if an instance has only one such edge: movements continue
 //
-// A step can also be forced between two cycles of its PLC (what-if run).
+// Between two PLC cycles, the user can also force a step to be active or inactive (what-if run).
 //
 // With Detail::Everything, no move is automatic: every edge is a choice.
 #pragma once
@@ -32,7 +32,7 @@ namespace grafverif {
 
 class LoopSimulation {
 public:
-    /// `network` and `charts`, which are the charts of its controllers, must outlive the simulation.
+    /// `charts` are the charts of the controllers. `network` and the charts must outlive the simulation.
     LoopSimulation(const Network& network, std::vector<const Chart*> charts, Detail detail);
     LoopSimulation(const LoopSimulation&) = delete;
     LoopSimulation& operator=(const LoopSimulation&) = delete;
@@ -45,8 +45,8 @@ public:
     std::size_t choice_count() const { return fires().size(); }
     DelayBounds patience() const;
 
-    /// Each of the following functions is one command. It performs its moves and then the automatic ones. Returns an
-    /// error message or an empty string. After an error, some moves may have been performed.
+    /// Each of the following functions is one command: it performs the moves of the command and then the automatic
+    /// moves. It returns an error message or an empty string. After an error, some moves may have been performed.
     std::string settle();
     /// Makes a choice. Numbers start at 0.
     std::string choose(std::size_t choice);
@@ -57,26 +57,27 @@ public:
     std::string set(const std::vector<Setting>& settings);
     /// Takes the first edge of `instance` to `location`; if `location` is empty, the first enabled edge.
     std::string act(std::string_view instance, std::string_view location);
-    /// Activates or deactivates a step, as forced by the user.
+    /// Forces a step to be active or inactive, independently of the rules.
     std::string force(std::string_view step, bool active);
-    /// Returns the first row that is not part of a run of the network because a step was forced.
+    /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
+    /// on, the recording is not a run of the network.
     std::optional<std::size_t> what_if_row() const { return what_if_row_; }
-    /// Returns the time until the next spontaneous or possible event, or nothing if there is none.
+    /// Returns the time until the next spontaneous or possible event, or nullopt if there is no such event.
     std::optional<std::int64_t> soonest_ms() const;
-    /// Returns the location of the instance after an event of the recorded run, or nothing if there is no such
+    /// Returns the location of the instance after an event of the recorded run, or nullopt if there is no such
     /// instance.
     std::optional<std::string> location_of(std::string_view instance, std::size_t moment) const;
-    /// Returns the name of the variable that is connected to a port. For an output such as `Main.FLOW`, it is the
-    /// variable that the output writes; for an input, the variable that it reads. The result is empty if there is no
-    /// such port, or if it reads a term.
+    /// Returns the name of the variable that is connected to a port of an instance. For an output such as `Main.FLOW`,
+    /// it is the variable that the output writes; for an input, the variable that it reads. The result is empty if
+    /// there is no such port, or if the port reads a term.
     std::string behind_port(std::string_view name) const;
-    /// Undoes the last command. Returns false if there is none.
+    /// Undoes the last command. Returns false if there is no command to undo.
     bool back();
     /// Returns the number of commands that can be undone.
     std::size_t commands() const { return commands_.size(); }
 
 private:
-    /// A forced step change before the move with this index.
+    /// A forced change of a step. `at` is the index of the next move.
     struct Forced {
         std::size_t at = 0;
         WhatIfRun trial = {};
@@ -107,7 +108,7 @@ private:
     NetworkState state_;
     Run run_ = {};
     ChartRun told_ = {};
-    std::optional<NetworkProjection> projection_;  ///< projection of the run to `told_`
+    std::optional<NetworkProjection> projection_;  ///< projection that appends the moves of the run to `told_`
     std::optional<TraceRowBuilder> teller_;
     std::vector<Forced> what_if_runs_ = {};
     std::vector<Mark> commands_ = {};

@@ -29,7 +29,7 @@ std::string Recording::execute(const Command& command, std::string_view line) {
     std::string text(trimmed(line));
     if (const auto* const choice = std::get_if<ChooseCommand>(&command); choice && choice->number > 0) {
         const std::vector<Choice> choices = simulation_.choices();
-        // The name is more informative than the number.
+        // In a script, the name of a choice is more informative than its number.
         if (choice->number <= choices.size()) text = choices[choice->number - 1].command;
     }
     std::string problem = simulation_.execute(command);

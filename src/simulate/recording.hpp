@@ -12,20 +12,20 @@ namespace grafverif {
 
 class Recording {
 public:
-    /// `simulation` must have been started and must outlive the recording.
+    /// The simulation must have been started, and must outlive the recording.
     explicit Recording(Simulation& simulation) : simulation_(simulation) {}
 
     /// Executes a command in the same way as Simulation::execute. `line` is the text of the command.
     std::string execute(const Command& command, std::string_view line);
 
-    /// Returns the executed commands, without commands that were undone or rejected. Each is followed by an `expect` of
-    /// the steps, outputs and internal variables that it changed.
+    /// Returns the executed commands, without commands that were undone or rejected. After each command, an `expect`
+    /// states the values of the steps, outputs and internal variables that the command changed.
     std::string script() const;
 
 private:
     struct Line {
         std::string text = {}, claim = {};
-        std::size_t commands = 0;  ///< number of commands of the simulation that are undone together with it
+        std::size_t commands = 0;  ///< number of commands that the simulation can undo after this line
     };
 
     std::string claim(const ChartRun::State& before) const;

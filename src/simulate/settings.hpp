@@ -21,8 +21,8 @@ struct Setting {
 struct DelayBounds {
     std::int64_t unit_ms = 1;
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};  ///< time until a choice is required; empty if unbounded
-    /// Time until the next spontaneous or possible event; empty if there is none.
+    std::optional<std::int64_t> limit = {};  ///< time until a choice is required; empty if no choice is ever required
+    /// Time until the next spontaneous or possible event; empty if there is no such event.
     std::optional<std::int64_t> change = {};
     bool operator==(const DelayBounds&) const = default;
 };

@@ -14,8 +14,8 @@ std::string Simulation::begin() {
     return std::visit([](auto& of) { return of.settle(); }, of_);
 }
 
-/// A command may consist of several moves, because time passes stepwise until an expectation holds. A command without
-/// moves cannot be undone.
+/// A command may consist of several moves, because the simulation advances time stepwise until an expectation holds.
+/// Only commands with moves can be undone.
 std::string Simulation::execute(const Command& command) {
     unmet_ = false;
     if (std::holds_alternative<BackCommand>(command)) return undo();
@@ -70,9 +70,9 @@ std::optional<std::string> Simulation::unmet_at(const Expectation& claim, std::s
     return unmet_part(claim, told(), moment, location_of, problem);
 }
 
-/// True if the expectation became true during the instant. An instant can contain several evolutions, so that the
-/// situation after it does not show a step that is deactivated in the same instant. An expectation must become true:
-/// states that the last command ended were true before it.
+/// True if the expectation became true during the instant. An instant can contain several evolutions. Therefore the
+/// situation after the instant does not show a step that is activated and deactivated in the instant. The expectation
+/// must become true in an event: it is not sufficient that it held before the first examined event.
 bool Simulation::met_in_passing(const Expectation& claim) {
     const ChartRun& run = told();
     const std::int64_t now = run.moments.back().after.time_ms;
@@ -95,11 +95,11 @@ bool Simulation::met_in_passing(const Expectation& claim) {
     return false;
 }
 
-/// Time passes from one spontaneous event to the next, because values do not change between them.
+/// Advances time from one spontaneous event to the next, because values do not change between these events.
 std::string Simulation::expect(const ExpectCommand& wish) {
     Expectation claim = wish.claim;
     for (Expectation::Condition& part :
-         claim.parts) {  // a port denotes its variable, unless the name has another meaning
+         claim.parts) {  // a port denotes its variable, unless a signal or location has this name
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         const bool known =
             !signals_called(told(), part.name).empty() || location_called(told(), part.name).instance.valid();

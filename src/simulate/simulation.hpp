@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simulation: a closed loop or a single chart, controlled by commands. Interactive use, scripts, random walks and the
-// web page share this interface.
+// Simulation: a closed loop or a single chart, controlled by commands. Interactive simulations, scripts, random walks
+// and the web page use this interface.
 #pragma once
 
 #include <cstdint>
@@ -28,24 +28,25 @@ public:
 
     /// Executes the automatic moves after power-on. Returns an error message or an empty string.
     std::string begin();
-    /// Executes a command. Returns an error message or an empty string. A command without moves does not fail.
+    /// Executes a command. Returns an error message or an empty string. A command that performs no moves is not an
+    /// error.
     std::string execute(const Command& command);
-    /// True if the last command was an `expect` or a `wait until` that was not fulfilled. Its message then describes
-    /// the actual state, and the simulation can continue.
+    /// True if the last command was an `expect` or a `wait until` that was not fulfilled. The error message then
+    /// describes the actual state, and the simulation can continue.
     bool unmet() const { return unmet_; }
 
     /// Returns the number of commands that can be undone.
     std::size_t undoable() const { return commands_.size(); }
 
     const ChartRun& told() const;
-    /// Returns the first row of the recorded run that is not part of a run of the model because a step was forced, or
-    /// nothing if there is none.
+    /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
+    /// on, the recording is not a run of the model.
     std::optional<std::size_t> what_if_row() const;
     std::vector<Choice> choices() const;
     std::size_t choice_count() const;
     DelayBounds patience() const;
-    /// Returns the constraints of the chart that the inputs currently violate. With a plant, they are properties to
-    /// prove.
+    /// Returns the constraints of the chart that the current inputs violate. In a loop with a plant, constraints are
+    /// properties to prove, and the result is empty.
     std::vector<std::string> violated_constraints() const;
 
     /// Returns the complete run, recorded as one command, without boundaries between commands.
@@ -65,18 +66,17 @@ private:
     struct Before {
         std::size_t moves = 0, examined = 0;
     };
-    std::vector<Before> commands_ = {};  ///< the values before each command that can be undone
-    std::size_t examined_ = 0;           ///< the recorded event after which `wait until` starts to examine the run
+    std::vector<Before> commands_ = {};  ///< values of these members before each command that can be undone
+    std::size_t examined_ = 0;           ///< index of the event after which `wait until` begins to examine the run
     bool unmet_ = false;
 };
 
-/// Random walk: chooses one command after another, with equal probability among the possible ones. Delays are also
-/// random.
+/// Random walk: chooses commands at random, with equal probability for all possible commands. Delays are also random.
 class RandomWalk {
 public:
     explicit RandomWalk(std::uint64_t seed) : random_(seed) {}
 
-    /// Returns a command, or nothing if no further event is possible.
+    /// Returns a command, or nullopt if no further event is possible.
     std::optional<Command> draw(const Simulation& simulation);
 
 private:

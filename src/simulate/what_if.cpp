@@ -30,8 +30,8 @@ std::size_t report_what_if(ChartRun& run, TraceRowBuilder& teller, const WhatIfR
     teller.flush();
     const ChartRun::Step& step = run.steps[run.controllers[trial.controller].steps[trial.step]];
     run.rows.push_back({.kind = ChartRun::Kind::Environment,
-                        .what = fmt::format("WHAT-IF: step {} forced {}; no longer a run of the model", step.short_name,
-                                            trial.active ? "active" : "inactive"),
+                        .what = fmt::format("WHAT-IF: step {} was forced {}; the trace is no longer a run of the model",
+                                            step.short_name, trial.active ? "active" : "inactive"),
                         .moment = run.moments.size() - 1});
     return run.rows.size() - 1;
 }

@@ -45,21 +45,21 @@ constexpr std::size_t indentation = 4;
 constexpr std::size_t least_columns = 20;  // minimum width of source text on narrow terminals
 constexpr std::size_t tab_columns = 8;
 
-/// A source line in printed form.
+/// A source line as it is printed.
 struct Excerpt {
     std::string text = {};
     std::string marks = {};  ///< spaces and carets; tabs of the line are kept
 };
 
-/// A character of the line with its columns on a terminal, if the line is not truncated.
+/// A character of the line.
 struct Cell {
-    std::size_t at = 0, bytes = 1;  ///< position and length in the line
-    std::size_t columns = 1;
+    std::size_t at = 0, bytes = 1;  ///< position and length in the line, in bytes
+    std::size_t columns = 1;        ///< width on a terminal if the line is not truncated
     bool marked = false;
 };
 
-/// Returns the cells of the line. `length` is the length of the mark in bytes, starting at `column`. Tabs advance to
-/// the next multiple of eight, as on most terminals.
+/// Returns the cells of the line. The mark starts at byte `column` and has `length` bytes. Tabs advance to the next
+/// multiple of eight, as on most terminals.
 std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_t length) {
     std::vector<Cell> cells;
     for (std::size_t at = 0, reached = indentation; at < line.size(); at += cells.back().bytes) {
@@ -71,8 +71,8 @@ std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_
     return cells;
 }
 
-/// Returns the range [from, to) of cells to print for a line that exceeds the available width, including `…` on both
-/// sides. It contains the beginning of the mark and some context before it.
+/// Returns the range [from, to) of cells to print. It fits into `room` columns together with a `…` on each truncated
+/// side, and contains the beginning of the mark and some context before it.
 std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::size_t first_marked, std::size_t room) {
     std::size_t whole = 0, before = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -86,14 +86,14 @@ std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::
             before -= cells[from].columns;
     std::size_t used = (from > 0 ? 1 : 0) + 1, to = from;
     while (to < cells.size() && used + cells[to].columns <= room) used += cells[to++].columns;
-    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // the last cell needs no `…` after it
+    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // no `…` is needed after the last cell
     return {from, to};
 }
 
-/// Returns the line with carets under the terminal columns of the marked characters, at least one. For a long line,
-/// only the part near the mark is measured.
+/// Returns the line, and a second line with at least one caret under the terminal columns of the marked characters. For
+/// a long line, only the part near the mark is measured.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
-    constexpr std::size_t near = 4096;  // number of bytes, which is more than is printed
+    constexpr std::size_t near = 4096;  // number of bytes; always more than are printed
     std::size_t cut = column > near ? column - near : 0;
     // Advances to the start of a character.
     while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Selects the behaviour if memory is refused. By default, the allocation fails. Allocations that must not fail use the
-// reserved memory (app/system/watchdog). These are the allocations of an error report, of destructors of
-// nlohmann::json, and of constructors of Bison's parsers; the latter two are noexcept.
+// Selects the behaviour if the system refuses memory. By default, the allocation fails. Allocations that must not fail
+// use the reserved memory (app/system/watchdog). These are the allocations for an error report, in destructors of
+// nlohmann::json and in constructors of Bison's parsers. These destructors and constructors are noexcept.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,8 @@ namespace grafverif {
 
 inline thread_local bool uses_reserve = false;
 
-/// While an object exists, its argument determines if refused allocations of this thread use the reserved memory.
+/// While an object of this class exists, its argument determines if refused allocations of this thread use the reserved
+/// memory.
 class ReserveUse {
 public:
     explicit ReserveUse(bool use) : before_(std::exchange(uses_reserve, use)) {}
@@ -23,7 +24,7 @@ private:
     bool before_;
 };
 
-/// Returns the result of `make()`, which uses the reserved memory.
+/// Returns the result of `make()`, whose allocations may use the reserved memory.
 template <class Make>
 auto made_with_reserve(const Make& make) {
     const ReserveUse use(true);

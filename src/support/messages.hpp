@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texts of all diagnostics, with one function per message, so that they can be reviewed in one place. Messages are in
-// lower case and put names in backticks. They state the problem first and, after `; `, the remedy.
+// lower case and put names in backticks. A message states the problem first and, after `; `, the remedy.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ Diagnostic cannot_listen(std::uint64_t port, std::string_view why);
 Diagnostic output_is_input(std::string_view output, std::string_view input);
 Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();
-/// `ablation_active`: the checked model differs from the file, because a correction of the method is intentionally
-/// disabled.
 Diagnostic missing_folder(std::string_view output, std::string_view folder);
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader);
+/// The checked model differs from the file, because a correction of the method is intentionally disabled.
 Diagnostic ablation_active(std::string_view cure);
-/// A requested external engine is not installed. `instead` contains the options that select an embedded engine.
+/// Reports that a requested external engine is not installed. `instead` contains the options that select an embedded
+/// engine.
 Diagnostic missing_program(std::string_view program, std::string_view instead);
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known);
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known);
@@ -101,7 +101,7 @@ Diagnostic constraint_not_on_inputs(Span where, std::string_view other);
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
 
 // (src/support/messages_test.cpp)
-/// `what` is the part that the block cannot compute according to the equations.
+/// `what` is the element that the block cannot compute according to the equations.
 Diagnostic not_in_structured_text(Span where, std::string_view what);
 Diagnostic cannot_run(std::string_view command);
 Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what);
@@ -110,7 +110,7 @@ Diagnostic unknown_column(Span where, std::string_view name, std::string_view ch
 Diagnostic missing_column(Span where, std::string_view kind, std::string_view name);
 Diagnostic repeated_column(Span where, std::string_view name);
 Diagnostic row_length(Span where, std::size_t found, std::size_t wanted);
-/// `problem` is the error in the field, as message text.
+/// `problem` is the description of the error in the field.
 Diagnostic bad_field(Span where, std::string_view problem);
 Diagnostic misplaced_wait(Span where, bool first);
 Diagnostic misplaced_activation(Span where);
@@ -134,12 +134,12 @@ Diagnostic edge_outside_chart(Span where);
 Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
                             std::string_view example);
 Diagnostic output_not_a_name(Span where, std::string_view parameter);
-/// The term of an input contains a name of the loop to which an instance cannot be connected. `what` describes it, for
-/// example `a step`.
+/// The term of an input contains a name to which an instance cannot be connected. `what` describes the named element,
+/// for example `a step`.
 Diagnostic no_signal(Span where, std::string_view name, std::string_view what);
 Diagnostic constant_without_value(Span where, std::string_view constant);
 Diagnostic constant_below(Span where, std::string_view constant);
-/// `kind` is the expected value, for example `an integer`.
+/// `kind` describes the expected value, for example `an integer`.
 Diagnostic bad_setting(Span where, std::string_view constant, std::string_view value, std::string_view kind);
 Diagnostic setting_out_of_range(Span where, std::string_view constant, std::string_view value, std::int64_t low,
                                 std::int64_t high);
@@ -153,10 +153,10 @@ Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, s
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 Diagnostic place_outside_property(Span where);
-/// `waited` contains the delays for which charts of the loop wait for the same condition.
+/// `waited` contains the times of all time conditions with the same observed term in charts of the loop.
 Diagnostic unknown_time(Span where, const std::vector<std::string>& waited);
 Diagnostic ambiguous_time(Span where, std::string_view first, std::string_view second);
-/// `language` is for example `CTL`; `what` is the error in the text at `where`.
+/// `language` is, for example, `CTL`; `what` is the error in the text at `where`.
 Diagnostic bad_formula(Span where, std::string_view language, std::string_view what);
 Diagnostic formula_at_stable(Span where);
 Diagnostic declared_twice(Span where, std::string_view what);
@@ -176,7 +176,7 @@ Diagnostic unknown_format(Span where, std::string_view root);
 Diagnostic dangling_reference(Span where, std::string_view reference, std::string_view kind);
 Diagnostic missing_part(Span where, std::string_view element, std::string_view part);
 Diagnostic bad_value(Span where, std::string_view what, std::string_view value, std::string_view expected);
-/// `what` is for example "this arc leads from a step to a step".
+/// `what` is, for example, "this arc leads from a step to a step".
 Diagnostic misplaced_link(Span where, std::string_view what, std::string_view hint);
 Diagnostic cannot_import(Span where, std::string_view what, std::string_view hint);
 Diagnostic left_out(Span where, std::string_view what);
@@ -201,14 +201,15 @@ Diagnostic unknown_finding(Span where, std::string_view code);
 // -- derive ----------------------------------------------------------------------------------------------------------
 Diagnostic enclosing_cycle(Span where, std::string_view chart);
 Diagnostic forcing_cycle(Span where, std::string_view chart);
-/// Both the expansion and `with` are forced, but forcing `with` already forces its expansions.
+/// Both the expansion and the partial chart `with` are forced, although an order on `with` already forces its
+/// expansions.
 Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first);
 Diagnostic forced_twice(Span where, std::string_view chart, Span first);
 Diagnostic edge_under_time(Span where);
 Diagnostic edge_of_edge(Span where);
 Diagnostic edge_in_assignation(Span where, std::string_view output);
 Diagnostic event_without_edge(Span where, std::string_view target);
-/// Each of `outputs` reads the next one, and the last reads the first.
+/// Each element of `outputs` reads the next one, and the last element reads the first one.
 Diagnostic output_cycle(Span where, std::span<const std::string> outputs);
 Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit);
 Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit);
@@ -243,9 +244,9 @@ Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit);
 Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit);
 Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
-/// `by_user`: the user stopped the run; otherwise the time limit did.
+/// `by_user` is true if the user stopped the run, false if the time limit was reached.
 Diagnostic stopped(Span where, bool by_user);
-// Reasons for an early end, which do not depend on the input. The exit code is 3.
+// Reasons for an early end that do not depend on the input. The exit code is 3.
 Diagnostic timed_out(std::uint64_t milliseconds);
 Diagnostic interrupted();
 Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
@@ -253,8 +254,8 @@ Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit);
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------
-/// (src/support/messages_loop.cpp) `decided`: the contradiction is proved; otherwise no inputs were found within the
-/// time limit.
+// (src/support/messages_loop.cpp)
+/// `decided` is true if the contradiction is proved; otherwise, no inputs were found within the memory limit.
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most);
 

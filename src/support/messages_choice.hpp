@@ -15,16 +15,17 @@ namespace grafverif::messages {
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest);
 
-/// The name of the output is that of a file of the format `named`, but it would be written in the format `written`.
-/// `how` is the remedy.
+/// The name of the output indicates the format `named`, but the file would be written in the format `written`. `how` is
+/// the remedy.
 Diagnostic other_format(std::string_view path, std::string_view named, std::string_view written, std::string_view how);
 
-/// `--set` names a constant that the closed loop does not have. `nearest` is the most similar one.
+/// `--set` names a constant that the closed loop does not have. `nearest` is the most similar name.
 Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_view name, std::string_view nearest);
 
-/// Only `owner`, one of two compared charts, has the `kind` (input, output) called `name`.
+/// Only one of two compared charts, `owner`, has an input or output (`kind`) with the name `name`.
 Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name, std::string_view owner);
-/// In two compared charts, the `kind` called `name` has different ranges, which are given as text.
+/// The input or output (`kind`) with the name `name` has different ranges in two compared charts. `range` and `other`
+/// are the ranges as text.
 Diagnostic other_type(Span where, std::string_view kind, std::string_view name, std::string_view range,
                       std::string_view other);
 /// Two controllers cannot be compared. `remedy` is in the imperative.

@@ -153,7 +153,7 @@ Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t li
 Diagnostic unbounded_loop(Span where, std::uint64_t limit) {
     return error(
         "unbounded-loop", where,
-        fmt::format("constants do not bound this loop by {} iterations; use a FOR loop with constant bounds", limit));
+        fmt::format("constants do not limit this loop to {} iterations; use a FOR loop with constant bounds", limit));
 }
 
 Diagnostic no_program(Span where) {

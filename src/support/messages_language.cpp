@@ -134,7 +134,7 @@ Diagnostic step_member(Span where, std::string_view step_variable, std::string_v
                              time ? "a time condition such as `2s/" : "`", clipped(step_variable)));
 }
 
-// -- text displayed differently from its meaning --------------------------------------------------------------------
+// -- text whose display is misleading --------------------------------------------------------------------------------
 
 namespace {
 

@@ -180,7 +180,7 @@ Diagnostic constraints_contradict(Span where, std::string_view constraint, bool 
     return error("constraints-contradict", where,
                  fmt::format("{} satisfy `{}` together with the constraints before it, so the model would have no "
                              "state; correct one of them",
-                             decided ? "no input values" : "no input values were found within the memory limit that",
+                             decided ? "no input values" : "within the memory limit, no input values were found that",
                              clipped(constraint)));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages about notation: keywords of other languages, unclosed blocks, characters that are displayed differently from
-// their meaning, and forcing orders of several partial charts. They are defined in messages_language.cpp and
-// messages_chart.cpp.
+// Messages about notation: keywords of other languages, unclosed blocks, characters whose display is misleading, and
+// forcing orders of several partial charts. The messages are defined in messages_language.cpp and messages_chart.cpp.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +11,9 @@
 
 namespace grafverif::messages {
 
-/// `heading` is the beginning of the block, `grafcet press`. `next` is the token that cannot be in it; it is invalid at
-/// the end of the text. `place` is the position at which `}` can be inserted; it may be invalid.
+/// `heading` is the position of the beginning of the block, and `text` is its text, such as `grafcet press`. `next` is
+/// the token that is not allowed in the block; it is invalid at the end of the text. `place` is the position at which
+/// `}` can be inserted; it may be invalid.
 Diagnostic missing_brace(Span heading, std::string_view text, Span next, Span place);
 Diagnostic expected_before_sentence(Span where);
 Diagnostic expected_after_colon(Span where);
@@ -21,16 +21,16 @@ Diagnostic other_pattern(Span where, std::string_view seen, std::string_view mea
 Diagnostic other_keyword(Span where, std::string_view seen, std::string_view meant);
 /// Names such as `Fill.T` and `Fill.X` of IEC 61131-3.
 Diagnostic step_member(Span where, std::string_view step_variable, std::string_view member);
-// Text that editors and terminals display differently from its meaning. `more` is the number of further occurrences in
-// the file.
+// Text whose display in editors and terminals is misleading. `more` is the number of further occurrences in the file.
 Diagnostic line_separator(Span where, std::uint32_t code, std::size_t more);
 Diagnostic bidi_control(Span where, std::uint32_t code, std::size_t more);
 Diagnostic control_character(Span where, std::uint32_t code, std::size_t more);
 Diagnostic fullwidth_character(Span where, std::string_view name, std::string_view ascii);
-/// `what` is `name`, `keyword` or `step variable`. `characters` lists those of `name` that are not ASCII, as `U+0430`.
+/// `what` is `name`, `keyword` or `step variable`. `characters` lists the characters of `name` that are not ASCII, such
+/// as `U+0430`.
 Diagnostic confusable_names(Span where, std::string_view name, std::string_view characters, std::string_view what,
                             std::string_view other, Span first);
-/// Two partial charts that are active together force one chart to different situations.
+/// Two partial charts that are active simultaneously force one partial chart to different situations.
 Diagnostic forced_differently(Span where, std::string_view chart, Span first);
 
 }  // namespace grafverif::messages

@@ -11,7 +11,7 @@ namespace grafverif::messages {
 
 /// A construct that programs cannot contain at this position. `hint` is the remedy in the imperative.
 Diagnostic not_in_program(Span where, std::string_view what, std::string_view hint);
-/// A construct that the standard does not have; `meaning`: how it is read.
+/// A construct that the standard does not contain. `meaning` is its interpretation.
 Diagnostic not_standard(Span where, std::string_view what, std::string_view meaning);
 Diagnostic undocumented(Span where, std::string_view what, std::string_view reading);
 Diagnostic program_type_mismatch(Span where, std::string_view what, std::string_view expected, std::string_view found);

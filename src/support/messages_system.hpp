@@ -8,7 +8,7 @@
 
 namespace grafverif::messages {
 
-/// The run ended early, as with out_of_memory. The exit code is 3.
+/// The run ended early, because the system refused a thread or a process. As for out_of_memory, the exit code is 3.
 Diagnostic threads_refused();
 Diagnostic incomplete_utf16(Span where);
 /// A warning: `--former` is deprecated; use `--name`.

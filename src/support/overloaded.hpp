@@ -11,7 +11,7 @@ struct overloaded : Functions... {
 template <class... Functions>
 overloaded(Functions...) -> overloaded<Functions...>;
 
-/// Marks code that the program's invariants make unreachable.
+/// Marks code that is unreachable because of the invariants of the program.
 [[noreturn]] void unreachable();
 
 }  // namespace grafverif

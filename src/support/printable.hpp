@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Makes external text safe to print on a terminal: names, property texts, file names, output of other programs. Every
-// character that a terminal interprets instead of displaying it is replaced by `?`, which is one column wide. These are
-// control characters (they begin escape sequences), directional formatting, line and paragraph separators, and each
-// byte of invalid UTF-8. All output for users passes through these functions; for output to programs see json_text and
-// xml_text.
+// Makes external text safe to print on a terminal: names, property texts, file names, output of other programs.
+// Characters that a terminal interprets instead of displaying them are replaced by `?`, which is one column wide. These
+// characters are control characters (they begin escape sequences), directional formatting, line and paragraph
+// separators, and each byte of invalid UTF-8. All output for users passes through these functions; json_text and
+// xml_text are used for output to programs.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@ struct Glyph {
     std::size_t bytes = 1;   ///< length in bytes; 1 for invalid UTF-8
     std::uint32_t code = 0;  ///< Unicode code point; U+FFFD for invalid UTF-8
     bool well_formed = true;
-    /// True if terminals interpret it: control characters (including tab and line feed) and directional formatting.
+    /// True if terminals interpret the character: control characters (including tab and line feed) and directional
+    /// formatting.
     bool obeyed = false;
     std::size_t columns = 1;  ///< width on a terminal: 0, 1 or 2; 1 if `obeyed`
 };
@@ -32,16 +33,17 @@ std::size_t columns_of(std::string_view text);
 /// Returns the number of bytes of the complete characters in the first `columns` columns of `text`.
 std::size_t bytes_within(std::string_view text, std::size_t columns);
 
-/// Returns `text` if it fits into `columns` columns; otherwise its beginning and `…`. Requires `columns` >= 1.
+/// Returns `text` if it fits into `columns` columns; otherwise the beginning of `text` and `…`. Requires `columns` >=
+/// 1.
 std::string cut_to(std::string_view text, std::size_t columns);
 
 /// Returns `text`, padded with trailing spaces to `columns` columns.
 std::string padded(std::string_view text, std::size_t columns);
 
-/// Returns `text` in one line, with `?` in place of every character that a terminal interprets, except tabs.
+/// Returns `text` on one line, with `?` in place of every character that a terminal interprets, except tabs.
 std::string printable(std::string_view text);
 
-/// Does the same, but also keeps line feeds.
+/// Returns `text` with the same replacements, but keeps line feeds.
 std::string printable_lines(std::string_view text);
 
 }  // namespace grafverif

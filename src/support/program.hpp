@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Result of running another program. Only `app` runs programs; other modules receive a function for this purpose.
+// The result of running another program. Only `app` runs programs; other modules receive a function for this purpose.
 #pragma once
 
 #include <functional>
@@ -18,12 +18,12 @@ struct ProgramResult {
     };
     End end = End::Exited;
     int status = 0;
-    std::string out = {}, err = {};  ///< standard output and standard error, complete or up to the end of the program
+    std::string out = {}, err = {};  ///< standard output and standard error, up to the end of the program
 
     bool operator==(const ProgramResult&) const = default;
 };
 
-/// Describes why a program did not end normally; empty if it did.
+/// Returns the reason why a program did not end normally; empty if it ended normally.
 inline std::string ended_by(const ProgramResult& said) {
     switch (said.end) {
     case ProgramResult::End::TimedOut: return "stopped at the time limit";

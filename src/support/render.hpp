@@ -10,10 +10,10 @@
 
 namespace grafverif {
 
-/// Width of source lines in output that is not written to a terminal.
+/// The width of source lines in output that is not written to a terminal.
 inline constexpr std::size_t usual_columns = 104;
-/// Does the same as render_text, with source lines of at most `columns` columns. Text on both sides of the mark is
-/// truncated.
+/// Writes the same text as render_text, with source lines of at most `columns` columns. A longer line is truncated on
+/// one or both sides of the marked characters.
 void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::size_t columns,
                  std::ostream& out);
 

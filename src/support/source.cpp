@@ -8,7 +8,7 @@ namespace grafverif {
 Place place(std::string_view text, std::uint32_t offset) {
     const std::string_view before = text.substr(0, offset);
     const auto lines = std::ranges::count(before, '\n');
-    const std::size_t line_start = before.rfind('\n') + 1;  // without a line feed, npos + 1 is 0
+    const std::size_t line_start = before.rfind('\n') + 1;  // 0 if there is no line feed, because npos + 1 is 0
     return {static_cast<std::uint32_t>(lines + 1), static_cast<std::uint32_t>(before.size() - line_start + 1)};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Thread pool: executes one parallel task at a time, together with the thread that owns it.
+// Thread pool: executes one parallel task at a time. The thread that owns the pool also performs a part of the task.
 //
 // The threads start with the first task. They have small stacks, and all signals are blocked in them. If the system
-// provides fewer threads than requested, the available ones perform all the work.
+// provides fewer threads than requested, the available threads perform the complete work.
 #pragma once
 
 #include <pthread.h>
@@ -25,8 +25,8 @@ public:
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     unsigned size() const { return members_; }
-    /// Calls `work(member)` for every member, each in its thread, and returns when all calls have ended. Rethrows the
-    /// exception of the member with the lowest number.
+    /// Calls `work(member)` for every member in the thread of this member, and returns when all calls have ended.
+    /// Rethrows the exception of the member with the lowest number.
     void share(const std::function<void(unsigned)>& work);
 
 private:
@@ -44,7 +44,7 @@ private:
     std::vector<pthread_t> threads_ = {};
     std::vector<std::exception_ptr> failures_ = {};
     const std::function<void(unsigned)>* work_ = nullptr;
-    std::uint64_t round_ = 0;  // number of the current task; a member that has completed it waits for the next one
+    std::uint64_t round_ = 0;  // number of the current task; a member that has completed a task waits for the next one
     unsigned busy_ = 0;
     bool over_ = false;
     std::mutex mutex_ = {};

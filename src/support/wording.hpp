@@ -24,13 +24,13 @@ inline Diagnostic note(Span where, std::string message) {
     return {Severity::Note, {}, where, std::move(message), {}, {}};
 }
 
-/// Adds an unambiguous fix, in which `replacement` replaces the text at `where`.
+/// Adds an unambiguous fix: the text at `where` is replaced by `replacement`.
 inline Diagnostic with_fix(Diagnostic diagnostic, Span where, std::string_view replacement) {
     diagnostic.fix = Fix{where, std::string(replacement)};
     return diagnostic;
 }
 
-/// Returns the last `bytes` bytes of a span: a name without its qualifier, `X2` of `G2.X2`.
+/// Returns the last `bytes` bytes of a span, for example a name without its qualifier (`X2` in `G2.X2`).
 inline Span last_of(Span where, std::size_t bytes) {
     const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(bytes, where.end - where.begin));
     return {where.source, where.end - length, where.end};

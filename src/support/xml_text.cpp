@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
-/// Returns the length of the first character of `text`; 0 if XML does not permit the character.
+/// Returns the length of the first character of `text`, or 0 if XML does not permit the character.
 std::size_t character_length(std::string_view text) {
     const Glyph glyph = first_glyph(text);
     const bool control = glyph.code < 0x20 && glyph.code != '\t' && glyph.code != '\n';

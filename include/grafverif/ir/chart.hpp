@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Chart: a GRAFCET (IEC 60848) as written, after names are resolved and before any evolution rule is applied.
 //
-// A Chart can represent the complete standard. `unsupported` (derive) names the constructs that a later stage rejects.
-// Expressions are stored in `exprs`; their leaves are Variable (-> variables), Step (-> steps: the step variable) and
-// Timed (-> time_conditions).
+// A Chart can represent every construct of the standard. `derive` rejects the constructs that it cannot translate
+// exactly. Expressions are stored in `exprs`. Apart from constants, their leaves are Variable (index in `variables`),
+// Step (the step variable; index in `steps`) and Timed (index in `time_conditions`).
 //
-// Invariants (see verify): every id is in its table; every condition is Boolean; every value has the type of its
+// Invariants (see verify): every id is in its table; every condition is Boolean; every stored value has the type of its
 // target. Names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
 // chart). A partial chart that is an expansion has one entry and one exit step; every initial value is in its range.
 #pragma once
@@ -36,22 +36,22 @@ struct Chart {
     enum class StepKind { Ordinary, Macro, Enclosing };
     struct PartialChart;
     struct Step {
-        std::string name = {};  ///< `2` for the step variable `X2`
+        std::string name = {};  ///< name such as `2`; its step variable is then `X2`
         StepKind kind = StepKind::Ordinary;
         bool initial = false;              ///< IEC 60848, initial step
-        bool activation_link = false;      ///< activated when the enclosing step is activated
-        bool entry = false, exit = false;  ///< entry or exit step of the expansion of a macro-step (clause 7)
+        bool activation_link = false;      ///< true if the step is activated when its enclosing step is activated
+        bool entry = false, exit = false;  ///< true for the entry or exit step of an expansion (clause 7)
         Id<PartialChart> chart = {};
         Span origin = {};
         bool operator==(const Step&) const = default;
     };
 
     enum class PartialKind { Plain, Expansion, Enclosed };
-    /// A connected part of the chart; `name` is empty for the steps written directly in the grafcet.
+    /// A partial chart; `name` is empty for the steps and transitions written directly in the grafcet.
     struct PartialChart {
         std::string name = {};
         PartialKind kind = PartialKind::Plain;
-        Id<Step> owner = {};  ///< the macro-step or enclosing step; otherwise invalid
+        Id<Step> owner = {};  ///< the macro-step or enclosing step to which the partial chart belongs, if any
         Span origin = {};
         bool operator==(const PartialChart&) const = default;
     };
@@ -66,8 +66,8 @@ struct Chart {
         bool operator==(const Transition&) const = default;
     };
 
-    /// `t1/v/t2` (IEC 60848, time-dependent conditions): becomes true `rise_ms` after v rises, false `fall_ms` after v
-    /// falls.
+    /// `t1/v/t2` (IEC 60848, time-dependent conditions): the condition becomes true `rise_ms` after v rises, and false
+    /// `fall_ms` after v falls.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
         Id<Expr> watched = {};  ///< a Boolean term
@@ -111,8 +111,8 @@ struct Chart {
         bool operator==(const ForcingOrder&) const = default;
     };
 
-    /// An assumption on the inputs (`constraint`): input combinations that violate it never occur. It restricts only
-    /// free inputs. In a closed loop with a plant it is a property to prove.
+    /// An assumption on the inputs (`constraint`): input combinations that violate it never occur. A constraint
+    /// restricts only free inputs. In a closed loop with a plant, a constraint is a property to prove.
     struct Constraint {
         Id<Expr> condition = {};  ///< Boolean condition over inputs only
         Span origin = {};
@@ -122,7 +122,7 @@ struct Chart {
     /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
         std::string code = {};     ///< see ir/finding.hpp
-        std::string subject = {};  ///< `X4`, `t3`, `LOCK`; any subject if empty
+        std::string subject = {};  ///< subject such as `X4`, `t3` or `LOCK`; empty for any subject
         std::string reason = {};
         Span origin = {};
         bool operator==(const Acceptance&) const = default;
@@ -134,7 +134,7 @@ struct Chart {
     Table<PartialChart> partial_charts = {};
     Table<Step> steps = {};
     Table<Transition> transitions = {};
-    Table<TimeCondition> time_conditions = {};  ///< distinct time conditions, in order of first use
+    Table<TimeCondition> time_conditions = {};  ///< all distinct time conditions, in the order of their first use
     Table<ContinuousAction> continuous = {};
     Table<StoredAction> stored = {};
     Table<ForcingOrder> forcing = {};
@@ -152,7 +152,7 @@ std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 
 /// Terms that are read by a transition, by an action, or by a time condition that is itself read.
 struct ReadTerms {
-    std::vector<bool> terms = {};            ///< per term of Chart::exprs: true if it is read
+    std::vector<bool> terms = {};            ///< for each term of Chart::exprs: true if it is read
     std::vector<bool> time_conditions = {};  ///< for each time condition: true if it is read
 };
 ReadTerms read_terms(const Chart& chart);

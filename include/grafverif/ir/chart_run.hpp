@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // ChartRun: a run of a closed loop in terms of its charts: the sampled inputs of each controller, the transitions
-// cleared by its evolutions, the outputs written, and the moves of the plant. It contains no elements of the model in
-// which it was found: no location of the PLC, no flag, no variable of the translation. `project` (run/project.hpp)
-// creates it from a run of a Network or of a TransitionSystem. The replay (run/replay.hpp) checks it on IEC 60848, and
-// `tell` (report/trace_rows.hpp) adds the rows to be printed. Displays read only this type.
+// cleared by its evolutions, the outputs written, and the moves of the plant. A ChartRun does not contain elements of
+// the translated model, such as locations of the PLC process, flags and auxiliary variables. `project`
+// (run/project.hpp) converts a run of a Network or of a TransitionSystem to a ChartRun. The replay (run/replay.hpp)
+// checks a ChartRun against the rules of IEC 60848, and `with_rows` (report/trace_rows.hpp) adds the rows to be
+// printed. All outputs of runs are generated from a ChartRun.
 //
-// The first event is power-on; each further entry is one event with the state after it. A row summarizes the events
-// since the previous row. A search for stability, from the sampling of the inputs to the writing of the outputs, is one
-// row, or two if the plant moves during it.
+// The first entry of `moments` is power-on; each further entry is one event with the state after it. A row summarizes
+// the events since the previous row. A search for stability, from the sampling of the inputs to the writing of the
+// outputs, is one row, or two if the plant moves during it.
 //
 // Invariants (see verify): ids are in their tables; a state has one value per signal; situations are increasing; time
 // never decreases; rows are in the order of their events; the loop begins at a row.
@@ -33,7 +34,7 @@ struct ChartRun {
         Input,     ///< input of a controller that the plant writes
         Output,    ///< output that a controller writes
         Internal,  ///< internal variable of a controller
-        Image,     ///< output with stored actions, before it is written
+        Image,     ///< value of an output with stored actions before the output is written
         Plant,     ///< variable that only the plant uses
     };
     struct Signal {
@@ -43,11 +44,11 @@ struct ChartRun {
         bool operator==(const Signal&) const = default;
     };
     struct Step {
-        StepName name = {};           ///< name in its chart
-        std::string controller = {};  ///< empty if there is only one
-        std::string short_name = {};  ///< shortest unambiguous name (see shorten_names)
+        StepName name = {};           ///< name of the step in its chart
+        std::string controller = {};  ///< name of its controller; empty if the loop has only one controller
+        std::string short_name = {};  ///< `2` if unambiguous, otherwise the full name (see shorten_names)
 
-        /// `2`, `G2.2`; with several controllers `press.2`, `press.G2.2`.
+        /// Returns `2` or `G2.2`; if the loop has several controllers, `press.2` or `press.G2.2`.
         std::string full_name() const { return (controller.empty() ? "" : controller + ".") + name.text(); }
         bool operator==(const Step&) const = default;
     };
@@ -56,11 +57,11 @@ struct ChartRun {
         bool operator==(const Transition&) const = default;
     };
     struct Timer {
-        std::string name = {};     ///< displayed name of the timer or of its controller
-        std::string watched = {};  ///< observed term in the notation of conditions: `X2`, `a`; otherwise empty
+        std::string name = {};     ///< name of the controller that has the timer
+        std::string watched = {};  ///< observed step variable or variable, such as `X2`, `a`; empty for any other term
         std::optional<std::size_t> step = {};   ///< the observed step, in Controller::steps
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
-        bool exact = false;                     ///< true if it expires exactly at the time that the rules state
+        bool exact = false;  ///< true if the timer expires exactly at the time that IEC 60848 prescribes
         bool operator==(const Timer&) const = default;
     };
     /// Lists are in the order of the chart's tables; lists of signals are in the order of the signals of that role.
@@ -70,9 +71,10 @@ struct ChartRun {
         std::vector<Id<Step>> steps = {};
         std::vector<Id<Transition>> transitions = {};
         std::vector<Id<Signal>> inputs = {}, outputs = {}, internals = {};
-        std::vector<Id<Signal>> images = {};  ///< for each output; invalid if it has no visible image
+        std::vector<Id<Signal>> images = {};  ///< image of each output; invalid if the output has no visible image
         std::vector<Id<Timer>> timers = {};
-        std::vector<std::optional<std::size_t>> conditions = {};  ///< timer per time condition, if any
+        /// For each time condition of the chart: index of its timer in `timers`, if it has one.
+        std::vector<std::optional<std::size_t>> conditions = {};
         bool operator==(const Controller&) const = default;
     };
     /// An instance of the loop, or a timer that is displayed as an instance.
@@ -87,29 +89,31 @@ struct ChartRun {
     struct Act {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
-        bool begins = false;                    ///< a cycle begins
-        bool starts = false;                    ///< the first evolution after power-on; all timers are false
-        bool samples = false;                   ///< inputs and timer outputs are sampled
-        bool evolves = false;                   ///< one evolution
-        Writes writes = Writes::No;             ///< outputs are written
+        bool begins = false;         ///< a cycle begins
+        bool starts = false;         ///< true for the first evolution after power-on, in which all timers are false
+        bool samples = false;        ///< inputs and timer outputs are sampled
+        bool evolves = false;        ///< one evolution
+        Writes writes = Writes::No;  ///< outputs are written
         std::vector<std::int64_t> inputs = {};  ///< sampled values
         std::vector<bool> timers = {};          ///< sampled outputs
-        /// For an evolution: the timers whose t1 had elapsed when the situation changed; empty: `timers`.
+        /// For an evolution: the timers whose t1 had elapsed when the situation changed. If empty, they are the timers
+        /// in `timers`.
         std::vector<bool> done = {};
-        std::vector<Id<Transition>> fired = {};      ///< cleared transitions; for a sampling alone: those to be cleared
+        /// Cleared transitions; if the act only samples: transitions to be cleared.
+        std::vector<Id<Transition>> fired = {};
         std::optional<bool> stable = {}, race = {};  ///< values after the evolution, if the model includes them
         bool operator==(const Act&) const = default;
     };
     struct State {
-        std::int64_t time_ms = 0;  ///< time in ms; in an untimed run, the number of steps so far
+        std::int64_t time_ms = 0;  ///< time in ms; in an untimed run, number of previous steps
         std::vector<Id<Step>> situation = {};
         std::vector<std::int64_t> values = {};  ///< value of each signal
         bool operator==(const State&) const = default;
     };
     struct Event {
         Kind kind = Kind::Controller;
-        bool internal = false;  ///< internal to the translation
-        std::size_t move = 0;   ///< index in the original run
+        bool internal = false;  ///< true for an internal move of the translation
+        std::size_t move = 0;   ///< index of the move in the original run
         std::vector<Act> acts = {};
         Id<Instance> instance = {};                ///< the instance that moved
         std::optional<std::size_t> location = {};  ///< its new location
@@ -123,14 +127,16 @@ struct ChartRun {
         Kind kind = Kind::Plant;
         std::string component = {};  ///< the instance, controller or timer; empty for a delay
         std::string what = {};       ///< description such as `going_out, H 4 -> 6`; may be empty
-        std::vector<std::vector<Id<Transition>>> fired = {};  ///< one list per evolution that cleared transitions
-        bool internal = false;                                ///< internal to the translation; shown on request
+        std::vector<std::vector<Id<Transition>>> fired = {};  ///< one list for each evolution that cleared transitions
+        /// True for a row of an internal move of the translation, which is displayed only on request.
+        bool internal = false;
         std::size_t moment = 0;  ///< index of the event whose state is the state after this row
         bool operator==(const Row&) const = default;
     };
 
-    /// A value that causes the violation (explain/causes.hpp): of a signal, of a step (1: active), of an instance (1:
-    /// at `location`), or of a named time condition (1: true). The ids of the other alternatives are invalid.
+    /// A value that causes the violation (explain/causes.hpp): the value of a signal, of a step (1: active), of an
+    /// instance (1: in `location`), or of a named time condition (1: true). The ids of the other alternatives are
+    /// invalid.
     struct Cause {
         Id<Signal> signal = {};
         Id<Step> step = {};
@@ -142,7 +148,8 @@ struct ChartRun {
         bool operator==(const Cause&) const = default;
     };
 
-    /// An avoidable change of a signal at an event, or an avoidable timer expiry. Exactly one of the two ids is valid.
+    /// A change of a signal, or an expiry of a timer, without which the violation does not occur. Exactly one of the
+    /// two ids is valid.
     struct Counterfactual {
         std::size_t moment = 0;
         Id<Signal> signal = {};
@@ -161,14 +168,17 @@ struct ChartRun {
     Table<Instance> instances = {};
     std::vector<Event> moments = {};
     std::optional<std::size_t> loop = {};  ///< the events from this index on repeat forever; empty if the run is finite
-    std::optional<std::size_t> broken_at = {};  ///< the first move that failed; later moves are missing
+    /// Index of the first move that is not possible in its state; this move and later moves are missing.
+    std::optional<std::size_t> broken_at = {};
     std::vector<Row> rows = {};
     std::optional<std::size_t> loop_from = {};  ///< index of the first row of `loop`
     std::vector<Cause> causes = {};             ///< causes of the violation, ordered by their first event
     bool causes_exact = true;                   ///< false: causes may be missing or incorrect
-    /// A minimal set of avoidable free moves (explain/counterfactual.hpp), as event indices; empty if not determined.
+    /// Event indices of a smallest set of free moves without which the violation does not occur
+    /// (explain/counterfactual.hpp); empty if not determined.
     std::vector<std::size_t> left_out = {};
-    /// A minimal set of avoidable values, if inputs and times are free (explain/inputs.hpp); ordered by event.
+    /// A smallest set of input changes and timer expiries without which the violation does not occur, if inputs and
+    /// times are free (explain/inputs.hpp); ordered by event.
     std::vector<Counterfactual> counterfactual_values = {};
 
     const State& after(const Row& row) const { return moments[row.moment].after; }
@@ -176,7 +186,8 @@ struct ChartRun {
     bool operator==(const ChartRun&) const = default;
 };
 
-/// Returns the rows to display: all rows except delays whose end time the next row shows, unless the loop needs them.
+/// Returns the rows to display. A delay is omitted because the next row shows its end time, except at the end of the
+/// run and at the beginning of the loop.
 std::vector<std::size_t> shown_rows(const ChartRun& run);
 /// True if `shown_rows` contains row `index`.
 bool is_shown(const ChartRun& run, std::size_t index);
@@ -186,7 +197,7 @@ std::vector<Id<ChartRun::Signal>> signals_of(const ChartRun& run, ChartRun::Role
 
 std::vector<std::string> verify(const ChartRun& run);
 
-/// Returns `plant`, `environment`, `timer`, `controller` or `delay`.
+/// Returns `plant`, `environment`, `timer`, `controller`, `delay` or `observer`.
 std::string_view word(ChartRun::Kind kind);
 /// Returns `input`, `output`, `internal`, `image` or `plant`.
 std::string_view word(ChartRun::Role role);

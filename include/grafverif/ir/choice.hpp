@@ -7,7 +7,7 @@
 namespace grafverif {
 
 struct Choice {
-    std::string words = {};    ///< description of the move: `Start: START`
+    std::string words = {};    ///< description of the move, such as `Start: START`
     std::string command = {};  ///< the script command that makes this choice
     bool operator==(const Choice&) const = default;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ClosedLoop: controllers (charts) and the instances of the plant and its environment, connected by shared variables,
-// and the properties to prove. Names are resolved, but nothing is composed yet. Model: the contents of one input file
-// and its includes.
+// and the properties to prove. Names are resolved, but the automata are not yet composed. Model: the contents of one
+// input file and its includes.
 //
 // Invariants (see verify): every id is in its table; every input of every controller and every input of every instance
 // is driven by exactly one instance output or controller output; types agree at both ends.
@@ -34,10 +34,10 @@ struct ClosedLoop {
     /// A variable shared by instances and controllers: a controller's input or output, or a variable of the plant.
     struct Shared {
         std::string name = {};
-        Type type = {};  ///< for a plant variable: the range declared by its writer, with arguments applied
-        Id<Controller> reader =
-            {};  ///< the first controller with this input (others may have an input of that name); otherwise invalid
-        Id<Controller> writer = {};         ///< the controller that writes it; otherwise invalid
+        /// For a plant variable: the range that its component declares, evaluated for the arguments of the instance.
+        Type type = {};
+        Id<Controller> reader = {};  ///< the first controller with an input of this name; invalid if there is none
+        Id<Controller> writer = {};  ///< the controller that writes the variable; invalid if there is none
         Id<Chart::Variable> variable = {};  ///< variable of the writer's chart, otherwise of the reader's chart
         Span origin = {};
         bool operator==(const Shared&) const = default;
@@ -50,15 +50,13 @@ struct ClosedLoop {
     struct Instance {
         std::string name = {};
         Id<Component> component = {};          ///< in Model::components
-        std::vector<Argument> arguments = {};  ///< per parameter, defaults applied
+        std::vector<Argument> arguments = {};  ///< value of each parameter, after defaults are inserted
         Id<Component::Location> initial = {};
         bool environment = false;
         Span origin = {};
         bool operator==(const Instance&) const = default;
     };
 
-    /// A monitoring automaton (DESDES06 section 4, Fig. 6): in each step of an untimed model it takes the first of its
-    /// edges whose guard holds, or stays. Guards and operands of properties are expressions of the loop.
     struct ObserverLocation {
         std::string name = {};
         Span origin = {};
@@ -70,6 +68,9 @@ struct ClosedLoop {
         Span origin = {};
         bool operator==(const ObserverEdge&) const = default;
     };
+    /// A monitoring automaton (DESDES06 section 4, Fig. 6): in each step of an untimed model, the automaton takes the
+    /// first edge of its location whose guard holds; if there is none, it stays in the location. Guards are expressions
+    /// of the loop.
     struct Observer {
         std::string name = {};
         Table<ObserverLocation> locations = {};
@@ -79,18 +80,19 @@ struct ClosedLoop {
         bool operator==(const Observer&) const = default;
     };
 
-    /// A condition on the inputs of the controllers. It is assumed if they are free and is a property to prove if there
-    /// are plant automata. It is declared in the loop, in the chart of a controller, or in a component for its outputs.
+    /// A condition on the inputs of the controllers. The condition is assumed if the inputs are free, and is a property
+    /// to prove if there are plant automata. It is declared in the loop, in the chart of a controller, or in a
+    /// component for the outputs of the component.
     struct Constraint {
         std::string name = {};  ///< `constraint_1`, `H_Cyl_constraint_1`
         Id<Expr> condition = {};
-        Id<Controller> controller = {};  ///< the controller whose chart declares it; otherwise invalid
-        Id<Instance> instance = {};      ///< the instance whose component declares it; otherwise invalid
+        Id<Controller> controller = {};  ///< controller with the chart that declares the constraint, if any
+        Id<Instance> instance = {};      ///< instance of the component that declares the constraint, if any
         Span origin = {};
         bool operator==(const Constraint&) const = default;
     };
 
-    /// Meaning of a name in a property.
+    // The following structs represent the possible meanings of a name in a property.
     struct SharedSymbol {
         Id<Shared> shared = {};
         bool operator==(const SharedSymbol&) const = default;
@@ -119,12 +121,13 @@ struct ClosedLoop {
     /// The output of a timer of a chart, which `t1/v/t2` reads in addition to v (IEC 60848, time-dependent conditions).
     struct TimeSymbol {
         Id<Controller> controller = {};
-        Id<Chart::TimeCondition> condition = {};  ///< in the chart; invalid: of actions of `step`
+        /// Time condition of the chart; invalid for a timer of the actions of `step`.
+        Id<Chart::TimeCondition> condition = {};
         Id<Chart::Step> step = {};
-        std::int64_t rise_ms = 0;  ///< for `step`: delay of the actions, or end of their time limit
+        std::int64_t rise_ms = 0;  ///< for a timer of `step`: delay of an action, or sum of delay and time limit
         bool operator==(const TimeSymbol&) const = default;
     };
-    /// States that an observer is in a location.
+    /// A symbol that is true if an observer is in a location.
     struct ObserverSymbol {
         Id<Observer> observer = {};
         Id<ObserverLocation> location = {};
@@ -135,7 +138,8 @@ struct ClosedLoop {
 
     std::string name = {};
     Grain grain = Grain::Phased;
-    std::optional<std::int64_t> time_unit_ms = {};  ///< declared time unit; the gcd of all durations if empty
+    /// Declared time unit; if empty, the time unit is the greatest common divisor of all durations.
+    std::optional<std::int64_t> time_unit_ms = {};
     std::vector<NamedConstant> constants = {};
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
@@ -154,7 +158,7 @@ struct ClosedLoop {
 
 struct Model {
     Table<Chart> charts = {};
-    Table<Component> components = {};  ///< components of the input, and library components that it uses
+    Table<Component> components = {};  ///< components of the input, and the library components that the input uses
     Table<ClosedLoop> loops = {};
 
     bool operator==(const Model&) const = default;
@@ -165,14 +169,17 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
 /// Returns the shared variables that an argument reads or writes, without duplicates.
 std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument);
 
-/// Index of the variable in the arguments of its process in a Network. It follows all arguments that are not terms.
+/// Returns the index of the variable in the arguments of its process in a Network. These are the arguments of the
+/// instance that are not terms, followed by its internal variables.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 
-/// True if the chart reads the time condition and therefore has a timer for it.
+/// True if the chart has the timer: it reads the time condition, or an action of the step has this delay or time limit.
 bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
-/// True if all timers that a property of the loop reads exist. In a chart that was changed later they may be missing.
+/// True if all timers that a property of the loop reads exist. A timer may be missing if a chart was changed after the
+/// property was read.
 bool has_its_timers(const ClosedLoop& loop, const Property& property, const Model& model);
-/// Returns the variable for that timer output in the equations of its controller's chart. Requires is_waited_for.
+/// Returns the variable of the timer output `symbol` in the equations of its controller's chart. Requires
+/// is_waited_for.
 Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol);
 
 /// True if an operand of `property` reads the location of an observer; observers exist only in untimed models.

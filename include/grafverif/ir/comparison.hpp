@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Comparison: result of comparing two charts with the same inputs and outputs. It states if their outputs are equal for
-// every sequence of scans, and lists the textual differences. Either of them can be a PLC program.
+// Comparison: result of comparing two charts with the same inputs and outputs. Either of them can be a PLC program.
+// The result states if their outputs are equal for every sequence of scans, and lists the textual differences.
+//
 // A scan is one cycle of a PLC: inputs are read, outputs are written according to the mode. The charts are equal if,
 // after every scan of every sequence, both have written the same outputs or both have stopped. Inputs are arbitrary,
 // and the time between scans is any multiple of `resolution_ms`. A chart stops at a race, at an undefined or
@@ -65,8 +66,8 @@ struct Comparison {
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};       ///< reason for an unknown outcome
     std::vector<Scan> scans = {};  ///< distinguishing sequence; its last scan distinguishes the charts
-    std::array<std::vector<ScanOutputs>, 2> answers = {};  ///< response of each chart per scan
-    bool shortest = false;                                 ///< true if no shorter sequence exists
+    std::array<std::vector<ScanOutputs>, 2> answers = {};  ///< responses of both charts to each scan
+    bool shortest = false;                                 ///< true if there is no shorter distinguishing sequence
     std::vector<ChartChange> changes = {};
     std::vector<std::string> failures = {};  ///< internal errors: distinguishing sequences that fail the replay
     double seconds = 0;

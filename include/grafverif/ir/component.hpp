@@ -3,9 +3,9 @@
 // language and with resolved names. An edge is the 7-tuple (l, g, t, u, a, r, l') of CEP13 2.3: guard over data, clock
 // constraint, urgency, assignments, clock resets.
 //
-// Expressions are stored in `exprs`; their leaves are Parameter (-> parameters) and Variable (-> internal variables of
-// the component). A duration is a Duration leaf (milliseconds), a Parameter of kind Duration, a sum of durations, or an
-// integer times a duration.
+// Expressions are stored in `exprs`. Apart from constants, their leaves are Parameter (index in `parameters`) and
+// Variable (index in `variables`, the internal variables of the component). A duration is a Duration leaf
+// (milliseconds), a Parameter of kind Duration, a sum of durations, or an integer times a duration.
 //
 // Invariants (see verify): every id is in its table; an urgent edge has no clock constraint (CEP13 2.3); an invariant
 // has upper bounds only; only outputs and internal variables are assigned; types agree.
@@ -30,13 +30,14 @@ struct Component {
         std::string name = {};
         ParameterKind kind = ParameterKind::Input;
         ValueKind value = ValueKind::Boolean;
-        std::optional<Id<Expr>> low = {}, high = {};  ///< range of an integer output, over constants declared before it
+        /// Range of an integer output; reads only constants declared before it.
+        std::optional<Id<Expr>> low = {}, high = {};
         std::optional<Id<Expr>> initial = {};  ///< default of a constant; value of an output at power-on (0 or `low`)
         Span origin = {};
         bool operator==(const Parameter&) const = default;
     };
 
-    /// An internal variable of each instance.
+    /// An internal variable; each instance has a separate copy.
     struct Variable {
         std::string name = {};
         ValueKind value = ValueKind::Boolean;
@@ -72,7 +73,7 @@ struct Component {
     struct Location {
         std::string name = {};
         std::vector<ClockConstraint> invariant = {};
-        std::vector<Assignment> initially = {};  ///< values at power-on if an instance starts here
+        std::vector<Assignment> initially = {};  ///< values at power-on of an instance that starts in this location
         Span origin = {};
         bool operator==(const Location&) const = default;
     };
@@ -82,7 +83,8 @@ struct Component {
         bool urgent = false;
         Id<Expr> guard = {};
         std::vector<ClockConstraint> constraint = {};  ///< conjunction of clock constraints
-        std::vector<Assignment> assignments = {};      ///< in order; each uses the results of the previous ones
+        /// Executed in order; each assignment reads the results of the previous assignments.
+        std::vector<Assignment> assignments = {};
         std::vector<Id<Clock>> resets = {};
         Span origin = {};
         bool operator==(const Edge&) const = default;
@@ -103,7 +105,7 @@ struct Component {
     Table<Clock> clocks = {};
     Table<Location> locations = {};
     Table<Edge> edges = {};
-    Id<Location> initial = {};  ///< if invalid, every instance must specify `initially`
+    Id<Location> initial = {};  ///< if invalid, every instance must specify its initial location with `initially`
     std::vector<Constraint> constraints = {};
     Span origin = {};
 

@@ -33,7 +33,7 @@ struct ControllerWords {
         Id<Variable> end = {};
         std::optional<std::size_t> step = {};   ///< observed step, index in `steps`; empty for another term
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
-        std::string watched = {};  ///< observed term in the notation of conditions: `X2`, `a`; otherwise empty
+        std::string watched = {};  ///< observed step variable or variable, such as `X2`, `a`; empty for any other term
         bool operator==(const Timer&) const = default;
     };
 
@@ -46,7 +46,7 @@ struct ControllerWords {
     std::vector<Named> internals = {};
     std::vector<Timer> timers = {};
     std::vector<std::optional<std::size_t>> conditions =
-        {};  ///< for each time condition: its timer; empty if the condition is not read
+        {};  ///< index of the timer of each time condition; empty if the condition is not read
     bool operator==(const ControllerWords&) const = default;
 };
 

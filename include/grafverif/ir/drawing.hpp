@@ -4,7 +4,7 @@
 //
 // An element of a chart has an id and classes, which are part of the interface (docs/how-to/draw.md): `step-3` or
 // `step-G1-3` with the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`, `action-c0`,
-// `forcing-0`. A link has no id, but data about its ends.
+// `forcing-0`. A link has no id; its `data` names the elements at its two ends.
 #pragma once
 
 #include <string>
@@ -28,11 +28,11 @@ struct Drawing {
     struct Box {
         Point at = {};  ///< upper left corner
         Size size = {};
-        int cut = 0;          ///< length that is cut off at each corner
-        bool filled = false;  ///< filled as a bar or mark; if false, only its outline is drawn
+        int cut = 0;          ///< length by which each corner is cut off
+        bool filled = false;  ///< true if the box is filled (a bar or mark), false if only its outline is drawn
         bool operator==(const Box&) const = default;
     };
-    /// Horizontal and vertical segments.
+    /// A line of horizontal and vertical segments.
     struct Line {
         std::vector<Point> points = {};
         bool arrow = false;  ///< true if the line ends with an arrow
@@ -50,7 +50,7 @@ struct Drawing {
         std::vector<Run> runs = {};
         Anchor anchor = Anchor::Start;
         int size = 12;          ///< font size in pixels
-        int width = 0;          ///< upper bound of its width in all fonts of `font_family`
+        int width = 0;          ///< upper bound of the text's width in every font of `font_family`
         std::string kind = {};  ///< class: `name`, `label`, `reference`
         bool operator==(const Text&) const = default;
     };
@@ -72,14 +72,15 @@ struct Drawing {
     bool operator==(const Drawing&) const = default;
 };
 
-/// Notation of logic: `a·b̅` as in the standard, or `a && !b` as in the input language.
+/// Notation of Boolean terms: `a·b̅` as in the standard, or `a && !b` as in the input language.
 enum class Notation { Iec, Text };
 
 struct DrawOptions {
     Notation notation = Notation::Iec;
     std::vector<Id<Chart::Step>> situation = {};  ///< steps to be marked as active
-    int columns = 0;  ///< number of columns into which a long chart is folded; chosen according to the page shape if 0
-    std::string prefix = {};  ///< prefix of all ids, for several charts on one page
+    /// Number of columns into which a long chart is split; 0 selects a number that fits the shape of a page.
+    int columns = 0;
+    std::string prefix = {};  ///< prefix of all ids, which makes the ids of several charts on one page distinct
 };
 
 /// The ids of a chart's elements, in the order of its tables. They are unique and consist of letters, digits, `-` and

@@ -14,9 +14,9 @@
 // except firing conditions. The terms of (c) read step activities and internals after the cycle, and the inputs and
 // timer outputs sampled at its start. Hence an edge is true only in the first cycle after the change.
 //
-// Time: a timer observes its variable after the previous cycle. If an input may have changed since, the term contains
-// it explicitly: `3s/a` is `a and T_a_3s_Q`, `a/2s` is `a or T_a_2s_Q`. A delayed action has the condition 3s/X_s, a
-// time-limited one its negation (IEC 60848, continuous actions).
+// Time: a timer observes its variable after the previous cycle. If v may have changed after that cycle because it reads
+// an input, the term contains v explicitly: `3s/a` is `a and T_a_3s_Q`, `a/2s` is `a or T_a_2s_Q`. A delayed action has
+// the condition 3s/X_s; a time-limited action has the negation of this condition (IEC 60848, continuous actions).
 //
 // The first evolution activates the initial steps: no transition is cleared, the actions on activation of the initial
 // steps are executed (Stored::first), there is no edge, and previous values and observed terms are initialized. All
@@ -60,7 +60,7 @@ struct Equations {
     struct StepActivity {
         Id<Variable> variable = {};  ///< X_s
         Id<Expr> next = {};
-        Id<Expr> activated = {};    ///< X_s' and not X_s, as a term over firing conditions and X_s
+        Id<Expr> activated = {};    ///< X_s' and not X_s, where X_s' is expressed by firing conditions
         Id<Expr> deactivated = {};  ///< X_s and not X_s'
         StepName step = {};
         Span origin = {};
@@ -78,23 +78,25 @@ struct Equations {
     struct Write {
         Id<Expr> trigger = {};
         Id<Expr> value = {};
-        bool initial = false;  ///< activation of an initial step: also executed in the first evolution
+        /// True for an action on the activation of an initial step, which is also executed in the first evolution.
+        bool initial = false;
         Span origin = {};
         bool operator==(const Write&) const = default;
     };
     struct Stored {
         Id<Variable> variable = {};  ///< internal variable, or output with stored actions
-        /// Conditional chain over `writes`, ending in the variable itself. If only Boolean constants are stored: `set
-        /// or (v and not reset)`.
+        /// Chain of conditional terms over `writes`; its last alternative is the variable itself. If only Boolean
+        /// constants are stored, the term is `set or (v and not reset)`.
         Id<Expr> next = {};
-        Id<Expr> race = {};   ///< two writes of different values are triggered; false if impossible
+        /// Condition that two writes of different values are triggered; the constant false if this is impossible.
+        Id<Expr> race = {};
         Id<Expr> first = {};  ///< value after the first evolution
         Id<Expr> first_race = {};
         std::vector<Write> writes = {};
         bool operator==(const Stored&) const = default;
     };
 
-    /// Two contradictory forcing orders are active after the cycle. This is a fault, as a race is.
+    /// A fault: two contradictory forcing orders are active after the cycle.
     struct Conflict {
         Id<Expr> condition = {};  ///< term over firing conditions and values before the cycle
         Span origin = {};         ///< position of one of the orders
@@ -104,7 +106,7 @@ struct Equations {
     /// The value, in the previous cycle, of a term whose edges are read.
     struct Previous {
         Id<Variable> variable = {};  ///< P_e
-        Id<Expr> value = {};         ///< e, over values before the cycle; in the first evolution, over initial values
+        Id<Expr> value = {};  ///< term e, over values before the cycle; in the first evolution, over initial values
         Span origin = {};
         bool operator==(const Previous&) const = default;
     };
@@ -112,13 +114,13 @@ struct Equations {
     /// The level of a term that a timer observes.
     struct ObservedTerm {
         Id<Variable> variable = {};  ///< V_e
-        Id<Expr> value = {};         ///< e, over values after the cycle
+        Id<Expr> value = {};         ///< term e, over values after the cycle
         Span origin = {};
         bool operator==(const ObservedTerm&) const = default;
     };
 
-    /// One per distinct time condition `t1/v/t2` (IEC 60848; CEP13 Fig. 33b). If v is true from r to f, for at least
-    /// rise_ms, `end` is true from r + rise_ms to f + fall_ms.
+    /// A timer; there is one for each distinct time condition `t1/v/t2` (IEC 60848; CEP13 Fig. 33b). If v is true from
+    /// r to f, for at least rise_ms, `end` is true from r + rise_ms to f + fall_ms.
     struct Timer {
         std::string name = {};      ///< `T_X2_3s`
         Id<Variable> watched = {};  ///< X_2, or the V_e of an observed term: its level after the previous cycle
@@ -146,11 +148,12 @@ struct Equations {
     std::vector<Previous> previous = {};
     std::vector<ObservedTerm> watches = {};
     std::vector<Timer> timers = {};
-    std::vector<Id<Timer>> conditions = {};  ///< timer per time condition; invalid if it is not read
+    std::vector<Id<Timer>> conditions = {};  ///< timer of each time condition; invalid if the condition is not read
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
     /// True if one more cycle with the same inputs would change nothing: no firing condition holds, no stored variable
-    /// changed, no previous value differs from the current one. Over firing conditions and values before the cycle.
+    /// changed, no previous value differs from the current one. The term reads firing conditions and values before the
+    /// cycle.
     Id<Expr> stable = {};
     Span origin = {};
 
@@ -159,12 +162,14 @@ struct Equations {
 
 std::vector<std::string> verify(const Equations& equations);
 
-/// A value passed to the next cycle. All next values are computed before any value changes, except those with `after`.
+/// A value passed to the next cycle. The next values with `after` are computed after the others have been assigned; all
+/// others are computed before any value changes.
 struct Kept {
     Id<Equations::Variable> variable = {};
     Id<Expr> next = {};
     Id<Expr> first = {};  ///< value after the first evolution; the value at power-on if invalid
-    bool after = false;   ///< both are over values after the cycle; otherwise over values before it
+    /// True if `next` and `first` read values after the cycle, false if they read values before it.
+    bool after = false;
 };
 /// Returns stored variables (`next`), previous values, step activities and observed levels, in this order.
 std::vector<Kept> kept(const Equations& equations);
@@ -172,11 +177,12 @@ std::vector<Kept> kept(const Equations& equations);
 std::vector<Kept> remembered(const Equations& equations);
 
 /// A condition that ends the run if it holds in a cycle: two different values are written to `variable`, or, if it is
-/// invalid, two forcing orders are contradictory. Undefined and out-of-range values are faults of the stored terms.
+/// invalid, two forcing orders are contradictory. Undefined and out-of-range values are not included; they are faults
+/// of the stored terms.
 struct Fault {
     Id<Equations::Variable> variable = {};
     Id<Expr> condition = {};
-    Id<Expr> first = {};  ///< the condition for the first evolution
+    Id<Expr> first = {};  ///< condition of this fault in the first evolution
 };
 /// Returns all possible faults, including every conflict of forcing orders.
 std::vector<Fault> faults(const Equations& equations);

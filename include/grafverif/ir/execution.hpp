@@ -6,13 +6,13 @@
 // Approach (DESDES06 sections 3, 5.1, 5.2):
 //   none          the controllers without plant automata; their inputs are free
 //   constraints   as `none`; the constraints of the loop and of its components hold for the inputs in every state
-//   automata      one automaton per instance of the plant
-// Schedule, with plant automata only:
+//   automata      the controllers with one automaton for each instance of the plant
+// Schedule, only with plant automata:
 //   interleaved   in each step one enabled automaton, or the PLC, moves
 //   synchronous   the controllers run one cycle and every automaton takes one edge in each step (DESDES06)
-//   sequenced     plant and controllers alternate; the controllers see the plant only when it is quiescent (WODES06)
-// Time, with plant automata and interleaved only:
-//   abstract      a timed edge may be taken at any time
+//   sequenced     plant and controllers alternate; the controllers run only when the plant is quiescent (WODES06)
+// Time, only with plant automata and the interleaved schedule:
+//   abstract      timed edges may be taken at any time
 //   discrete      clocks count units of time; the states are those of the timed engine
 #pragma once
 
@@ -21,7 +21,8 @@
 
 namespace grafverif {
 
-/// Execution mode (JESA13 section 3.2, Algorithms 1 and 2): outputs are written once stable, or in every cycle.
+/// Execution mode (JESA13 section 3.2, Algorithms 1 and 2): outputs are written when the situation is stable, or in
+/// every cycle.
 enum class ExecutionMode { StabilitySearch, EveryCycle };
 
 /// Returns `stability-search` or `every-cycle`.
@@ -29,10 +30,12 @@ constexpr std::string_view word(ExecutionMode mode) {
     return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
 }
 
-/// Interleaving granularity. Phased: the plant may move between the phases of a PLC cycle. Atomic: a cycle is one edge.
+/// Interleaving granularity. Phased: the plant may move between the phases of a PLC cycle. Atomic: a complete PLC cycle
+/// is one edge.
 enum class Grain { Phased, Atomic };
-/// Order of moves in an untimed model. Interleaved: any enabled automaton moves next. Synchronous: all step together
-/// (DESDES06). Sequenced: controllers alternate with the plant, which becomes quiescent first (WODES06).
+/// Order of moves in an untimed model. Interleaved: any enabled automaton moves next. Synchronous: all controllers and
+/// automata move in each step (DESDES06). Sequenced: controllers and plant alternate, and the plant moves until it is
+/// quiescent (WODES06).
 enum class Schedule { Interleaved, Synchronous, Sequenced };
 
 enum class PlantApproach { None, Constraints, Automata };
@@ -43,7 +46,7 @@ struct ScheduleOptions {
     PlantApproach plant = PlantApproach::None;
     std::optional<Schedule> schedule = {};  ///< overrides the schedule of the loop; default: interleaved
     TimeModel time = TimeModel::Abstract;
-    bool fairness = false;  ///< assume that every movement terminates: one justice condition per movement
+    bool fairness = false;  ///< assume that every movement terminates, by one justice condition for each movement
 };
 
 }  // namespace grafverif

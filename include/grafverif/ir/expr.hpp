@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Expr: the expressions of every IR. Each IR owns one append-only, hash-consing Exprs table, so that equal terms have
-// equal ids. Children come before parents: evaluation, substitution and support sets are one forward loop.
+// equal ids. Children come before parents: evaluation, substitution and the computation of support sets need only one
+// loop over the table.
 //
 // The smart constructors fold constants, drop neutral and repeated operands and cancel double negation. They keep the
 // order of operands as written and the grouping of mixed operators, so that a model is similar to its chart.
 // `conjunction` and `disjunction` are n-ary and flatten operands with the same operator.
 //
-// Leaves carry an index whose table depends on the owner:
+// A leaf contains an index into a table that depends on the owner:
 //   Variable   the owner's table of variables (Chart::variables, Equations::variables, Network::variables, ...)
 //   Step       Chart::steps: the step variable X of a step (IEC 60848, step variables); only in Chart
 //   Timed      Chart::time_conditions; only in Chart
@@ -14,8 +15,8 @@
 //   At         Network: a process is in a location; only in properties and `settled`
 //   Integer    a number; Duration: milliseconds (only in Component)
 //
-// Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports it. Divide and Modulo
-// truncate towards zero as in C (UPPAAL and NuSMV do the same for the allowed operands).
+// Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports the overflow. Divide and
+// Modulo truncate towards zero as in C (UPPAAL and NuSMV do the same for the allowed operands).
 #pragma once
 
 #include <cstdint>
@@ -116,13 +117,13 @@ std::uint32_t at_process(const Expr& node);
 std::uint32_t at_location(const Expr& node);
 
 /// Returns the value of `root`, with Booleans as 0 and 1. `leaf` returns the value of each leaf and each edge. The
-/// result is empty if an operation is undefined: division by zero, or a result outside 64 bits. The function traverses
-/// the term, not the table; the reader limits the depth (see read/text: `too-deep`).
+/// result is empty if an operation is undefined: division by zero, or a result outside 64 bits. The recursion is as
+/// deep as the term; the reader limits this depth (see read/text: `too-deep`).
 std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf);
 
-/// Returns the value of every term of the table, each computed once from those before it. Use it for tables whose terms
-/// share many subterms. `leaf` is called for every leaf in the table.
+/// Returns the value of every term of the table. Each value is computed once, from the values of its operands. Use it
+/// for tables whose terms share many subterms. `leaf` is called for every leaf in the table.
 std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
                                                       const std::function<std::int64_t(const Expr&)>& leaf);
 
@@ -132,8 +133,8 @@ public:
     using Leaf = std::function<Id<Expr>(const Expr&)>;
     using Edge = std::function<Id<Expr>(Op, Id<Expr>)>;
 
-    /// `leaf` maps a leaf or a duration to a term in `to`. `edge`, if given, maps an edge (Rise, Fall) whose operand is
-    /// a term of `to`. Both tables must outlive this object.
+    /// `leaf` maps a leaf or a duration to a term in `to`. `edge`, if given, maps an edge (Rise, Fall), with its copied
+    /// operand, to a term in `to`. Both tables must outlive this object.
     TermCopier(const Exprs& from, Exprs& to, Leaf leaf, Edge edge = {})
         : from_(&from), to_(&to), leaf_(std::move(leaf)), edge_(std::move(edge)) {}
 

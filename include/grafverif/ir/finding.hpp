@@ -2,14 +2,15 @@
 // Finding: a potential defect of a chart, with a run as evidence. Analysis: all findings about one chart, with their
 // assumptions.
 //
-// A finding states that an event is possible, with a shortest run to it as evidence. Or it states that an event is
-// impossible, optionally with a run that comes as close as possible. Length is measured in input changes first, then in
-// evolutions. Possible events are found with timer outputs that respect only their order. The run is then given
-// concrete times, and Timing states if this succeeded. Impossible events are impossible for all times. This also
-// applies to elements that are never used again; the evidence is a shortest run to the situation after which they are
-// not used.
+// A finding states that an event is possible, with a shortest run to the event as evidence, or that an event is
+// impossible. In the second case the evidence, if any, is a run that comes as close to the event as possible. A run is
+// shorter than another run if it has fewer input changes or, with equally many, fewer evolutions. The search for
+// possible events restricts only the order of timer outputs, not their times. Afterwards, concrete times are computed
+// for the run, and Timing states if times exist. Therefore, an event that the search finds impossible is impossible
+// with any times of the timer outputs. The same applies to elements that are never used again: their evidence is a
+// shortest run to the situation after which they are not used.
 //
-// Invariants (see verify): every code is one of finding_codes(); an accepted finding has a reason.
+// Invariants (see verify): every code is one of finding_kinds(); an accepted finding has a reason.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +29,10 @@ namespace grafverif {
 
 struct Finding {
     enum class Level { Error, Warning, Note };
-    /// States if the evidence is possible with real times.
+    /// Result of the search for concrete times of the evidence.
     enum class Timing {
         Untimed,      ///< the evidence does not depend on time conditions
-        Confirmed,    ///< the evidence contains times
+        Confirmed,    ///< times were found, and the evidence contains them
         Unconfirmed,  ///< no times were found for the evidence; the finding may be spurious
     };
     struct Related {
@@ -42,13 +43,14 @@ struct Finding {
 
     std::string code = {};  ///< code such as `step-never-active`
     Level level = Level::Warning;
-    std::string subject = {};  ///< subject that `accept` can name: `X4`, `t3`, `LOCK`; the complete chart if empty
+    /// Subject that `accept` can name, such as `X4`, `t3` or `LOCK`; empty if the finding concerns the complete chart.
+    std::string subject = {};
     std::string message = {};  ///< text as in a diagnostic
     Span origin = {};
     std::vector<Related> related = {};
     std::vector<std::string> lost = {};  ///< steps, transitions and variables that are never used again, in this order
     std::optional<ChartRun> evidence = {};
-    std::string evidence_shows = {};  ///< event that the end of the evidence shows
+    std::string evidence_shows = {};  ///< event at the end of the evidence
     Timing timing = Timing::Untimed;
     std::optional<std::string> accepted = {};  ///< reason given in the source; empty if the finding is not accepted
 
@@ -68,8 +70,8 @@ struct Exclusion {
 struct OpenQuestion {
     std::string code = {};  ///< code of the potential finding
     std::string subject = {};
-    std::size_t instants = 0;     ///< no evidence exists within this number of input changes
-    std::int64_t evolutions = 0;  ///< number of evolutions without evidence, for a counter; 0 if unknown
+    std::size_t instants = 0;     ///< number of input changes up to which no evidence exists
+    std::int64_t evolutions = 0;  ///< for a counter: number of evolutions up to which no evidence exists; 0 if unknown
 
     bool operator==(const OpenQuestion&) const = default;
 };
@@ -77,7 +79,8 @@ struct OpenQuestion {
 struct Analysis {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::vector<Finding> findings = {};   ///< sorted: errors first, then by code and position
+    /// Sorted: errors are first, and findings of equal level are ordered by code and position.
+    std::vector<Finding> findings = {};
     std::vector<std::string> notes = {};  ///< assumptions that apply to all findings
     std::size_t questions = 0;            ///< number of queries
     std::vector<OpenQuestion> open = {};  ///< queries without a result; the results of all others are complete
@@ -101,13 +104,14 @@ struct FindingKind {
 /// Returns all codes, in the order of reports.
 std::span<const FindingKind> finding_kinds();
 
-/// True if the code concerns elements that are never used again. This is decided only if all situations are known.
+/// True if the code concerns elements that are never used again. Such a finding is decided only if all situations are
+/// known.
 bool is_trap(std::string_view code);
 
 /// Returns `error`, `warning` or `note`.
 std::string_view word(Finding::Level level);
 
-/// True if the finding requires action: not a note, and not accepted.
+/// True if the finding requires action: it is not a note and is not accepted.
 bool is_open(const Finding& finding);
 
 std::vector<std::string> verify(const Analysis& analysis);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // LocationAutomaton: the behaviour of a controller that executes one chart, cycle by cycle (JESA13 section 4.1).
 //
-//   location    situation and stored variables; with stability search only the reachable stable ones
+//   location    situation and stored variables; with stability search, only reachable stable situations
 //   evolution   from one location to another, with a condition on the inputs. The conditions of one location are
-//               mutually exclusive (JESA13 (7)); if none of them holds, nor an instability, the controller stays (8)
+//               mutually exclusive (JESA13 (7)); if no condition of an evolution or instability holds, the controller
+//               stays (8)
 //   INIT        the controller after power-on, before its first cycle. The first evolution activates the initial steps
 //               and clears nothing; with stability search the cycle continues until the situation is stable.
 //   instability total instability: under these inputs no stable situation is ever reached (stability search only).
@@ -15,14 +16,15 @@
 // unlike the first one.
 //
 // Timers are inputs that a tester can influence only by waiting. Without a fall time, the output of a timer is false
-// while its step is inactive and immediately after its activation. It rises without other changes, and falls only with
-// its step. Other terms are observed by their level in the previous cycle, which is a stored variable. With a fall
-// time, the output also falls without other changes. Conditions read timers in the same way as inputs. An evolution
-// lists the timers whose rise time it restarts (`restarted`) and those whose fall time it may start (`falling`).
+// while its step is inactive and immediately after its activation. The output rises without other changes, and falls
+// only when the step is deactivated. Other terms are observed by their level in the previous cycle, which is a stored
+// variable. With a fall time, the output also falls without other changes. Conditions read timers in the same way as
+// inputs. An evolution lists the timers whose rise time it restarts (`restarted`) and those whose fall time it may
+// start (`falling`).
 //
 // Expressions are stored in `exprs`; their leaves are Variable -> inputs. `assumed` restricts the considered inputs
 // (the chart's constraints). For inputs that satisfy `assumed`, all conditions are exact; for other inputs they are
-// unspecified. They may also rely on the order of timers of one level: if `3s/X2` is false, so is `5s/X2`.
+// unspecified. The conditions may also assume the order of timers of one level: if `3s/X2` is false, `5s/X2` is false.
 //
 // Invariants (see verify): ids are in their tables; situations are increasing; locations except INIT differ in
 // situation or values; `evolutions` and `instabilities` are sorted by `from`; no condition is the constant false; INIT
@@ -60,8 +62,9 @@ struct LocationAutomaton {
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};                    ///< valid if this is a timer of the step
-        Id<Stored> watched = {};                ///< a timer of this level. If neither is valid: an input of the chart
+        Id<Step> timed = {};  ///< valid if this is a timer of the step
+        /// Valid if this is a timer of this level; if both ids are invalid, this is an input of the chart.
+        Id<Stored> watched = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2`; not both 0 for a timer
         Span origin = {};
         bool operator==(const Input&) const = default;
@@ -72,32 +75,32 @@ struct LocationAutomaton {
         bool operator==(const Output&) const = default;
     };
 
-    /// An output that is not constantly 0 in a location.
+    /// An output that can be different from 0 in a location.
     struct Emission {
         Id<Output> output = {};
-        Id<Expr> value = {};  ///< a constant, or a condition on the inputs: a conditional action
+        Id<Expr> value = {};  ///< a constant or, for a conditional action, a condition on the inputs
         bool operator==(const Emission&) const = default;
     };
     struct Location {
         std::vector<Id<Step>> situation = {};
         std::vector<std::int64_t> values = {};  ///< values of `stored`
-        std::vector<Emission> emissions = {};   ///< by output; for INIT: initial values of stored outputs
+        std::vector<Emission> emissions = {};   ///< sorted by output; INIT emits the initial values of stored outputs
         bool operator==(const Location&) const = default;
     };
     struct Evolution {
         Id<Location> from = {}, to = {};
         Id<Expr> condition = {};
-        std::vector<Id<Input>> restarted = {};  ///< timers whose level holds in `to` and became true
+        std::vector<Id<Input>> restarted = {};  ///< timers whose level became true and holds in `to`
         /// Timers with a fall time whose level became false during the evolution. A timer that also has a rise time is
-        /// listed only if its level held in `from`. If the level had lasted for the rise time, the fall time starts.
+        /// listed only if its level held in `from`. The fall time starts if the level had been true for the rise time.
         std::vector<Id<Input>> falling = {};
         bool operator==(const Evolution&) const = default;
     };
     struct Instability {
         Id<Location> from = {};
         Id<Expr> condition = {};
-        std::optional<std::uint64_t> combinations =
-            {};  ///< number of combinations of inputs and timer outputs; empty if it exceeds 64 bits
+        /// Number of combinations of inputs and timer outputs that satisfy `condition`; empty if it exceeds 64 bits.
+        std::optional<std::uint64_t> combinations = {};
         std::vector<std::int64_t> witness = {};         ///< for each input: values for which the instability occurs
         std::vector<std::vector<Id<Step>>> cycle = {};  ///< the situations that repeat forever
         bool operator==(const Instability&) const = default;
@@ -115,7 +118,7 @@ struct LocationAutomaton {
     std::vector<Evolution> evolutions = {};
     std::vector<Instability> instabilities = {};
     bool complete = true;       ///< if false, there may be further locations and evolutions
-    std::size_t looked_at = 0;  ///< number of locations, counted from the first, whose evolutions are all known
+    std::size_t looked_at = 0;  ///< all evolutions of this number of locations, counted from the first, are known
     Id<Expr> assumed = {};
     Span origin = {};
 

@@ -2,15 +2,15 @@
 // MealyMachine: a location automaton as a machine with outputs for every input combination (JESA13 section 6).
 //
 //   state       a location; in a chart with timers, also the elapsed time of each running timer
-//   transition  for a set of inputs, or by waiting, to the next state, with the outputs written then
+//   transition  leads to the next state for a set of inputs, or after a wait; has the outputs that are then written
 //
 // INIT is merged with the location of the initial situation, if this location exists: with stability search both have
 // the same responses. Without stability search, `activation` represents a cycle that only activates the initial steps,
 // before the first transition of the machine.
 //
-// Conditions are sets of inputs, never enumerated; those of one state are disjoint and, with `unstable`, cover
-// `assumed`. The inputs are those of the chart, without timers: a `wait` transition lets time pass until the next timer
-// event, with constant inputs.
+// A condition represents a set of input combinations without enumerating them. The conditions of the transitions and of
+// `unstable` in one state are disjoint and together cover `assumed`. The inputs are the inputs of the chart, without
+// timers. A `wait` transition lets time pass until the next timer event, with constant inputs.
 //
 // Invariants (see verify): ids are in their tables; `transitions` and `unstable` are sorted by `from`; outputs are
 // complete; no condition is the constant false; waits are positive; state names differ.
@@ -49,7 +49,7 @@ struct MealyMachine {
         Id<State> from = {}, to = {};
         Id<Expr> condition = {};  ///< condition on the inputs
         Id<OutputWord> answer = {};
-        std::int64_t wait_ms = 0;  ///< time for which the inputs are kept; 0 while they are applied
+        std::int64_t wait_ms = 0;  ///< time for which the inputs stay constant; 0 for a transition that applies inputs
         bool operator==(const Transition&) const = default;
     };
     /// Inputs for which the machine enters total instability and never responds again.
@@ -74,10 +74,12 @@ struct MealyMachine {
     Id<State> initial = {};
     std::vector<Transition> transitions = {};
     std::vector<Unstable> unstable = {};
-    std::vector<Activation> activation = {};  ///< empty if the first cycle is an ordinary one
+    std::vector<Activation> activation = {};  ///< empty if the first cycle is not different from the others
     Id<Expr> assumed = {};
-    std::optional<std::uint64_t> combinations = 1;    ///< of inputs, as assumed; empty beyond 64 bits
-    std::optional<std::uint64_t> unstable_pairs = 0;  ///< state-input pairs without a stable situation
+    /// Number of input combinations that satisfy `assumed`; empty if it exceeds 64 bits.
+    std::optional<std::uint64_t> combinations = 1;
+    /// Number of pairs of a state and an input combination without a stable situation.
+    std::optional<std::uint64_t> unstable_pairs = 0;
 
     bool operator==(const MealyMachine&) const = default;
 };

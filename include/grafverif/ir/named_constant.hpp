@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NamedConstant: a constant of a closed loop with its current value, for display; terms contain the value itself.
+// NamedConstant: a constant of a closed loop with its current value, for display. Terms contain the value, not the
+// name.
 #pragma once
 
 #include <cstdint>

@@ -4,17 +4,17 @@
 //
 // Semantics (CEP13 section 2; urgency as in ETFA12 section 2). One edge is taken at a time: its guard and clock
 // constraint hold, its procedures and assignments are executed in order, clocks are reset, and the invariants of the
-// new locations hold after the resets. Time may pass while every invariant holds and no urgent edge is enabled. An
-// edge's assignments come first, then the procedures it calls, in order; each assignment uses the results of those
-// before it. A value outside the range of its variable is a model error (`out-of-range`).
+// new locations hold after the resets. Time may pass while every invariant holds and no urgent edge is enabled. The
+// assignments of an edge are executed first, and then the procedures that it calls, in order. Each assignment uses the
+// results of the previous assignments. A value outside the range of its variable is a model error (`out-of-range`).
 //
-// Expressions are stored in `exprs`: Variable -> variables, Parameter -> parameters of the current template, At in
-// properties. A `scratch` variable carries a value within one edge only: it is written before it is read, and does not
-// belong to the state.
+// Expressions are stored in `exprs`. Apart from constants, their leaves are Variable (index in `variables`), Parameter
+// (index in the `parameters` of the current template) and, in properties and `settled`, At. A `scratch` variable stores
+// a value only within one edge: it is written before it is read, and does not belong to the state.
 //
-// Invariants (see verify): ids in their tables; guards are Boolean, over variables and parameters; urgent edges have no
-// clock constraint; the target invariant of an urgent edge holds whenever it is taken; arguments match parameters in
-// kind and type; initial values are in range; scratch variables are written before they are read.
+// Invariants (see verify): ids are in their tables; guards are Boolean, over variables and parameters; urgent edges
+// have no clock constraint; the target invariant of an urgent edge holds whenever the edge is taken; arguments match
+// parameters in kind and type; initial values are in range; scratch variables are written before they are read.
 #pragma once
 
 #include <cstddef>
@@ -41,14 +41,14 @@ struct Network {
         Internal,
         Step,  ///< step activity of a controller
         FiringCondition,
-        Sample,
-        Image,  ///< value within a PLC cycle: firing condition, sampled input, unwritten output
-        TimerEnd,
-        TimerPending,  ///< request of a timer of a controller
-        Previous,
-        Watched,  ///< previous value for edges, or level that a timer observes
-        Flag,     ///< EVOL_PL, EVOL_TI, stable, race
-        Plant,    ///< variable that only instances share
+        Sample,        ///< input of a controller, as sampled for its PLC cycle
+        Image,         ///< output of a controller before it is written
+        TimerEnd,      ///< output of a timer
+        TimerPending,  ///< request of a controller to start or stop a timer
+        Previous,      ///< value of a term in the previous cycle, for its edges
+        Watched,       ///< level that a timer observes
+        Flag,          ///< EVOL_PL, EVOL_TI, stable, race
+        Plant,         ///< variable that only instances share
     };
     struct Variable {
         std::string name = {};
@@ -137,21 +137,25 @@ struct Network {
         bool operator==(const Process&) const = default;
     };
 
-    /// One controller: its names and the elements of its cycle.
     struct Timer {
         Id<Process> process = {};
         Id<Location> done = {};  ///< location of the process after t1 has elapsed; invalid if there is no t1
-        bool restarts = true;    ///< true: a request restarts it; false: it follows the level of its step
+        /// True: the timer restarts whenever its step is activated, even if the step was deactivated in the same
+        /// instant. False: the timer only observes whether its step is active (CEP13 Fig. 33b).
+        bool restarts = true;
         bool operator==(const Timer&) const = default;
     };
+    /// A controller: its names and the elements of its PLC cycle.
     struct Controller {
         ControllerWords<Variable> words = {};
         Id<Process> process = {};   ///< the process of the PLC
-        Id<Location> waiting = {};  ///< location W of its template
+        Id<Location> waiting = {};  ///< location W of the template of the PLC process
         Id<Variable> stable = {};
-        std::vector<Timer> timers = {};            ///< timers in the order of `words`
-        std::vector<Id<Variable>> variables = {};  ///< for each variable of its equations: the shared variable
-        std::vector<Id<Variable>> images = {};     ///< storage of each output until it is written, or invalid
+        std::vector<Timer> timers = {};  ///< timers in the order of `words`
+        /// For each variable of the controller's equations: its variable in the network.
+        std::vector<Id<Variable>> variables = {};
+        /// Variable that stores each output until it is written; invalid if there is none.
+        std::vector<Id<Variable>> images = {};
         Id<Procedure> start = {};  ///< procedure executed before the first cycle; invalid if it would have no effect
         Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;
@@ -170,7 +174,7 @@ struct Network {
     /// Condition for a quiescent state, over variables and At: every controller is in W and stable, no flag is set, and
     /// no urgent edge is enabled.
     Id<Expr> settled = {};
-    /// Flag that is set when two stored actions have raced; invalid if impossible.
+    /// Flag that is set when two stored actions have written different values (race); invalid if a race is impossible.
     Id<Variable> race = {};
 
     bool operator==(const Network&) const = default;
@@ -178,12 +182,12 @@ struct Network {
 
 std::vector<std::string> verify(const Network& network);
 
-/// Returns the value of `bound` for the arguments of `process`. Clock bounds read only constants.
+/// Returns the value of `bound` for the arguments of `process`. A clock bound reads only constants.
 std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound);
 
 /// True if the invariant of the target of `edge` holds whenever the edge is taken without delay: each clock that this
-/// invariant bounds is either reset by the edge or bounded at least as strongly in the source location. UPPAAL tests
-/// urgency on the guard alone, so a Network has no urgent edge for which this is false.
+/// invariant bounds is either reset by the edge or bounded at least as strongly in the source location. UPPAAL decides
+/// urgency by the guard only; therefore this function is true for every urgent edge of a Network.
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
 /// Returns the same network with one template per process and without parameters. Indices of processes and locations

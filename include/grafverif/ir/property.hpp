@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Property: a query about a closed loop, one of a fixed set of patterns with the same semantics in every engine. The
-// operands are expressions of the owner (leaves in a ClosedLoop: Variable -> symbols; in a Network: Variable and At).
+// Property: a query about a closed loop. Its pattern belongs to a fixed set, and has the same semantics in every
+// engine. The operands are expressions of the owner (leaves in a ClosedLoop: Variable -> symbols; in a Network:
+// Variable and At).
 #pragma once
 
 #include <cstdint>
@@ -32,13 +33,14 @@ enum class Pattern {
 /// Maximum count of a Sentence; its observer has two locations per count.
 inline constexpr std::int64_t greatest_count = 100;
 
-/// A property that needs an observer: it has a duration, a count or a scope. Operands: of the kind, then of the scope.
+/// A property that needs an observer: it has a duration, a count or a scope, or its kind is Precedence. The operands of
+/// the property are those of the kind, followed by those of the scope.
 struct Sentence {
     enum class Kind {
         Absence,       ///< `never p`
         Universality,  ///< `always p`
         Existence,     ///< `inevitable p`
-        Response,      ///< `p leads to q`, also `within` a duration
+        Response,      ///< `p leads to q`, also with `within` a duration
         Precedence,    ///< `p precedes q`
         HoldsFor,      ///< `p holds for` at least a duration
         HoldsAtMost,   ///< `p holds at most` a duration
@@ -63,7 +65,7 @@ struct Property {
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
     Sentence watch = {};     ///< used only by Pattern::Watched
-    bool at_stable = false;  ///< evaluated only in quiescent states
+    bool at_stable = false;  ///< true if the property is evaluated only in quiescent states
     bool expected_violated = false;
     Span origin = {};
 

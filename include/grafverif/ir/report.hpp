@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Report: results of an engine for one model: every verdict with its assumptions, and its run in terms of the charts.
+// Report: results of an engine for one model: all verdicts with their assumptions and with their runs in terms of the
+// charts.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,7 @@ struct PropertyResult {
     Verdict verdict = {};
     std::string text = {};               ///< text of the property in the model
     std::optional<ChartRun> trace = {};  ///< counterexample or witness
-    std::string preservation = {};       ///< for an untimed verdict: its consequence for the timed loop
+    std::string preservation = {};       ///< consequence of an untimed verdict for the timed loop
     std::string place = {};              ///< `file:line` of the property, if the sources are available
 
     bool operator==(const PropertyResult&) const = default;
@@ -52,7 +53,7 @@ struct Report {
     std::vector<PropertyResult> answers = {};
     std::vector<ModelErrorTrace> error_traces = {};
     std::vector<std::string> failures = {};    ///< internal errors: runs that fail the replay and are not reported
-    std::optional<StateProfile> profile = {};  ///< state profile of a long search, or on request
+    std::optional<StateProfile> profile = {};  ///< state profile, if the search was long or a profile was requested
 
     bool operator==(const Report&) const = default;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // StateProfile: the components and clocks that contribute most states of an explicit-state search. The *factor* of a
 // component is the number of sampled states divided by the number that remains after merging states that differ only in
-// this component. It is 1 if the other components determine it, and k if it has k values for each state of the others.
+// this component. The factor is 1 if the other components determine the component, and k if the component has k values
+// for each state of the others.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +44,7 @@ struct StateProfile {
         bool operator==(const Clock&) const = default;
     };
 
-    /// A single duration that determines the time unit: without it the unit would be coarser.
+    /// A single duration that determines the time unit: without this duration the unit would be coarser.
     struct Finest {
         std::int64_t duration_ms = 0;  ///< 0 means the time unit that the loop declares
         std::int64_t unit_ms = 0;      ///< current unit
@@ -55,11 +56,11 @@ struct StateProfile {
     };
 
     std::uint64_t states = 0;   ///< total number of states found
-    std::uint64_t sampled = 0;  ///< number of sampled states, which were found first
+    std::uint64_t sampled = 0;  ///< number of sampled states; these are the states that were found first
     std::uint64_t most_combinations = 0;
     std::uint64_t inside_cycles = 0;    ///< number of sampled states in which some controller is within a cycle
-    std::vector<Component> parts = {};  ///< components, largest factor first
-    std::vector<Clock> clocks = {};     ///< clocks, largest factor first
+    std::vector<Component> parts = {};  ///< components, in decreasing order of their factors
+    std::vector<Clock> clocks = {};     ///< clocks, in decreasing order of their factors
     std::optional<Finest> finest = {};
     bool operator==(const StateProfile&) const = default;
 };

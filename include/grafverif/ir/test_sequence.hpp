@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // TestSequence: inputs to apply to a controller and the expected outputs, step by step (JESA13 section 6). It is
-// self-contained: a tester needs only its names, values and numbers of cycles.
+// self-contained: a tester needs only the names, values and numbers of cycles that it contains.
 //
 // A sequence starts at power-on. In each step the tester lets `wait_ms` pass with the inputs of the previous step; then
 // it applies `inputs` for `cycles` scans of the controller and compares `outputs` in each of them. A scan reads the
 // inputs, executes the chart in `mode` and writes the outputs. A step that waits changes no input.
 //
 // `cycles` is 1 if one more scan would lead to another state (without stability search), or if the user requested one
-// cycle per step. Otherwise it is 2; the second scan shows that the controller stays in its state.
+// cycle per step. Otherwise `cycles` is 2; the second scan shows that the controller stays in its state.
 //
-// Without stability search the first scan after power-on clears no transition: it activates the initial steps. It is
-// represented as `activation`, one scan, with the inputs of step 1; it does not count as a test step.
+// Without stability search the first scan after power-on clears no transition: it activates the initial steps.
+// `activation` represents this scan, which has the inputs of step 1 and does not count as a test step.
 //
 // Invariants (see verify): there is at least one sequence, and none is empty; the numbers of values match the inputs
 // and outputs, and values are in their ranges; cycles are positive; a step that waits changes no input and is not the
-// first step. The lower bound does not exceed the length, and equals it if the length is proved minimal.
+// first step. `lower_bound` does not exceed the number of steps, and is equal to it if the number is proved minimal.
 #pragma once
 
 #include <cstddef>
@@ -70,7 +70,7 @@ struct TestSequence {
     std::vector<Sequence> sequences = {};
     std::uint64_t covered = 0;      ///< number of covered transitions, evolutions or locations, depending on `cover`
     std::uint64_t to_cover = 0;     ///< number of reachable transitions, evolutions or locations
-    std::uint64_t lower_bound = 0;  ///< minimal total number of steps for this coverage
+    std::uint64_t lower_bound = 0;  ///< lower bound of the total number of steps for this coverage
     bool proven_least = false;
 
     bool operator==(const TestSequence&) const = default;

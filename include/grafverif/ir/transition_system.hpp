@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// TransitionSystem: the untimed model of a controller, with or without its plant. It has finite variables, definitions,
-// initial and next values, invariants and justice conditions, in modules that are instantiated once or several times.
+// TransitionSystem: a finite-state model of controllers, with or without their plant, untimed or with discrete time. It
+// has finite variables, definitions, initial and next values, invariants and justice conditions, in modules that are
+// instantiated once or several times.
 //
 // Expressions are stored in `exprs`. Within a module, Variable leaves index the module's `symbols`: its parameters,
-// variables and definitions. `main` is the module of the system; modules do not nest deeper than main -> instance.
+// variables and definitions. `main` is the module of the system; only `main` contains instances of other modules.
 //
 // A variable without `next` is free: it has any value of its type in each step. A variable without `initial` starts
 // with any value. `next` reads only current values and choices. A choice, such as the process that moves, has any value
@@ -11,9 +12,9 @@
 // `transitions`, and the resulting next values; states that violate an invariant do not exist. The system is total:
 // every reachable state has a successor.
 //
-// Invariants (see verify): ids are in their tables; definitions do not depend on themselves; a symbol that refers to an
-// instance's symbol names an existing one; types agree; initial values, invariants, justice conditions and properties
-// do not read choices.
+// Invariants (see verify): ids are in their tables; definitions do not depend on themselves; a symbol of main that
+// refers to a symbol of an instance refers to an existing symbol; types agree; initial values, invariants, justice
+// conditions and properties do not read choices.
 #pragma once
 
 #include <cstddef>
@@ -78,15 +79,16 @@ struct TransitionSystem {
         std::string name = {};
         Table<Symbol> symbols = {};  ///< parameters come first, in the order of the arguments
         std::vector<Id<Expr>> invariants = {};
-        std::vector<Id<Expr>> transitions = {};  ///< conditions of every step; they restrict the choices in a state
-        std::vector<Id<Expr>> justice = {};      ///< each holds infinitely often
+        /// Conditions that every step satisfies; they restrict the choices in a state.
+        std::vector<Id<Expr>> transitions = {};
+        std::vector<Id<Expr>> justice = {};  ///< justice conditions, each of which holds infinitely often
         bool operator==(const Module&) const = default;
     };
 
     struct Instance {
         std::string name = {};
         Id<Module> module = {};
-        std::vector<Id<Symbol>> arguments = {};  ///< arguments, as symbols of main
+        std::vector<Id<Symbol>> arguments = {};  ///< arguments, which are symbols of main
         bool operator==(const Instance&) const = default;
     };
 
@@ -94,21 +96,22 @@ struct TransitionSystem {
     struct Omitted {
         Property property = {};  ///< the property, without operands
         std::string reason = {};
-        std::size_t before = 0;  ///< its position: before the property of the system with this index
+        std::size_t before = 0;  ///< position of the property: before the property of the system with this index
         bool operator==(const Omitted&) const = default;
     };
 
-    // Mapping of the symbols of main to charts and plant, for traces and their replay.
+    // The following structs map the symbols of main to charts and plant, for traces and their replay.
 
     using Named = ControllerWords<Symbol>::Named;
-    /// Each condition is evaluated in a state with the choices of the step that leaves it. It may be invalid: see each.
+    /// Each condition is evaluated in a state, with the choices of the step from this state. An invalid id has the
+    /// meaning that the comment of the condition states.
     struct Controller {
         ControllerWords<Symbol> words =
-            {};  ///< transitions; one is cleared by a step that `evolves` if its condition held before that step
+            {};  ///< a step that `evolves` clears a transition if the condition of the transition held before that step
         Id<Expr> starts = {};   ///< true in the first evolution; invalid if the first evolution has no visible effect
-        Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; if invalid, equal to `evolves`
+        Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; invalid if equal to `evolves`
         Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if every step is one
-        Id<Expr> writes = {};   ///< true if outputs are written; if invalid, evolutions write them as the mode requires
+        Id<Expr> writes = {};   ///< true if outputs are written; invalid if evolutions write them as the mode requires
         bool operator==(const Controller&) const = default;
     };
     /// A component that moves in addition to the controllers: an instance of the loop or a timer.
@@ -116,34 +119,37 @@ struct TransitionSystem {
         enum class Kind { Plant, Environment, Timer };
         std::string name = {};
         Kind kind = Kind::Plant;
-        Id<Symbol> location = {};           ///< location, with named values; invalid if there is only one location
-        std::vector<Named> variables = {};  ///< those of its variables that controllers neither read nor write
-        std::vector<Named> inputs = {};     ///< the inputs of controllers that it writes
+        /// Symbol of the location, with named values; invalid if there is only one location.
+        Id<Symbol> location = {};
+        std::vector<Named> variables = {};  ///< its variables that controllers neither read nor write
+        std::vector<Named> inputs = {};     ///< inputs of controllers that this component writes
         bool operator==(const Component&) const = default;
     };
 
-    /// Some instances of an interleaved system. They share with the others only time and the choice of the moving
-    /// instance.
+    /// A subsystem: a set of instances of an interleaved system. These instances share only time and the choice of the
+    /// moving instance with all other instances.
     struct Subsystem {
         std::string name = {};  ///< displayed name
         std::vector<Id<Instance>> instances = {};
-        /// Symbols of main that belong to this subsystem, with the constants that replace them if it is omitted.
+        /// Symbols of main that belong to this subsystem, with the constants that replace them if the subsystem is
+        /// omitted.
         std::vector<std::pair<Id<Symbol>, Id<Expr>>> without = {};
-        Id<Expr> moves = {};    ///< condition of a step: one of its instances moves
-        Id<Expr> settled = {};  ///< its part of `settled`; invalid if `settled` cannot be decomposed
+        Id<Expr> moves = {};  ///< condition of a step: an instance of this subsystem moves
+        /// Conjunct of `settled` that concerns this subsystem; invalid if `settled` cannot be decomposed.
+        Id<Expr> settled = {};
         bool operator==(const Subsystem&) const = default;
     };
     /// Independent subsystems, of which at most one moves in a step. All terms are over symbols of main.
     struct Subsystems {
-        std::vector<Subsystem> each = {};       ///< the subsystems; empty if the system cannot be decomposed
-        Id<Expr> waits = {};                    ///< condition of a step: none moves; if clocks are counted, time passes
-        Id<Expr> can_move = {}, can_wait = {};  ///< if clocks are counted: some instance can move; time can pass
+        std::vector<Subsystem> each = {};  ///< the subsystems; empty if the system cannot be decomposed
+        Id<Expr> waits = {};  ///< condition of a step: no subsystem moves; if clocks are counted, time passes
+        Id<Expr> can_move = {}, can_wait = {};  ///< only if clocks are counted: some instance can move; time can pass
         bool operator==(const Subsystems&) const = default;
     };
 
     std::string name = {};
     std::vector<NamedConstant> constants = {};  ///< constants of the loop, for file headers
-    std::string scope = {};  ///< one paragraph for file headers: the consequence of verdicts for the timed plant
+    std::string scope = {};  ///< consequence of verdicts for the timed plant, as one paragraph for file headers
     Exprs exprs = {};
     Table<Module> modules = {};
     Id<Module> main = {};
@@ -157,7 +163,8 @@ struct TransitionSystem {
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
     Subsystems parts = {};
-    Id<Expr> ticks = {};  ///< time passes by `tick_ms`, over symbols of main; invalid if untimed
+    /// Condition over symbols of main: time passes by `tick_ms`; invalid if the system is untimed.
+    Id<Expr> ticks = {};
     std::int64_t tick_ms = 0;
 
     bool operator==(const TransitionSystem&) const = default;

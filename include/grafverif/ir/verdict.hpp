@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Verdict: the proved result of an engine for one property, with its run of the network.
+// Verdict: the result of an engine for one property, with a run of the network as evidence.
 //
 // A run starts in the initial state of the Network. It is finite, or a lasso: the moves from `loop` on repeat forever.
-// A run that stays in a state forever is a loop of one delay. A finite counterexample of `inevitable` or `leads to`
-// ends in a state without successors. Every run with integer delays is a run of the dense-time model.
+// The loop of a run that stays in a state forever is one delay. A finite counterexample of `inevitable` or `leads to`
+// ends in a state without successors. A run with integer delays is also a run of the dense-time model.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@ namespace grafverif {
 
 /// A delay: time passes.
 struct Delay {
-    std::int64_t units = 1;  ///< duration in time units of the network
+    std::int64_t units = 1;  ///< number of time units of the network
     bool operator==(const Delay&) const = default;
 };
-/// A step of a run in which one edge of one process is taken.
+/// A move of a run: a process takes an edge.
 struct Fire {
     Id<Network::Process> process = {};
     Id<Network::Edge> edge = {};  ///< edge of the template of the process
@@ -43,7 +43,7 @@ enum class Outcome { Holds, Violated, Unknown };
 /// Reason for an unknown verdict.
 enum class UnknownReason {
     None,
-    Bound,        ///< limit of states reached
+    Bound,        ///< limit on the number of states reached
     Memory,       ///< memory limit reached
     Stopped,      ///< stopped by the user or the deadline
     Inexact,      ///< integer time is inconclusive for dense time
@@ -58,13 +58,14 @@ enum class UnknownReason {
 struct SearchScope {
     /// Names of the explored parts; empty if the complete network was explored.
     std::vector<std::string> searched = {};
-    std::vector<std::string> left_out = {};  ///< the other parts; empty if all parts were explored separately
-    std::string because = {};                ///< reason why the omitted parts cannot affect the verdict
-    bool cells = false;                      ///< true: parts are fragments, not independent subsystems
+    /// Names of the parts that were not explored; empty if all parts were explored separately.
+    std::vector<std::string> left_out = {};
+    std::string because = {};  ///< reason why the omitted parts cannot affect the verdict
+    bool cells = false;        ///< true: parts are fragments, not independent subsystems
     bool operator==(const SearchScope&) const = default;
 };
 
-/// Names of instances reduced by the input abstraction of a verdict (docs/explanation/decomposition.md, "Input
+/// Names of the instances that the input abstraction of a verdict reduced (docs/explanation/decomposition.md, "Input
 /// abstraction").
 struct InputsAbstracted {
     std::vector<std::string> chosen = {}, untimed = {}, paced = {};
@@ -72,8 +73,9 @@ struct InputsAbstracted {
 };
 
 struct Verdict {
-    Id<Property> about = {};    ///< property of the model; invalid if not `declared`
-    std::string property = {};  ///< name of the property; `S.X7` for a property that expands
+    Id<Property> about = {};  ///< property of the model; invalid if not `declared`
+    /// Name of the property; for a property `S` of the form `reachable all steps`, `S.X7` for step 7.
+    std::string property = {};
     Pattern pattern = Pattern::Always;
     Outcome outcome = Outcome::Unknown;
     UnknownReason obstacle = UnknownReason::None;
@@ -86,14 +88,15 @@ struct Verdict {
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     SearchScope scope = {};
-    std::optional<InputsAbstracted> abstraction = {};  ///< input abstraction; the run may then not be a shortest one
-    std::optional<Run> run = {};                       ///< counterexample, or witness of a `reachable` that holds
-    Span origin = {};                                  ///< position of the property
+    /// Input abstraction, if one was used; the run is then not necessarily a shortest run.
+    std::optional<InputsAbstracted> abstraction = {};
+    std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` that holds
+    Span origin = {};             ///< position of the property
 
     bool operator==(const Verdict&) const = default;
 };
 
-/// A model error. The run leads to the state before `edge` is taken, or for a race to the state with the race.
+/// A model error. The run ends in the state before `edge` is taken; for a race, it ends in the state with the race.
 struct ModelError {
     enum class Kind {
         OutOfRange,  ///< `edge` assigns `variable` a value outside its range

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ProofExplanation: model elements that the proofs of properties need, found by removing each
-// (docs/explanation/why.md).
+// ProofExplanation: the model elements that are necessary for the proofs of properties. They are found by removing one
+// element at a time (docs/explanation/why.md).
 #pragma once
 
 #include <cstddef>
@@ -11,33 +11,34 @@
 namespace grafverif {
 
 struct ProofExplanation {
-    /// Dependencies of the proof of one property that holds.
+    /// Elements on which the proof of a property that holds depends.
     struct ProofCore {
         std::string property = {};
-        /// For a state property: instances and timers without which it fails, if all other behaviour of plant and
-        /// timers is arbitrary. The clocks of those in `timings` are also necessary.
+        /// For a state property: the instances and timers that are necessary for it if all other behaviour of plant and
+        /// timers is arbitrary. The clocks of the instances and timers in `timings` are also necessary.
         std::vector<std::string> parts = {}, timings = {};
-        bool about_states = false;           ///< false if parts were not examined
+        bool about_states = false;           ///< true if the property concerns all states, so that parts were examined
         std::vector<std::string> open = {};  ///< parts for which the result is unknown
-        bool vacuous = false;                ///< true if its premise is never true
+        bool vacuous = false;                ///< true if the premise of the property is never true
         bool operator==(const ProofCore&) const = default;
     };
 
     enum class Kind { Transition, Step, Term, Guard, Edge };
-    /// A model element that is removed while all others are unchanged (explain/ablation.hpp).
+    /// A model element, and the result of removing only this element (explain/ablation.hpp).
     struct ModelElement {
         Kind kind = Kind::Transition;
         std::string name = {};                    ///< `t3`, `5`, `!a`, `shut -> opening`
         std::string of = {};                      ///< the owner of a term, or the instance of an edge
         std::size_t nth = 1;                      ///< index among elements with the same name
-        std::vector<std::string> needed_by = {};  ///< properties that fail without it
+        std::vector<std::string> needed_by = {};  ///< properties that fail without the element
         std::vector<std::string> open = {};       ///< properties for which the result is unknown
         bool operator==(const ModelElement&) const = default;
     };
 
     std::vector<ProofCore> grounds = {};
-    std::vector<ModelElement> things = {};         ///< elements by kind, each kind in the order of the model
-    std::vector<std::string> unneeded_parts = {};  ///< parts that none of these properties needs; all results are known
+    std::vector<ModelElement> things = {};  ///< elements by kind, each kind in the order of the model
+    /// Parts that are not necessary for any of these properties. Parts with an unknown result are not included.
+    std::vector<std::string> unneeded_parts = {};
     std::size_t searches = 0;
     std::string ended = {};  ///< reason why some elements were not examined; empty if all were
     bool operator==(const ProofExplanation&) const = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics: problems of the input, as data. Each stage appends to the Diagnostics that it receives. One renderer
-// converts them to text, another to JSON. The texts of all messages are in support/messages.
+// Diagnostics: problems of the input, as data. Each stage appends its problems to a Diagnostics object. `render_text`
+// and `render_json` convert them to text and JSON. The texts of all messages are in support/messages.
 #pragma once
 
 #include <cstddef>
@@ -23,15 +23,16 @@ struct Fix {
 
 struct Diagnostic {
     Severity severity = Severity::Error;
-    std::string code = {};     ///< stable kebab-case code, printed in brackets
-    Span where = {};           ///< position; without a valid source, the diagnostic concerns the input in general
-    std::string message = {};  ///< lower case, names in backticks, no full stop; the problem, then `; ` and the remedy
+    std::string code = {};  ///< stable kebab-case code, printed in brackets
+    Span where = {};        ///< position; if its source is invalid, the diagnostic concerns the complete input
+    /// The problem, then `; ` and the remedy; in lower case, with names in backticks and without a full stop.
+    std::string message = {};
     std::vector<Diagnostic> notes = {};
     std::optional<Fix> fix = {};  ///< present if the remedy is unambiguous
 };
 
-/// Collects errors and warnings in the order of their discovery. After `limit` errors, further diagnostics are counted
-/// but not stored, so that malicious input uses bounded memory.
+/// Collects errors and warnings in the order of their discovery. At most twice `limit` diagnostics are stored, and none
+/// after more than `limit` errors, so that malicious input uses bounded memory. All errors are counted.
 class Diagnostics {
 public:
     static constexpr std::size_t limit = 50;
@@ -41,7 +42,7 @@ public:
     bool has_errors() const { return errors_ != 0; }
     std::size_t errors() const { return errors_; }
     const std::vector<Diagnostic>& all() const { return stored_; }
-    /// True if errors beyond `limit` were dropped; a reader may then stop early.
+    /// True if there are at least `limit` errors. Further errors are not stored, so that a reader may stop early.
     bool full() const { return errors_ >= limit; }
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Source and Span: positions in texts. A span is two byte offsets into one source; line and column are computed on use.
+// Source and Span: positions in texts. A span is two byte offsets into one source; its line and column are computed on
+// demand.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace grafverif {
 
 struct Source {
     std::string name = {};  ///< name in diagnostics: the path as the user gave it
-    std::string text = {};  ///< complete file as read
+    std::string text = {};  ///< complete contents of the file
 };
 
 using Sources = Table<Source>;
@@ -26,7 +27,7 @@ struct Span {
     bool operator==(const Span&) const { return true; }
 };
 
-/// A position in a source as shown to users. Lines and columns are counted from 1; columns are in bytes.
+/// A position in a source, as printed for users. Lines and columns are counted from 1; columns are in bytes.
 struct Place {
     std::uint32_t line = 1;
     std::uint32_t column = 1;

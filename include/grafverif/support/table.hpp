@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Table<T>: the entities of one type of an IR, in the order in which they were added, addressed by Id<T>.
+// Table<T>: the entities of one type of an IR, in the order of their addition. An entity is addressed by its Id<T>.
 #pragma once
 
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `build`: translates a closed loop to a UPPAAL project and a NuSMV model. Either both or none are written.
+// `build`: translates a closed loop to a UPPAAL project and a NuSMV model. Either both files or no file is written.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ ExitCode build(CommandContext& job, const Streams&) {
     if (!model) return ExitCode::Input;
     std::vector<Id<ClosedLoop>> loops;
     if (job.options.all) loops.assign(model->loops.ids().begin(), model->loops.ids().end());
-    if (loops.empty())  // without loops, `--all` has nothing to write
+    if (loops.empty())  // the file has no loop, or `--all` is missing
         if (const auto loop = chosen_loop(*model, job)) loops = {*loop};
     for (const Id<ClosedLoop> loop : loops)
         if (!keep_requested(model->loops[loop], job)) return ExitCode::Input;

@@ -58,11 +58,12 @@ void point_to_schedule(const ClosedLoop& loop, const CommandContext& job, const 
         loop.name, printable(job.options.operands[0]));
 }
 
-/// The models to check in a file, one after another: each loop, and each chart that does not belong to a loop.
+/// Names of the loop or chart to check in a file; without names, the only loop or chart is checked.
 struct ModelSelection {
     std::optional<std::string> loop = {}, chart = {};
 };
 
+/// Returns the models to check. With `--all`, these are all loops of the file or, if it has none, all charts.
 std::vector<ModelSelection> aims(const Model& model, bool all, const Options& requested) {
     if (!all) return {{requested.loop, requested.chart}};
     std::vector<ModelSelection> list;
@@ -155,9 +156,8 @@ CliCommand check_usage() {
         "\n"
         "By default, the timed engine decides every property of the closed loop in FILE, and whether time can stop. "
         "Settings\n"
-        "and assumptions are printed once, before the verdicts. Counterexamples are replayed on the rules of IEC 60848 "
-        "before\n"
-        "they are printed.\n"
+        "and assumptions are printed once, before the verdicts. Counterexamples are replayed under the rules of\n"
+        "IEC 60848 before they are printed.\n"
         "\n"
         "Engines for the timed loop (--engine):\n"
         "  timed              embedded, explicit-state (default)\n"

@@ -28,7 +28,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Reads standard input until `end_requested`. Waiting for input can be cancelled.
+/// Reads standard input until `end_requested` is true. A call of `stop` ends the wait for input.
 class CancellableInput {
 public:
     explicit CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {
@@ -42,7 +42,7 @@ public:
     CancellableInput& operator=(const CancellableInput&) = delete;
 
     std::size_t receive(std::span<char> room) const {
-        // Milliseconds; necessary because another thread may have received the signal.
+        // The interval is in milliseconds. Polling is necessary because a signal may interrupt another thread.
         constexpr int poll_interval = 200;
         while (!end_requested_) {
             std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{ends_[0], POLLIN, 0}};
@@ -92,7 +92,7 @@ public:
         try {
             threads_.emplace_back([this, &shown] { shown.run(stop_); });
         } catch (...) {
-            pages_.erase(kept);  // without a thread, the page cannot respond
+            pages_.erase(kept);  // the page cannot respond, because its thread was not started
             throw;
         }
         return shown.address();
@@ -118,7 +118,7 @@ private:
     std::optional<TemporaryFolder> folder_ = {};
 };
 
-/// LSP 3.17, "Exit Notification": 0 only if `shutdown` came first.
+/// LSP 3.17, "Exit Notification": the exit code is 0 only if `shutdown` preceded `exit`.
 ExitCode code_of(grafverif::lsp::Ending ending) {
     return ending == grafverif::lsp::Ending::Requested ? ExitCode::Done : ExitCode::Verdict;
 }
@@ -163,7 +163,7 @@ CliCommand lsp_usage() {
             "(docs/how-to/language-server.md\n"
             "has the configuration). Documents open in the editor replace the files on disk, also for files that "
             "include them.\n"
-            "Nothing is written. It exits when the editor requests it or terminates.",
+            "Nothing is written. The server exits when the editor requests this, or when the editor terminates.",
             {"grafverif lsp"},
             {OptionGroup::Lsp}};
 }

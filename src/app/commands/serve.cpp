@@ -43,8 +43,8 @@ void open_in_browser(const std::filesystem::path& page, const Streams& streams) 
     if (failure != 0) streams.err << "note: `xdg-open` is not installed; open the address in a browser\n";
 }
 
-/// Returns a page that redirects to `address`. It is necessary because other users can read the browser's command line,
-/// which must not contain the token.
+/// Returns a page that redirects to `address`. The browser opens this page instead of `address`, because other users
+/// can read its command line, which must not contain the token.
 std::string redirect_to(const std::string& address) {
     return fmt::format(
         "<!doctype html>\n<meta charset=\"utf-8\">\n"
@@ -84,7 +84,8 @@ ExitCode serve(CommandContext& job, const Streams& streams) {
                        "Press Ctrl-C to stop.\n",
                        printable(job.options.operands[0]), address)
                 << std::flush;
-    // Only this user can read it; it is kept until the end, because the browser may be slow.
+    // Only this user can read the folder. It is removed when the server ends, because the browser may open the file
+    // late.
     std::optional<TemporaryFolder> folder;
     if (job.options.open) {
         folder.emplace();

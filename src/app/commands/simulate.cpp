@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `simulate`: executes a closed loop, or a chart without a loop, interactively, with a script, or at random. The run is
-// printed in the form of a counterexample. At the end, the interpreter replays it.
+// printed in the form of a counterexample. At the end, the interpreter replays it, unless a step was forced.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,10 +85,10 @@ private:
         "  NAME = VALUE       set an input to true, false or a number\n"
         "  do INSTANCE [LOC]  take an enabled edge of the instance\n"
         "  wait [3s]          let time pass; without a duration: until the next automatic or possible event\n"
-        "  force STEP on|off  what-if run: activate or deactivate the step; no longer a run of the model\n"
+        "  force STEP on|off  activate or deactivate the step; the run is then a what-if run, not a run of the model\n"
         "  expect CLAIM       check that CLAIM holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`\n"
         "  expect within 5s CLAIM   check that CLAIM becomes true within this time\n"
-        "  wait until CLAIM   let time pass until CLAIM holds, or became true in this instant\n"
+        "  wait until CLAIM   let time pass until CLAIM is true; no time passes if CLAIM became true in this instant\n"
         "  show               print all current values\n"
         "  back, undo         undo the last command\n"
         "  save FILE          write the session as a script that expects the observed values\n"
@@ -201,7 +201,7 @@ public:
         : script_(script), path_(std::move(path)), session_(session), simulation_(simulation), streams_(streams) {}
 
     ExitCode run() {
-        // Per open `repeat`: its position and remaining count.
+        // For each open `repeat`: its position in the script and the remaining number of repetitions.
         std::vector<std::pair<std::size_t, std::uint64_t>> rounds;
         for (std::size_t at = 0; at < script_.lines.size() && !session_.over();) {
             const Script::Line& line = script_.lines[at++];
@@ -279,8 +279,8 @@ std::string walk(Simulation& simulation, std::uint64_t seed, std::uint64_t steps
     return {};
 }
 
-/// Executes `simulation` according to the options, replays the run with the interpreter, and writes the requested
-/// files.
+/// Executes `simulation` according to the options, replays the run with the interpreter unless a step was forced, and
+/// writes the requested files.
 ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, CommandContext& job,
               const Streams& streams) {
     ExitCode code = ExitCode::Done;
@@ -349,10 +349,10 @@ CliCommand simulate_usage() {
         "  wait 3s            let time pass (ms, s, min); without a duration: until the next automatic or possible "
         "event\n"
         "  do INSTANCE [LOC]  take an enabled edge of the instance, or the one that leads to location LOC\n"
-        "  force STEP on|off  what-if run: activate or deactivate the step; no longer a run of the model\n"
+        "  force STEP on|off  activate or deactivate the step; the run is then a what-if run, not a run of the model\n"
         "  expect CLAIM       check that CLAIM holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`;\n"
         "                     `expect within 5s CLAIM`: check that CLAIM becomes true within this time\n"
-        "  wait until CLAIM   let time pass until CLAIM holds, or became true in this instant\n"
+        "  wait until CLAIM   let time pass until CLAIM is true; no time passes if CLAIM became true in this instant\n"
         "  repeat 3 {         in a script: repeat the lines up to `}` 3 times\n"
         "  show, undo, quit   print all current values; undo the last command; exit\n"
         "  save FILE          write the session as a script that expects the observed values\n"

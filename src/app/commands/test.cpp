@@ -30,7 +30,7 @@ namespace grafverif::app {
 namespace {
 
 // Test bench: drives a controller through a test sequence line by line and compares its outputs in every scan (JESA13
-// section 6). Each sequence restarts the controller, which is its power-on.
+// section 6). Each sequence starts the controller again, as at power-on.
 
 struct BenchOptions {
     std::string controller = {};  ///< the shell command that runs the controller
@@ -54,7 +54,7 @@ public:
             report_.verdicts.emplace_back(rows_of(sequence).size(), StepVerdict::NotRun);
     }
 
-    /// Runs the test. Returns false if the shell did not find such a program.
+    /// Runs the test. Returns false if the shell did not find the program.
     bool run() {
         const auto start = std::chrono::steady_clock::now();
         for (std::size_t k = 0; k < report_.test.sequences.size() && !stopped(); ++k) {
@@ -160,7 +160,7 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Runs the test; empty if the shell does not find such a program. Throws std::system_error if the program cannot be
+/// Runs the test; empty if the shell does not find the program. Throws std::system_error if the program cannot be
 /// started.
 std::optional<TestReport> run_test(const TestSequence& test, const BenchOptions& options) {
     TestBench bench(test, options);
@@ -203,7 +203,7 @@ ExitCode test(CommandContext& job, const Streams& streams) {
     const auto sequence = chart ? sequence_to_run(*model, *chart, job, bounds.limits()) : std::nullopt;
     if (!sequence) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = job.options.sequence ? std::nullopt : disagreement(model->charts[*chart], *sequence)) {
-        streams.err << "grafverif: internal error: the test fails on the rules of IEC 60848: " << *wrong << '\n';
+        streams.err << "grafverif: internal error: the test fails under the rules of IEC 60848: " << *wrong << '\n';
         return ExitCode::Failure;
     }
     const auto report = bench_report(*sequence, job.options, bounds.limits());

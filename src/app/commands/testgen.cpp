@@ -35,7 +35,7 @@ ExitCode testgen(CommandContext& job, const Streams& streams) {
         chart ? test_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
     if (!test) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = disagreement(model->charts[*chart], *test)) {
-        streams.err << "grafverif: internal error: the test fails on the rules of IEC 60848: " << *wrong << '\n';
+        streams.err << "grafverif: internal error: the test fails under the rules of IEC 60848: " << *wrong << '\n';
         return ExitCode::Failure;
     }
     deliver(written(*test, job), job, streams);
@@ -52,7 +52,7 @@ CliCommand testgen_usage() {
         "generate a test sequence for a PLC program",
         "Writes the inputs to apply and the outputs to expect, step by step from power-on. The number of steps, and\n"
         "whether it is minimal, is printed on standard error. Each step lasts `cycles` scans of the controller.\n"
-        "Constraints of the chart restrict the inputs. The test is executed on the rules of IEC 60848 before it is\n"
+        "Constraints of the chart restrict the inputs. The test is executed under the rules of IEC 60848 before it is\n"
         "written.\n"
         "Formats: CSV, JSON, Structured Text (IEC 61131-3) or PLCopen XML.",
         {"grafverif testgen samples/tanks/tanks.grafcet -o tanks.csv",

@@ -36,8 +36,8 @@ bool is_in_a_loop(const Model& model, Id<Chart> chart) {
     });
 }
 
-/// Returns a result as JSON. `text` is the property as in the file; `claim` is its formula, if known. All of this is
-/// untrusted text.
+/// Returns a result as JSON. `text` is the property as in the file; `claim` is its formula, if known. All texts are
+/// untrusted.
 Json json_of(const PropertyResult& answer, const std::string& claim) {
     const Verdict& verdict = answer.verdict;
     Json notes = Json::array();
@@ -92,7 +92,7 @@ private:
     /// The check of one model, with the verdicts so far.
     struct Proof {
         bool is_loop = false;
-        std::uint32_t place = 0;  ///< index among the loops or charts
+        std::uint32_t place = 0;  ///< index of the loop or chart in the model
         std::string name = {}, state = "waiting", progress = {};
         Json properties = Json::array(), error_traces = Json::array();
 
@@ -111,7 +111,7 @@ private:
         wake_.notify_all();
     }
 
-    // Polls the files for changes, in one thread.
+    // One thread polls the files for changes.
 
     void watch() {
         while (sleep(file_poll_interval)) {
@@ -123,13 +123,13 @@ private:
         }
     }
 
-    /// Waits. Returns false if the checker must end.
+    /// Waits for `time`. Returns false if the checker must end.
     bool sleep(std::chrono::milliseconds time) {
         std::unique_lock hold(door_);
         return !wake_.wait_for(hold, time, [this] { return over_.load(); });
     }
 
-    // Reads the files and checks them until they change, in another thread.
+    // Another thread reads the files and checks them until they change.
 
     void work() {
         while (!over_) {
@@ -171,7 +171,7 @@ private:
 
     void begin() {
         const std::lock_guard hold(door_);
-        stale_ = over_.load();  // the destructor has set both flags
+        stale_ = over_.load();  // stays true if the destructor has set `over_`
     }
 
     void read(const std::string& path, std::string text, CheckedFile& piece) {
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    /// Returns the checks, including those of rejected models, which are reported.
+    /// Returns one entry for each model to check. A model that was rejected has the state `refused`.
     static std::vector<Proof> proofs_of(const CheckedFile& piece) {
         std::vector<Proof> proofs;
         if (!piece.reading.model) return proofs;
@@ -308,7 +308,7 @@ private:
     const Options& options_;
     std::function<void()> changed_;
 
-    std::mutex watching_ = {};  ///< always acquired before `door_`
+    std::mutex watching_ = {};  ///< locked before `door_` if a thread locks both
     FileWatcher watch_ = {};
 
     mutable std::mutex door_ = {};
@@ -318,7 +318,7 @@ private:
     std::string state_ = {};
     std::shared_ptr<const CheckedFile> piece_ = std::make_shared<CheckedFile>();
 
-    // Used only by the thread that reads and checks.
+    // Only the thread that reads and checks uses the following members.
     std::shared_ptr<const CheckedFile> piece_of_work_ = piece_;
     std::vector<Proof> proofs_ = {};
     std::uint64_t readings_ = 0;

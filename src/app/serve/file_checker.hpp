@@ -29,7 +29,7 @@ struct CheckedFile {
 
 class FileChecker {
 public:
-    /// `changed` is called after every change from another thread. All arguments must outlive the object.
+    /// Another thread calls `changed` after every change of the state. All arguments must outlive the object.
     FileChecker(const Options& options, std::function<void()> changed);
     ~FileChecker();
     FileChecker(const FileChecker&) = delete;

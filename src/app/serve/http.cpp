@@ -158,7 +158,7 @@ private:
             if (state_ == State::Identified) --server_.identified_;
         }
 
-        /// Closes this connection in favour of another.
+        /// Closes this connection to accept another one.
         void drop() {
             state_ = State::Dropped;
             server_.unidentified_.erase(place_);
@@ -174,7 +174,7 @@ private:
                 [self = shared_from_this()](beast::error_code error, std::size_t) { self->header_is_read(error); });
         }
 
-        /// Calls the handler in one of its threads.
+        /// Calls the handler in one of the threads of `threads_`.
         void ask(bool at_once) {
             timer_.cancel();
             asio::post(server_.threads_.context(), [self = shared_from_this(), at_once]() mutable {
@@ -243,8 +243,8 @@ private:
             });
         }
 
-        /// Detects that the client has disconnected, so that another connection can be accepted. Data that it sends is
-        /// ignored.
+        /// Detects that the client has disconnected, so that another connection can be accepted. Ignores data that the
+        /// client sends.
         void watch() {
             stream_.async_read_some(asio::buffer(rest_),
                                     [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -348,7 +348,7 @@ private:
         });
     }
 
-    /// True if the Host is an address of this server, which is the only accepted one.
+    /// True if `host` is an address of this server. Requests with any other Host are rejected.
     bool is_internal_error(std::string_view host) const {
         const std::string end = ":" + std::to_string(port());
         return host == "127.0.0.1" + end || host == "[::1]" + end || host == "localhost" + end ||

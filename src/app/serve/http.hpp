@@ -39,8 +39,8 @@ struct HttpOptions {
     std::uint16_t port = 0;  ///< 0 selects any free port
     std::string token = {};
     std::size_t largest_body = std::size_t{1} << 20U;
-    /// Maximum number of connections. Above it, the oldest connection whose token has not been read is closed; if there
-    /// is none, the new connection.
+    /// Maximum number of connections. If another client connects, the oldest connection whose token has not been read
+    /// is closed; if there is none, the new connection is closed.
     std::size_t most_connections = 64;
     int longest_wait = 20;  ///< maximum delay of a response in seconds
 };

@@ -57,7 +57,7 @@ std::uint64_t known_version(const HttpRequest& request) {
 /// Dispatches requests to their handlers.
 class RequestDispatcher {
 public:
-    /// `room` is called when a simulation ends, so that delayed requests are tried again.
+    /// The dispatcher calls `room` when a simulation ends, so that delayed requests are tried again.
     RequestDispatcher(const Options& options, std::function<void()> room) : options_(options), room_(std::move(room)) {}
 
     void begin(FileChecker& bench) { bench_ = &bench; }
@@ -80,7 +80,7 @@ private:
         return {};
     }
 
-    /// Performs a simulation. At most two run at a time, so that a thread remains for the state.
+    /// Performs a simulation. At most two run at a time, so that a thread remains for requests for the state.
     std::optional<HttpAnswer> simulation(const HttpRequest& request, bool at_once) const {
         if (!simulating_.try_acquire()) {
             if (at_once) return HttpAnswer{503, "text/plain", "too many simulations are running; try again later\n"};

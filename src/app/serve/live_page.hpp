@@ -13,7 +13,7 @@ namespace grafverif::app {
 
 class LivePage {
 public:
-    /// The first operand is the file. Throws std::system_error if no port can be opened.
+    /// The first operand in `options` is the file. Throws std::system_error if no port can be opened.
     explicit LivePage(const Options& options);
     ~LivePage();
     LivePage(const LivePage&) = delete;

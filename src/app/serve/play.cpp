@@ -25,16 +25,16 @@ using Json = nlohmann::ordered_json;
 
 /// A request of a page.
 struct PlayRequest {
-    std::string loop = {}, chart = {};  ///< exactly one of them is not empty
+    std::string loop = {}, chart = {};  ///< exactly one of `loop` and `chart` is not empty
     std::vector<std::string> moves = {};
-    std::uint64_t seed = 0, random = 0;  ///< number of random moves after the given ones, and their seed
+    std::uint64_t seed = 0, random = 0;  ///< seed and number of the random moves after `moves`
     bool everything = false;             ///< for a loop: each edge is a separate choice
 };
 
 Json error_text(const std::string& words) { return {{"error", printable(words)}}; }
 
 std::optional<PlayRequest> wish_of(const std::string& request) {
-    // Throws no exceptions and rejects deep nesting: invalid input is treated as no request.
+    // The parser throws no exceptions and rejects deep nesting. The result is empty for invalid input.
     const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 4; };
     const Json json = Json::parse(request, shallow, false);
     if (!json.is_object()) return {};
@@ -210,7 +210,7 @@ private:
     std::string problem_ = {};
 };
 
-/// Returns the type of the instance that writes each shared variable.
+/// Returns, for each shared variable that an instance writes, the type of the instance: `environment` or `plant`.
 std::map<std::string, std::string> writers_of(const Model& model, const ClosedLoop& loop) {
     std::map<std::string, std::string> writers;
     for (const ClosedLoop::Instance& instance : loop.instances) {
@@ -268,7 +268,7 @@ Json played(const CheckedFile& piece, const Options& options, const PlayRequest&
 std::string drawing_prefix(Id<Chart> chart) { return "c" + std::to_string(chart.index) + "-"; }
 
 std::string drawings(const CheckedFile& piece) {
-    constexpr std::size_t most_steps = 5'000;  // a larger number is not useful for a user
+    constexpr std::size_t most_steps = 5'000;  // larger drawings are not useful for a user
     Json list = Json::array(), marks = Json::array();
     if (piece.reading.model)
         for (const Id<Chart> id : piece.reading.model->charts.ids()) {

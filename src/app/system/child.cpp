@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The running child processes, in a form that a signal handler can read. Child processes beyond its size are not
-/// included.
+/// The running child processes, in a form that a signal handler can read. If there are more child processes than
+/// elements, the others are not included.
 std::array<std::atomic<pid_t>, 64> running = {};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -101,7 +101,7 @@ public:
 
 private:
     /// Ends adopted processes. When a child ends, this process adopts its children, and the next iteration finds them.
-    /// It leaves children that it has no permission to end.
+    /// Ignores processes that this process has no permission to end.
     void end_adopted() {
         constexpr int most_rounds = 1000;
         for (int round = 0; round < most_rounds; ++round) {
@@ -182,7 +182,8 @@ void Child::send(int signal) const {
     if (!over_) ::kill(-pid_, signal);
 }
 
-/// The id is not reused before the child is reaped. After that, no signal is sent to it.
+/// Kills the child and reaps it. Its process id is not reused before it is reaped, and no signal is sent to the id
+/// afterwards.
 void Child::end() {
     if (over_) return;
     const SignalBlocker whole;  // an interruption in this section would leave processes running

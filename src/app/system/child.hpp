@@ -48,7 +48,7 @@ private:
     std::optional<ChildEnd> ended_ = {};
 };
 
-/// True if a program is running that is not being ended. Does not wait.
+/// True if at least one started program is running and is not being ended. Does not wait.
 bool children_run() noexcept;
 
 /// Kills the process groups of all running programs. It is called by signal handlers that end this process, and does

@@ -23,7 +23,7 @@ std::atomic<int> put_off = 0;    ///< the pending signal, which is raised after 
 std::array<struct sigaction, signals.size()> before = {};  ///< written only while this handler is not installed
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-/// Serializes constructors and destructors; no handler locks it.
+/// Mutex that serializes constructors and destructors. Signal handlers do not lock it.
 std::mutex& door() {
     static std::mutex mutex;
     return mutex;

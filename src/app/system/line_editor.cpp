@@ -108,7 +108,7 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     // The library keeps copies of narrow names forever.
     el_wset(editor, EL_ADDFN, L"grafverif-complete", L"complete the word", Parts::tab);
     el_wset(editor, EL_ADDFN, L"grafverif-give-up", L"discard the line", Parts::give_up);
-    el_wset(editor, EL_ADDFN, L"grafverif-stop", L"suspend until the shell resumes it", Parts::suspend);
+    el_wset(editor, EL_ADDFN, L"grafverif-stop", L"suspend the program until the shell resumes it", Parts::suspend);
     el_set(editor, EL_BIND, "^I", "grafverif-complete", nullptr);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(editor, nullptr);
@@ -124,7 +124,7 @@ LineEditor::~LineEditor() {
 
 std::optional<std::string> LineEditor::line() {
     std::fflush(stdout);
-    // Before the prompt is shown, so that input that is already available is also edited.
+    // Prepares the terminal before the prompt is shown, so that input that is already available is also edited.
     el_set(parts_->editor, EL_PREP_TERM, 1);
     int count = 0;
     const char* const read = el_gets(parts_->editor, &count);

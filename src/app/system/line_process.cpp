@@ -58,7 +58,7 @@ LineProcess::~LineProcess() {
         wait_for_end(std::chrono::milliseconds(200));
     }
     program_->end();
-    if (stopped()) work_is_done();  // from this point on, the results are reported
+    if (stopped()) work_is_done();  // allows additional time to print the results
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
@@ -87,7 +87,7 @@ Reply LineProcess::result_for(const std::string& line) {
     }
 }
 
-/// Returns a reply if there is a line, more than a line, or the end of the stream.
+/// Returns the reply for the text received so far, if it contains a line or is too long, or if the output has ended.
 Reply LineProcess::result_so_far() {
     const std::size_t end = heard_.find('\n');
     if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Reply::Kind::Ended, heard_};
@@ -115,7 +115,7 @@ void LineProcess::listen() {
     if (said_.size() > kept) said_.erase(0, said_.size() - kept);
 }
 
-/// Waits until a pipe is ready, but not longer than an acceptable reaction time to a stop request.
+/// Waits until a pipe is ready, at most for `longest`, and at most 20 ms, so that a stop request is noticed in time.
 void LineProcess::wait(std::chrono::milliseconds longest) {
     constexpr std::chrono::milliseconds most{20};
     const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
@@ -147,7 +147,7 @@ std::string LineProcess::end_text() {
     listen();
     std::string_view last = said_;
     while (last.ends_with('\n')) last.remove_suffix(1);
-    last.remove_prefix(last.rfind('\n') + 1);  // correct without a line feed, because npos + 1 is 0
+    last.remove_prefix(last.rfind('\n') + 1);  // if there is no line feed, npos + 1 is 0, and the complete text is used
     if (!last.empty()) text += fmt::format("; its error output: {}", shown_line(last));
     return text;
 }

@@ -69,7 +69,7 @@ private:
     LineProcessLimits limits_;
     Descriptor to_, from_, errors_;
     std::optional<Child> program_ = {};
-    bool over_ = false;        ///< the last reply was not a line, so that the end of the program is not awaited
+    bool over_ = false;        ///< true if the last reply was not a line; the destructor then ends the program at once
     std::string unsent_ = {};  ///< text that has not been written to the program yet
     std::string heard_ = {};   ///< the response received so far
     std::string said_ = {};    ///< the end of its output on standard error

@@ -45,7 +45,7 @@ Descriptor file_of(const std::string& input) {
     return file;
 }
 
-/// Reads one output stream as data arrives.
+/// An output stream of the program, with the text that has been read from it.
 struct Stream {
     Descriptor from = Descriptor();
     std::string text = {};
@@ -117,7 +117,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
     {
         const SignalBlocker whole;
         child.end();
-        if (result.end == ProgramResult::End::Stopped) work_is_done();  // from this point on, the results are reported
+        if (result.end == ProgramResult::End::Stopped) work_is_done();  // allows additional time to print the results
     }
     out.take(limits.max_output);
     err.take(limits.max_output);
@@ -132,7 +132,8 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
 
 namespace {
 
-/// Name of a file that is created after the folder is locked. A folder without this file belongs to another program.
+/// Name of a file that is created in the temporary folder after the folder is locked. A folder without this file
+/// belongs to another program.
 constexpr const char* lock_mark = ".grafverif-run";
 constexpr std::string_view folder_name = "grafverif-run-", random_part = "XXXXXX";
 

@@ -26,14 +26,15 @@ struct ProgramLimits {
 /// name with a slash is a path and is not searched for.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// Executes `arguments`, the first of which is the path of the program, with `input` as its standard input. The program
-/// and its descendants always end with this call. Throws std::system_error if the program cannot be started.
+/// Executes `arguments`, the first of which is the path of the program, with `input` as its standard input. When the
+/// function returns, the program and all its descendants have ended. Throws std::system_error if the program cannot be
+/// started.
 ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input,
                           const ProgramLimits& limits);
 
 /// A new folder for files that other programs read. The destructor removes it. The constructor also removes the
 /// folders of killed runs, and recognizes such a folder by its free lock. The folder is the current folder of the
-/// programs, which name its files without their path. Therefore the characters of the path are irrelevant. Throws
+/// programs, which name its files without their path. Therefore the path may contain any characters. Throws
 /// std::system_error.
 class TemporaryFolder {
 public:

@@ -38,13 +38,14 @@ constexpr bool sanitized = false;
 
 /// Memory of the program itself: code, library, buffers.
 constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;
-constexpr std::size_t kept_back = std::size_t{2} << 20U;     ///< reserve for reporting that memory is exhausted
-constexpr std::size_t kept_to_land = std::size_t{1} << 20U;  ///< reserve for allocations that must not fail
+/// Size of the reserve for reporting that memory is exhausted.
+constexpr std::size_t kept_back = std::size_t{2} << 20U;
+constexpr std::size_t kept_to_land = std::size_t{1} << 20U;  ///< size of the reserve for allocations that must not fail
 constexpr auto program_timeout = 3s, reader_timeout = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, poll_interval = 25ms;
 
-std::atomic<std::int64_t> telling = 0;  ///< time on the steady clock since which results are printed; 0 if not yet
-std::atomic<std::int64_t> reporting_cpu = 0;  ///< processor time used until then, in nanoseconds
+std::atomic<std::int64_t> telling = 0;        ///< steady-clock time at which printing of results began; 0 before
+std::atomic<std::int64_t> reporting_cpu = 0;  ///< processor time in nanoseconds that was used before printing began
 std::atomic<void*> reserve = nullptr, landing = nullptr;
 thread_local bool keeping_back = false;
 
@@ -72,7 +73,7 @@ std::uint64_t number_in(const char* file) {
     return number;
 }
 
-/// Returns the memory available to this process on the computer or in the container; 0 if unknown.
+/// Returns the total memory of the computer, or the limit of the container if it is lower; 0 if unknown.
 std::uint64_t memory_of_machine() {
     const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
     const std::uint64_t machine =
@@ -81,7 +82,7 @@ std::uint64_t memory_of_machine() {
     return container != 0 && (machine == 0 || container < machine) ? container : machine;
 }
 
-/// Returns the number of bytes of this process in memory that no file backs; 0 if unknown.
+/// Returns the size of the resident memory of this process in bytes, without file mappings; 0 if unknown.
 std::uint64_t resident() {
     std::array<char, 128> text = {};
     const int descriptor = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
@@ -121,13 +122,13 @@ bool give_back(std::atomic<void*>& kept) {
 
 void no_memory() {
     if (keeping_back) throw std::bad_alloc();
-    if (must_not_fail() && (give_back(landing) || give_back(reserve))) return;  // the allocation is repeated
+    if (must_not_fail() && (give_back(landing) || give_back(reserve))) return;  // operator new repeats the allocation
     give_back(reserve);
     throw std::bad_alloc();
 }
 
-/// Does not touch the memory: the limits count the memory that a process requests, and touching 3 MiB takes half of the
-/// processor time of a start.
+/// Reserves memory, but does not touch it: the limits count the memory that a process requests, and touching 3 MiB
+/// takes half of the processor time of a start.
 bool keep(std::atomic<void*>& kept, std::size_t size) {
     if (kept != nullptr) return true;
     keeping_back = true;
@@ -153,8 +154,8 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
     ::_exit(static_cast<int>(code));
 }
 
-/// Touches this number of stack pages below the caller, page by page: a single large object would skip the guard page
-/// of a small stack.
+/// Touches `pages` stack pages below the caller, page by page: a single large object would skip the guard page of a
+/// small stack.
 [[gnu::noinline]] void touch_stack(std::size_t pages) {  // NOLINT(misc-no-recursion)
     std::array<volatile char, 4096> page;
     page[0] = 0;
@@ -168,7 +169,8 @@ void grow_stack() {
     if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;
     if (::getrlimit(RLIMIT_STACK, &stack) != 0) return;
     constexpr rlim_t most = rlim_t{2} << 20U;
-    touch_stack(std::min(most, stack.rlim_cur / 2) / 4096);  // arguments and environment use up to a quarter
+    // The stack also contains arguments and environment, which use at most a quarter of it.
+    touch_stack(std::min(most, stack.rlim_cur / 2) / 4096);
 }
 
 }  // namespace
@@ -245,9 +247,9 @@ void Watchdog::watch() {
 const std::string* Watchdog::reason() {
     const Steady::time_point now = Steady::now();
     if (!interrupted_ && interrupt_.requested()) interrupted_ = now;
-    // Results may be printed after the time limit. The margin is measured in processor time, so that neither a slow
-    // reader nor a loaded computer truncates them. After Ctrl-C, reader_timeout is the limit for a reader that does not
-    // read at all.
+    // Results may be printed after the time limit. This additional time is measured in processor time, so that neither
+    // a slow reader nor a loaded computer truncates the results. After Ctrl-C, reader_timeout is the limit for a reader
+    // that does not read at all.
     const std::chrono::nanoseconds used(telling == 0 ? 0 : processor_time() - reporting_cpu);
     const Steady::time_point told(Steady::duration(telling.load()));
     const auto waited = interrupted_ ? now - std::max(*interrupted_, told) : Steady::duration(0);
@@ -260,8 +262,8 @@ const std::string* Watchdog::reason() {
     return nullptr;
 }
 
-/// Files that are being written are completed first. Started programs are given time to end: the thread that runs them
-/// observes the same limits and ends their descendants.
+/// Files that are being written are completed first. The watchdog waits for started programs to end: the thread that
+/// runs a program observes the same limits and ends the program and its descendants.
 void Watchdog::end(const std::string& why) {
     if (!ending_) ending_ = Steady::now();
     if (children_run() && Steady::now() - *ending_ < program_timeout) return;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Watchdog: enforces `--timeout`, `--max-memory` and Ctrl-C for every command and every input.
 //
-// Engines poll these limits and end in time with the results found so far. Other stages do not, because they are fast
-// for hand-written charts or because they wait for input. The watchdog ends such a stage: after a grace period it
-// reports the reason and ends the process with exit code 3. Therefore a limit is exceeded by at most a tenth plus half
-// a second.
+// Engines poll these limits and end in time with the results found so far. Other stages do not poll the limits, because
+// they are fast for hand-written charts or because they wait for input. The watchdog ends such a stage: after a grace
+// period it reports the reason and ends the process with exit code 3. Therefore the time limit is exceeded by at most
+// a tenth plus half a second, unless files are being written or an external program must be ended.
 //
 // Memory: the process requests at most the permitted amount from the system (RLIMIT_DATA). A larger allocation fails,
-// wherever it occurs, and is reported like any other error. Without --max-memory, the limit is the memory of the
-// computer: an error is better than being killed. If the system does not count (and under sanitizers, which allocate
-// memory themselves), the watchdog checks the resident memory.
+// wherever it occurs, and is reported like any other error. Without --max-memory, the limit is nine tenths of the
+// memory of the computer or container: an error message is better than termination by the system. If the system does
+// not enforce this limit, and under sanitizers, which allocate memory themselves, the watchdog checks the resident
+// memory.
 #pragma once
 
 #include <pthread.h>
@@ -61,15 +62,15 @@ private:
     bool done_ = false;
 };
 
-/// From this call on, results are printed. After the time limit, this may use a tenth of the limit plus half a second
-/// of processor time.
+/// Notifies the watchdog that the program begins to print results. After the time limit, printing may use a tenth of
+/// the limit plus half a second of processor time.
 void work_is_done();
 
-/// Prepares the process for exhausted memory. Call it once, before any other function. It reserves memory for the
-/// message, and for the stack, so that its growth does not raise a signal.
+/// Prepares the process for exhausted memory. Call it once, before any other function. The function reserves memory for
+/// the message and for the stack, so that growth of the stack does not raise a signal.
 void expect_memory_to_end();
 
-/// Reserves the memory again after a failed allocation was handled. Returns false if the system refuses it.
+/// Reserves the memory again after a failed allocation was handled. Returns false if the system refuses the allocation.
 bool keep_memory_back();
 
 /// While an object exists, started programs inherit the original memory limit, not the reduced limit of this process.

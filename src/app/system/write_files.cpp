@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drafts and backups exist only while the lock on their folder is held. Therefore, if the holder of the lock finds one,
-// it remains from a killed run.
+// Drafts and backups exist only while the lock on their folder is held. Therefore a draft or backup that the holder of
+// the lock finds is a remnant of a killed run.
 #include "app/system/write_files.hpp"
 
 #include <fcntl.h>
@@ -162,7 +162,7 @@ public:
     void write() {
         try {
             for (One& one : files_) draft(one);
-            // Also for a single file, because folders are flushed after it is renamed.
+            // A single file also needs a backup, because the folders are flushed after it is renamed.
             for (One& one : files_) back_up(one);
             for (One& one : files_) rename(one);
             for (const Folder& folder : folders_) flush(folder.open, folder.path);
@@ -181,7 +181,7 @@ private:
         const OutputFile* file = nullptr;
         const Folder* folder = nullptr;
         std::string name = {};
-        std::string draft = {}, backup = {};  ///< names in the folder while the files exist
+        std::string draft = {}, backup = {};  ///< file names of the draft and the backup, while they exist
         bool renamed = false;
     };
 
@@ -228,7 +228,7 @@ private:
             cannot_write(one.file->path);
         const Descriptor file = created(one, replaces ? S_IRUSR | S_IWUSR : 0666, one.draft);
         if (replaces) {
-            // Requires root permissions.
+            // Only a process of root may change the owner; for others, the call has no effect.
             [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);
             if (::fchmod(file.number(), old.st_mode & 0777U) != 0) cannot_write(one.file->path);
         }

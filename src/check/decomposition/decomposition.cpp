@@ -20,7 +20,7 @@ namespace {
 const char* const timelock_probe = "no timelock";
 const char* const deadlock_probe = "no deadlock";
 
-/// A search of some parts as a separate network.
+/// A search of a network that consists of some of the parts.
 struct SubsystemSearch {
     SubNetwork of = {};
     TimedResult result = {};
@@ -74,15 +74,15 @@ private:
     const NetworkSubsystems& parts_;
     const TimedOptions& options_;
     std::vector<SubsystemQuery> questions_ = {};
-    std::vector<SubsystemSearch> each_ = {};  // search of each part
+    std::vector<SubsystemSearch> each_ = {};  // separate search of each part
     std::vector<OmittedSubsystem> neighbours_ = {};
     std::map<PartNumbers, SubsystemSearch> together_ = {};
-    // Queries that need the complete network, each with the reason.
+    // Queries that need the complete network, with their reasons.
     std::vector<std::pair<std::size_t, std::string>> whole_ = {};
     TimedResult result_ = {};
 };
 
-/// Keeps the profile of the largest search.
+/// Adds the figures of a search to the result, and keeps the profile of the search with the most states.
 void DecomposedCheck::count(const TimedResult& found) {
     result_.states += found.states;
     result_.transitions += found.transitions;
@@ -94,8 +94,8 @@ void DecomposedCheck::count(const TimedResult& found) {
     result_.profile = found.profile;
 }
 
-/// Searches the parts `chosen` for all queries that read only these parts. For a single part, also those that are
-/// decided for each part.
+/// Searches the parts `chosen` for all queries that read exactly these parts, and for the queries that are decided for
+/// each part.
 SubsystemSearch DecomposedCheck::search(const PartNumbers& chosen, bool premises, const Deadline& deadline) {
     SubNetworkBuilder builder(network_, parts_, chosen);
     bool deadlock_requested = false;
@@ -125,7 +125,7 @@ void DecomposedCheck::search_each() {
         each_.push_back(search({part}, true, share_of(options_.deadline, parts_.count - part)));
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
         const bool stopped = each_[part].verdict(timelock_probe).obstacle == UnknownReason::Stopped;
-        // The search used only its share of the time, and time is left.
+        // The search used only its share of the time, and the deadline has not passed.
         if (stopped && options_.deadline && !is_over(options_.deadline))
             each_[part] = search({part}, true, options_.deadline);
         count(each_[part].result);
@@ -156,8 +156,8 @@ OmittedSubsystem DecomposedCheck::omitted(std::uint32_t part) const {
     return is;
 }
 
-/// True if an error of a part may be unreachable in the complete network. It is reachable only if the other parts let
-/// time pass until it occurs.
+/// True if an error of a part may be unreachable in the complete network. Such an error is reachable if time can pass
+/// in all other parts until the error occurs.
 bool DecomposedCheck::errors_may_be_out_of_reach() const {
     for (std::uint32_t part = 0; part < parts_.count; ++part)
         for (std::uint32_t other = 0; other < parts_.count; ++other)
@@ -187,7 +187,8 @@ std::vector<const OmittedSubsystem*> DecomposedCheck::left_out(const PartNumbers
     return rest;
 }
 
-/// Returns runs of the parts that are not chosen, to combine them with a run of the chosen parts.
+/// Returns a run for each part that is not in `chosen` and has a run in which time diverges. The caller combines these
+/// runs with a run of the chosen parts.
 std::vector<Run> DecomposedCheck::beside(const PartNumbers& chosen) const {
     std::vector<Run> runs;
     for (const std::uint32_t part : others(chosen)) {
@@ -203,7 +204,7 @@ std::vector<std::string> DecomposedCheck::names(const PartNumbers& chosen) const
     return all;
 }
 
-/// Stores the results of `verdict` and keeps the declared data of the query.
+/// Stores the results of `verdict` in the query; the other data of the query is unchanged.
 void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
     Verdict& given = question.verdict;
     given.outcome = verdict.outcome;
@@ -217,9 +218,9 @@ void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
     given.run = std::move(verdict.run);
 }
 
-/// Returns the outcome whose preservation must be checked. If a property is undecided only because of a model error or
-/// inexact time, this is the outcome without that reason. If a limit ended the search, the complete network is also too
-/// large, provided that the other parts let time pass.
+/// Returns the outcome for which preservation must be checked. If a property is undecided only because of a model error
+/// or inexact time, this is the outcome that it would otherwise have. If a limit ended the search, it is an outcome
+/// that is preserved if time can pass forever in the other parts: the complete network is then also too large.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {
@@ -231,8 +232,8 @@ Outcome supposed(const Verdict& verdict) {
     }
 }
 
-/// True if a verdict on `chosen` is also the verdict on the complete network, or if the complete network leaves it
-/// unknown too. Otherwise `why` receives the reason.
+/// True if a verdict on `chosen` is also the verdict on the complete network, or if the verdict on the complete network
+/// would also be unknown. Otherwise `why` receives the reason.
 bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& verdict, const PartNumbers& chosen,
                               std::string& why) const {
     if (verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Unsupported) return true;

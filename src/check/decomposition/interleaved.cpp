@@ -41,8 +41,10 @@ private:
     const System& system_;
     const SymbolicOptions& options_;
     SubsystemSearches parts_;
-    std::vector<std::optional<std::pair<Verdict, std::optional<SystemRun>>>> given_ = {};  ///< runs per property
-    std::map<std::uint32_t, std::string> whole_ = {};  ///< properties that require the complete system, with the reason
+    /// Verdict and run of each property, as soon as they are known.
+    std::vector<std::optional<std::pair<Verdict, std::optional<SystemRun>>>> given_ = {};
+    /// Properties that require the complete system, with their reasons.
+    std::map<std::uint32_t, std::string> whole_ = {};
     SymbolicResult result_ = {};
 };
 
@@ -103,7 +105,7 @@ void InterleavedCheck::answer(Id<Property> id) {
         std::ranges::any_of(system_.parts.each, [](const System::Subsystem& part) { return !part.settled.valid(); }))
         return needs_complete(id, "quiescence cannot be decomposed into sub-loops");
     SubsystemResult& found = parts_.search(chosen);
-    if (found.result.fault) return needs_complete(id, "they have a model error");
+    if (found.result.fault) return needs_complete(id, "the sub-loops that the property reads have a model error");
     const auto place = static_cast<std::size_t>(std::ranges::find(found.requested, id) - found.requested.begin());
     Verdict verdict = found.result.verdicts[place];
     if (verdict.outcome == Outcome::Unknown) return give(id, verdict, scope(chosen, ""), {});
@@ -122,7 +124,8 @@ void InterleavedCheck::answer(Id<Property> id) {
          std::move(run));
 }
 
-/// If time is abstract, a process that moves forever prevents the progress of all others.
+/// Decides `inevitable` or `leads to` if it holds in the search and another part can move forever: with abstract time,
+/// this part can prevent the progress of all others. Otherwise returns false.
 bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, Verdict& verdict,
                                       const std::vector<const OmittedSubsystem*>& rest) {
     if (preservation_class_of(verdict) != PreservationClass::Unavoidable) return false;
@@ -154,7 +157,7 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
     return true;
 }
 
-/// Decides a property that holds if it holds in each part.
+/// Decides a property that holds if it holds for each part.
 void InterleavedCheck::result_of_each(Id<Property> id) {
     std::optional<Verdict> open;
     Verdict holds = verdict_on(id, system_.properties[id]);
@@ -224,8 +227,9 @@ SubsystemRun InterleavedCheck::turn_run(const SubsystemResult& search, const Fla
     return made;
 }
 
-/// Converts a state of the complete system to one of the search. A variable that belongs to no part (an action race)
-/// has a copy in each part: if the error has not occurred in the part, its copy has the initial value.
+/// Converts a state of the complete system to a state of the searched part. A variable that does not belong to a part
+/// (a flag of action races) has a copy in each part. If the race has not occurred in the part, the copy has the initial
+/// value.
 std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const std::vector<std::int64_t>& whole) {
     const std::vector<Id<FlatSystem::Variable>> in_complete =
         variables_in_complete(search.check->flat(), parts_.flat());
@@ -243,7 +247,7 @@ std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const 
     return made;
 }
 
-/// Continues the run from the state in which the searched subsystems stop. The other subsystems move until they must
+/// Continues the run after the state in which the searched subsystems stop: the other subsystems move until they must
 /// also wait, or forever.
 SubsystemRun InterleavedCheck::led_on(SubsystemRun made, const SubsystemStep& last, const PartList& rest) {
     const std::vector<std::int64_t> so_far = replayed(parts_.flat(), made).states.back();
@@ -259,7 +263,7 @@ SubsystemRun InterleavedCheck::led_on(SubsystemRun made, const SubsystemStep& la
     return made;
 }
 
-/// Returns moves of these parts to quiescent states, one part after another.
+/// Returns a run in which these parts, one at a time, move to quiescent states.
 SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     SubsystemRun made;
     const std::vector<std::int64_t> first = replayed(parts_.flat(), {}).states.back();
@@ -271,7 +275,7 @@ SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     return made;
 }
 
-/// Returns the run combined with runs of the other parts, or nothing if it would be too long.
+/// Returns the run combined with runs of the other parts, or nullopt if the result would be too long.
 std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& search, const FlatRun& run, bool at_stable,
                                                       Verdict& verdict) {
     SubsystemRun shown = turn_run(search, run);

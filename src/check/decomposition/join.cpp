@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A lasso is cut after a tick. If its loop has k ticks and tick n is not in its stem, the actions of a part after tick
-// n are repeated after tick n + k. Therefore the number of ticks in the loop of the complete network is the least
-// common multiple.
+// A lasso can be divided after any tick. If the loop of a part has k ticks, and tick n is not in its stem, the actions
+// after tick n + k are equal to those after tick n. Therefore the number of ticks in the loop of the complete network
+// is the least common multiple of the numbers of its parts.
 #include "check/decomposition/join.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct TimedFire {
     Fire fire = {};
 };
 
-/// Returns the number of time units that pass in the moves [first, last).
+/// Returns the number of time units that pass during the moves [first, last).
 std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
     std::int64_t units = 0;
     for (std::size_t i = first; i < last; ++i)
@@ -32,7 +32,8 @@ std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
 std::int64_t stem_ticks(const Run& run) { return ticks(run, 0, run.loop.value_or(run.moves.size())); }
 std::int64_t loop_ticks(const Run& run) { return run.loop ? ticks(run, *run.loop, run.moves.size()) : 0; }
 
-/// Adds the events before time `end`. The loop of a lasso, in which time passes, is repeated as often as necessary.
+/// Adds the events before time `end`, and at least those at time 0. The loop of a lasso, in which time passes, is
+/// repeated as often as necessary.
 void add_fires(const Run& run, std::int64_t end, std::vector<TimedFire>& events) {
     std::int64_t time = 0;
     for (std::size_t i = 0;; ++i) {
@@ -47,7 +48,7 @@ void add_fires(const Run& run, std::int64_t end, std::vector<TimedFire>& events)
     }
 }
 
-/// Converts events and delays to moves.
+/// Writes events, and the delays between them, as moves of a run.
 class Writer {
 public:
     void wait_until(std::int64_t time) {
@@ -67,7 +68,7 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// Returns all values that distinguish states of one network.
+/// Returns the values that distinguish the states of a network.
 std::vector<std::int64_t> values_of(const NetworkState& state) {
     std::vector<std::int64_t> values = state.variables;
     for (const Id<Network::Location> location : state.locations) values.push_back(location.index);

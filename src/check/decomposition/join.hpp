@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Joins runs of subsystems that share only time to one run of the complete network. In each instant, each subsystem
-// behaves as it does alone. Before time passes, the subsystems wait for each other.
+// behaves as in its separate run. Time passes only when all subsystems wait.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,22 @@
 
 namespace grafverif {
 
-/// Maximum number of moves of a run.
+/// Maximum number of moves of a returned run.
 constexpr std::size_t most_moves = 100'000;
 
 /// Required states of the other subsystems at the end of `shown`.
 enum class Ending {
-    Anywhere,  ///< any state: they have moved as far as the passing of time required
+    Anywhere,  ///< any state: a subsystem has only made the moves that were necessary before time could pass
     Waiting,   ///< a state after all moves of the last instant, for `at stable`
 };
 
 /// Returns the run of the complete network that combines `shown` with `others`, which are lassos in which time passes.
-/// All runs are in terms of the complete network. The result is empty if its period would be too long.
+/// All runs are in terms of the complete network. The result is empty if the period of the combined run would be too
+/// long.
 std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Ending ending);
 
-/// Returns the run, continued until no move is possible unless time passes, a state is repeated, or there are too many
-/// moves.
+/// Returns the run, continued by edges within its last instant until no edge is enabled, a state is repeated, or there
+/// are too many moves.
 Run gone_on(const Network& network, Run run);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Preservation of verdicts from some independent subsystems to the complete system: conditions and their explanations
-// (proofs: docs/explanation/decomposition.md, "Sub-loops").
+// Preservation of verdicts: conditions under which a verdict on some independent subsystems applies to the complete
+// system, and their explanations (proofs: docs/explanation/decomposition.md, "Sub-loops").
 #pragma once
 
 #include <string>
@@ -10,30 +10,31 @@
 
 namespace grafverif {
 
-/// Classes of statements that a verdict makes. Each class has different premises.
+/// Classes of statements that a verdict makes. The premises of preservation depend on the class.
 enum class PreservationClass {
-    Everywhere,   ///< about every reachable state
-    Somewhere,    ///< about one reachable state, or a run that avoids some states forever
-    Unavoidable,  ///< about every maximal run
-    Possible,     ///< about the states reachable from every state
+    Everywhere,   ///< a statement about every reachable state
+    Somewhere,    ///< a statement about one reachable state, or about a run that avoids some states forever
+    Unavoidable,  ///< a statement about every maximal run
+    Possible,     ///< a statement about the states that are reachable from every state
 };
-/// Returns the class of a verdict, which must be decided.
+/// Returns the class of a verdict. Requires that the verdict is decided.
 PreservationClass preservation_class_of(const Verdict& verdict);
 
 /// Properties of an omitted subsystem on which preservation depends.
 struct OmittedSubsystem {
     std::string name = {};
-    bool searched = false;     ///< the subsystem was explored completely
-    bool faulty = false;       ///< a model error is reachable in it
-    bool diverges = false;     ///< it has a run in which time diverges
-    bool never_locks = false;  ///< from each of its states, a state in which time passes is reachable, in dense time
-    bool rests = false;        ///< none of its runs continues forever within one instant
-    bool settles = false;      ///< time passes only in its quiescent states
-    bool time_passes = false;  ///< time passes in some state
+    bool searched = false;  ///< the subsystem was explored completely
+    bool faulty = false;    ///< a model error is reachable in the subsystem
+    bool diverges = false;  ///< the subsystem has a run in which time diverges
+    /// From each state of the subsystem, a state in which time passes is reachable, in dense time.
+    bool never_locks = false;
+    bool rests = false;        ///< no run of the subsystem has infinitely many moves in one instant
+    bool settles = false;      ///< time passes only in quiescent states of the subsystem
+    bool time_passes = false;  ///< time passes in some state of the subsystem
 };
 
-/// Returns the reason why the verdict, which was found without `left_out`, may not hold for the complete system, or an
-/// empty string if it holds. Requires a decided verdict.
+/// Returns the reason why the verdict, which was computed without `left_out`, might not apply to the complete system,
+/// or an empty string if it applies. Requires a decided verdict.
 std::string preservation_obstacle(const Verdict& verdict, bool at_stable,
                                   const std::vector<const OmittedSubsystem*>& left_out);
 
@@ -41,8 +42,8 @@ std::string preservation_obstacle(const Verdict& verdict, bool at_stable,
 /// empty.
 std::string because(const Verdict& verdict, bool at_stable);
 
-/// The same functions for abstract time, in which subsystems share nothing. In this case `settles` means that some
-/// state is quiescent, and `rests` means that no run moves forever.
+/// The same functions for abstract time. Subsystems then do not share anything. With abstract time, `settles` means
+/// that some state is quiescent, and `rests` means that there is no infinite run of moves.
 std::string untimed_objection(const Verdict& verdict, bool at_stable,
                               const std::vector<const OmittedSubsystem*>& left_out);
 std::string untimed_because(const Verdict& verdict, bool at_stable);
@@ -50,7 +51,8 @@ std::string untimed_because(const Verdict& verdict, bool at_stable);
 /// True if `at stable` can be checked compositionally for properties of this pattern.
 bool settled_separately(Pattern pattern);
 
-/// Marks verdicts that hold vacuously because time cannot pass in an omitted subsystem.
+/// Marks the verdict as vacuous if time does not pass in an omitted subsystem and the property, which is not
+/// `reachable`, holds.
 void mark_vacuous(Verdict& verdict, const std::vector<const OmittedSubsystem*>& left_out);
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries of the timed engine for compositional checking: the verdicts to give, and the parts that each one reads.
+// Queries of the timed engine for compositional checking: one query for each verdict, with the parts that it reads.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// Indices of parts of a network, increasing.
+/// Indices of parts of a network, in increasing order.
 using PartNumbers = std::vector<std::uint32_t>;
 
 /// A query for one verdict.
@@ -19,11 +19,11 @@ struct SubsystemQuery {
     Verdict verdict = {};
     PartNumbers reads = {};
     bool each = false;  ///< true if the query is decided for every part separately
-    bool race = false;  ///< true if the query concerns an action race; only with `each`
+    bool race = false;  ///< true if the query concerns an action race; `each` is then also true
 };
 
-/// Returns the selected properties, with a separate query for each step of an expanded property. `no timelock` is
-/// included unless `options` exclude it.
+/// Returns a query for each selected property; for an expanded property, a separate query for each step. `no timelock`
+/// is included unless `options` exclude it.
 std::vector<SubsystemQuery> subsystem_queries(const Network& network, const NetworkSubsystems& parts,
                                               const TimedOptions& options);
 

@@ -12,7 +12,7 @@ using StepKind = SubsystemStep::Kind;
 
 constexpr std::size_t most_steps = 20'000;
 
-/// Replays a run step by step.
+/// Iterates over the steps of a run.
 class RunCursor {
 public:
     explicit RunCursor(const SubsystemRun& run) : run_(run) {}
@@ -60,7 +60,7 @@ std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::v
     std::vector<RunCursor> beside;
     for (const SubsystemRun& other : others) beside.emplace_back(other);
     SubsystemRun made;
-    // Combinations of positions in all runs, with the index of the first step there.
+    // Combinations of positions in all runs, with the index of the first step that has these positions.
     std::map<std::vector<std::size_t>, std::size_t> seen;
     const bool alone = shown.loop && shown.never_waits_again();
     for (RunCursor here(shown); !here.over() && made.steps.size() <= most_steps; here.go_on()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Combines runs of interleaved parts to one run of the complete system. Each step is re-executed in the complete system
-// with its choices.
+// Combines runs of interleaved parts to one run of the complete system. Each step of a part is executed in the complete
+// system with the same choices.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace grafverif {
 
-/// A step of the complete system: one part moves, or all parts wait together.
+/// A step of the complete system, in which one part moves or all parts wait together.
 struct SubsystemStep {
     enum class Kind { Moves, Waits, Ends };  ///< Ends: no event is possible, and the state is repeated
     Kind kind = Kind::Moves;
@@ -33,16 +33,17 @@ struct SubsystemRun {
 /// state.
 SubsystemRun behind(SubsystemRun first, const SubsystemRun& second);
 
-/// Returns the run without steps in which no process moves. Requires that a loop contains other steps.
+/// Returns the run without the steps of the kind `Waits`. Requires that the loop, if any, also contains a step of
+/// another kind.
 SubsystemRun without_waits(const SubsystemRun& run);
 
 /// Combines `shown` with `others`, which are lassos that wait infinitely often. All parts wait together. If `settling`
-/// is true, the others continue to their next wait. The result is empty if the period would be too long. Requires that
-/// `shown` does not end in a repeated state.
+/// is true, the other parts continue to their next wait at the end of `shown`. The result is empty if the period would
+/// be too long. Requires that `shown` has no step of the kind `Ends`.
 std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::vector<SubsystemRun>& others,
                                          bool settling);
 
-/// Returns the run as a run of the complete system.
+/// Returns the corresponding run of the complete system.
 FlatRun replayed(const FlatSystem& whole, const SubsystemRun& run);
 
 }  // namespace grafverif

@@ -38,7 +38,7 @@ PartList SubsystemSearches::reads(const std::vector<Id<Expr>>& operands) const {
             const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&symbols[symbol].kind);
             if (of_[symbol.index] != no_part) read.push_back(of_[symbol.index]);
             else if (define != nullptr) open.push_back(define->value);
-            else return all();  // several parts write the variable
+            else return all();  // several parts write this variable
         }
     }
     std::ranges::sort(read);
@@ -46,7 +46,7 @@ PartList SubsystemSearches::reads(const std::vector<Id<Expr>>& operands) const {
     return read.empty() ? PartList{0} : read;
 }
 
-/// True for a flag that several parts set. If a part is searched alone, it has a separate copy of the flag.
+/// True for a flag that several parts set. In the search of a single part, the part has a separate copy of the flag.
 bool SubsystemSearches::set_by_several(Id<Expr> term) const {
     if (system_.exprs[term].op != Op::Variable) return false;
     const Id<TransitionSystem::Symbol> symbol{static_cast<std::uint32_t>(system_.exprs[term].value)};
@@ -65,14 +65,14 @@ bool SubsystemSearches::about_each(const Property& property) const {
                                [&](Id<Expr> each) { return set_by_several(each) || reads({each}).size() == 1; });
 }
 
-/// Returns the disjuncts of a property of all parts that concern this part.
+/// Returns the disjuncts that concern this part, for a property of all parts.
 std::vector<Id<Expr>> SubsystemSearches::share(const Property& property, std::uint32_t part) const {
     std::vector<Id<Expr>> found = operands_of(system_.exprs, property.operands.front(), Op::Or);
     std::erase_if(found, [&](Id<Expr> each) { return !set_by_several(each) && reads({each}) != PartList{part}; });
     return found;
 }
 
-/// Returns the search of these parts, with all queries that concern only them.
+/// Returns the search of these parts, with all queries that read exactly these parts.
 SubsystemResult& SubsystemSearches::search(const PartList& chosen) {
     const auto [known, fresh] = searches_.try_emplace(chosen);
     SubsystemResult& made = known->second;
@@ -123,7 +123,7 @@ symbolic::InterleavingPremises& SubsystemSearches::turns(SubsystemResult& search
 void SubsystemSearches::know(SubsystemResult& search, PreservationClass claim, bool at_stable) {
     OmittedSubsystem& as = search.as;
     if (!as.searched || (claim == PreservationClass::Everywhere && !at_stable)) return;
-    // If a search ran out of memory, its queries are repeated.
+    // A query that reached the memory limit is repeated by the next call.
     if (timed() && !search.knows_time) {
         as.never_locks = turns(search).never_locks();
         as.diverges = as.never_locks || turns(search).diverges();

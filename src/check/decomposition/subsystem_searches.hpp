@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Searches of interleaved subsystems ("sub-loops"). Each is searched as a separate system, with the queries that
-// concern only it and with the side conditions under which it can be omitted from other queries.
+// Searches of interleaved subsystems ("sub-loops"). A search explores some subsystems as a separate system. It decides
+// the queries that concern only these subsystems, and the side conditions under which they can be omitted from other
+// queries.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace grafverif {
 
-/// A search of some parts as a separate system.
+/// The search of a system that consists of some of the parts.
 struct SubsystemResult {
     PartList chosen = {};
     TransitionSystem system = {};
@@ -24,7 +25,8 @@ struct SubsystemResult {
     SymbolicResult result = {};
     std::unique_ptr<symbolic::InterleavingPremises> turns = {};
     OmittedSubsystem as = {};
-    bool knows_time = false, knows_rest = false, knows_settled = false;  ///< properties of `as` that are known
+    /// True if the corresponding properties in `as` are known.
+    bool knows_time = false, knows_rest = false, knows_settled = false;
 };
 
 class SubsystemSearches {
@@ -42,11 +44,11 @@ public:
     bool requested(const Property& property) const;
     /// Returns the parts that the operands read.
     PartList reads(const std::vector<Id<Expr>>& operands) const;
-    /// True if the property concerns all parts in the same way: no part causes a timelock, terminates, races or leaves
-    /// a range.
+    /// True if the property states that no part has a timelock, a deadlock, a race or a value outside its range. Such a
+    /// property is decided for each part.
     bool about_each(const Property& property) const;
 
-    /// Returns the search of these parts, which is created on first use and kept.
+    /// Returns the search of these parts. The search is created on first use and stored.
     SubsystemResult& search(const PartList& chosen);
     symbolic::InterleavingPremises& turns(SubsystemResult& search);
     /// Returns the properties of a part on which a verdict about other parts depends.

@@ -14,11 +14,11 @@ namespace grafverif {
 namespace {
 
 constexpr std::string_view mark = "grafverif: ";
-/// Maximum number of values in a trace. A trace with more values is not used.
+/// Maximum number of values in a trace. Traces with more values are ignored.
 constexpr std::size_t most_values = 50'000'000;
 
-/// Returns the output between each marker and the next one. The part after the last marker is excluded, because it may
-/// be incomplete.
+/// Returns the sections of the output between adjacent markers. The part after the last marker is excluded, because it
+/// may be incomplete.
 std::unordered_map<std::string, std::vector<std::string_view>> sections(std::string_view text) {
     std::unordered_map<std::string, std::vector<std::string_view>> found;
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
@@ -54,8 +54,8 @@ std::vector<bool> truths(std::string_view section) {
     return found;
 }
 
-/// Reads a counterexample as printed by NuSMV. Unchanged values are omitted; the choices of a step precede the state to
-/// which it leads.
+/// Reads a counterexample as printed by NuSMV. NuSMV omits unchanged values and prints the choices of a step before the
+/// state to which the step leads.
 class TraceReader {
 public:
     TraceReader(const FlatSystem& flat, const SystemSpelling& spelling) : flat_(flat), spelling_(spelling) {
@@ -63,8 +63,8 @@ public:
         for (const FlatSystem::Variable& variable : flat.variables) now_.push_back(variable.type.low);
     }
 
-    /// The result is empty if there is no trace or it has an invalid value. If `repeats` is true, the trace must have a
-    /// loop.
+    /// Returns the trace in a section, with its loop only if `repeats` is true. The result is empty if there is no
+    /// trace, or if the trace has an invalid value.
     std::optional<ExternalTrace> read(std::string_view section, bool repeats) {
         bool in_trace = false;
         while (!section.empty()) {
@@ -101,7 +101,7 @@ private:
 
     bool assign(std::string_view name, std::string_view value) {
         const auto place = places_.find(std::string(name));
-        if (place == places_.end()) return true;  // the name of a definition
+        if (place == places_.end()) return true;  // a name that is not known is the name of a definition
         const auto number = value_of(place->second, value);
         if (number) now_[place->second.index] = *number;
         return number.has_value();
@@ -123,7 +123,7 @@ private:
         ExternalTrace run{std::move(states_), {}};
         if (repeats && loop_ && *loop_ + 1 < run.states.size()) {
             run.loop = loop_;
-            run.states.pop_back();  // the last state repeats the state in which the loop began
+            run.states.pop_back();  // the last state is equal to the first state of the loop
         }
         return run;
     }
@@ -137,7 +137,8 @@ private:
     std::optional<std::size_t> loop_ = {};
 };
 
-/// Reads the number in `reachable states: 19456 (2^14.25) out of ...`. A rounded large number (`1.2e+21`) is ignored.
+/// Reads the number of states in a line such as `reachable states: 19456 (2^14.25) out of ...`. Ignores a large number
+/// that NuSMV has rounded (`1.2e+21`).
 std::string state_count(std::string_view section) {
     constexpr std::string_view before = "reachable states: ";
     const std::size_t at = section.find(before);
@@ -170,14 +171,15 @@ void undecided(Verdict& verdict, UnknownReason obstacle, std::string reason) {
     verdict.reason = std::move(reason);
 }
 
-/// The output of the program, divided by markers. If a signal has ended the program, its output is ignored.
+/// The output of the program, which is divided into sections by markers. If a signal has ended the program, its output
+/// is ignored.
 class NusmvOutput {
 public:
     explicit NusmvOutput(const ProgramResult& said) {
         if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
     }
 
-    /// Returns a section, or an empty string if it does not exist or exists twice.
+    /// Returns a section, or an empty string if there is no such section or there are several.
     std::string_view section(const std::string& name) const {
         const auto found = sections_.find(name);
         return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();
@@ -201,7 +203,7 @@ struct NusmvQuery {
     const Property& property;
 };
 
-/// Sets the result of the program after validation, and returns the run that shows it.
+/// Validates the result of the program, sets the verdict, and returns the run that shows it.
 std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, const std::string& name,
                                 const NusmvQuery& question, const ProgramResult& said) {
     const std::vector<bool> truths = answers.truths_of(name);

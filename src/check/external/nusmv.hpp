@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// NuSMV and nuXmv as engines: generates their commands and reads their results. The caller writes the model, runs the
+// Interface to NuSMV and nuXmv: generates their commands and reads their results. The caller writes the model, runs the
 // program and passes its output to read_nusmv.
 //
-// Each property is checked by its name after a printed marker, so that the order of results is irrelevant. The exit
-// code is ignored (it is 0 even if a property is false). To check `reachable p`, its negation is checked; a
-// counterexample of the negation is the witness.
+// Each property is checked by its name after a printed marker, so that the result does not depend on the order of the
+// output. The exit code is ignored (it is 0 even if a property is false). For `reachable p`, the negation is checked,
+// and a counterexample of the negation is the witness.
 #pragma once
 
 #include <optional>
@@ -26,13 +26,13 @@ struct NusmvResult {
     std::vector<Verdict> verdicts = {};               ///< verdicts in the order of `properties`
     std::vector<std::optional<SystemRun>> runs = {};  ///< run of each verdict
     std::string states = {};                          ///< number of states, in decimal, if NuSMV prints it exactly
-    bool total = false;                               ///< NuSMV has proved that each reachable state has a successor
+    bool total = false;  ///< true if NuSMV has proved that each reachable state has a successor
 };
 
 /// Reads the results of these commands for the properties of `system`. If the program has no result for a property, its
-/// verdict is unknown (`failed`); if the model is not total, all verdicts are unknown. A false specification requires a
-/// run of the system that shows it, and a property must not have two verdicts. Otherwise the verdict is also unknown
-/// (`engine-disagrees`).
+/// verdict is unknown (`failed` or `stopped`); if the model is not total, all verdicts are unknown. The verdict is also
+/// unknown (`engine-disagrees`) if a false specification has no run of the system that shows it, or if a property has
+/// two verdicts.
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& said);
 

@@ -13,15 +13,15 @@ namespace {
 
 constexpr char escape = '\033';
 
-/// Returns `text` with one marker, `escape`, in place of each terminal control sequence. A line with a marker may have
-/// been overwritten and is not reliable.
+/// Returns `text` with one marker, `escape`, in place of each terminal control sequence. A line with a marker is not
+/// reliable, because the program may have overwritten it.
 std::string marked(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
         result += text[i];
         if (text[i] != escape) continue;
         if (i + 1 == text.size() || text[i + 1] != '[') continue;
-        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;  // skips up to the final byte
+        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;  // skips to the final byte
     }
     return result;
 }
@@ -73,7 +73,7 @@ Verdict verdict_on(const Network& network, const ExternalQuery& question) {
     return verdict;
 }
 
-/// True for the query about races, which states that the flag is never set.
+/// True for the query about races, which requires that the flag for races is never set.
 bool queries_race(const Network& network, const ExternalQuery& question) {
     const Property& property = network.properties[question.property];
     if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;

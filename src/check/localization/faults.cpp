@@ -38,8 +38,8 @@ public:
         return std::ranges::all_of(operands, [this](Id<Expr> operand) { return has_value(operand); });
     }
 
-    /// True if the k-th assignment of an edge keeps its target in range in every state. The guard is considered if the
-    /// edge has not yet assigned any variable that the value reads.
+    /// True if the value of the k-th assignment of an edge is in the range of its target in every state. The guard is
+    /// considered only if the previous assignments do not change variables that the value reads.
     bool stays_in_range(const Network::Edge& edge, const std::vector<Network::Assignment>& assignments,
                         std::size_t k) const {
         const Type& type = network_.variables[variable_of(assignments[k].target)].type;
@@ -97,7 +97,7 @@ private:
     }
 
     const Network& network_;
-    std::set<Id<Expr>> known_ = {};  // terms that have a value or are being examined
+    std::set<Id<Expr>> known_ = {};  // terms that have a value, and terms that are being examined
 };
 
 }  // namespace

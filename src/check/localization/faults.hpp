@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Static detection of possible model errors. An abstraction must not hide them.
+// Static detection of possible model errors, because an abstraction must not hide them.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace grafverif {
 bool terms_have_values(const Network& network);
 
 /// Returns a set of fragments that covers all model errors of the network: a value that leaves its range, or a true
-/// `race`. For each error, the set contains a fragment such that every abstraction with it shows the error. Requires
-/// terms_have_values(network).
+/// `race`. For each error, the set contains a fragment such that every abstraction with this fragment detects the
+/// error. Requires terms_have_values(network).
 std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkFragments& cells);
 
 }  // namespace grafverif

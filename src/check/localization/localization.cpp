@@ -20,17 +20,17 @@ namespace grafverif {
 
 namespace {
 
-/// Name of a property that is added to the first search of the complete network: some state is quiescent.
+/// Name of the property that some state is quiescent, which is added to the first search of the complete network.
 constexpr const char* settled_probe = "some state is quiescent";
 
 using Cells = std::vector<std::uint32_t>;
 
 bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
 
-/// False if a search of the complete network decided the verdict.
+/// True if the verdict was decided without a search of the complete network.
 bool is_decided_separately(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
 
-/// True if localization may decide a property that `options` select.
+/// True if `options` select a property that localization, or the caller between the steps of a CellSearch, can decide.
 bool has_local(const Network& network, const TimedOptions& options) {
     return terms_have_values(network) && std::ranges::any_of(network.properties, [&](const Property& property) {
                const Pattern pattern = property.pattern;
@@ -56,14 +56,14 @@ public:
     void begin() {
         if (!has_local(network_, options_)) return search_complete();
         look_at_whole();
-        // This is required because a property that holds by localization may be unknown or vacuous in the complete
-        // network.
+        // This restriction is necessary because a property that holds by localization may be unknown or vacuous in the
+        // complete network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
         ask();
         if (tasks_.empty() && !race_) return;
         may_err_ = cells_that_may_err(network_, cells_);
         if (may_err_.contains(NetworkFragments::none)) return;
-        local_deadline_ = share_of(options_.deadline, 3);  // the remaining time is for the complete network
+        local_deadline_ = share_of(options_.deadline, 3);  // the rest of the time is reserved for the complete network
         search_locally();
         const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
         if (ablations_.break_off || std::ranges::all_of(may_err_, is_faultless)) take_local();
@@ -75,21 +75,21 @@ public:
     TimedResult result();
 
 private:
-    /// A choice of fragments with its queries, as indices of verdicts.
+    /// A set of fragments to search, with the indices of the verdicts that the search can decide.
     struct Task {
         Cells cells = {};
         std::vector<std::size_t> requested = {};
     };
 
-    /// A task that its fragments did not decide, with the other fragments that they read. `known` is the number of
-    /// invariants at that time.
+    /// A task without a result, with the other fragments that its fragments read. `known` is the number of invariants
+    /// that were known when the task was searched.
     struct Open {
         Task task = {};
         Cells borders = {}, tied = {};
         std::size_t known = 0;
     };
 
-    /// A term that was proved in every state of the complete network.
+    /// A term that was proved to be true in every state of the complete network.
     struct Invariant {
         std::string name = {};
         Id<Expr> term = {};
@@ -108,14 +108,14 @@ private:
     SearchScope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
 
-    Network network_;  // terms are added to it
+    Network network_;  // localization adds terms to its table
     const NetworkFragments cells_;
     const TimedOptions& options_;
     const LocalizationLimits limits_;
     const LocalAblations ablations_;
     const WholeSearch whole_;
     TimedResult result_ = {};
-    // For each verdict: its property if localization can decide it.
+    // The property of each verdict, if localization can decide the property.
     std::vector<std::optional<Property>> questions_ = {};
     std::deque<Task> tasks_ = {};
     std::vector<Open> open_ = {};
@@ -124,13 +124,13 @@ private:
     std::optional<std::size_t> race_ = {};       // index of the verdict on action races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
     bool searched_whole_ = false;
-    Deadline local_deadline_ = {};                                    // deadline of all searches of fragments
-    std::uint64_t local_states_ = 0;                                  // number of states of these searches
+    Deadline local_deadline_ = {};                                    // deadline of the searches of fragments
+    std::uint64_t local_states_ = 0;                                  // number of states of all searches of fragments
     std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // total of all searches without an error
 };
 
-/// Explores a small number of states of the complete network. These are often all states, and otherwise include nearby
-/// states that decide many properties.
+/// Explores a small number of states of the complete network. Often these are all reachable states. Otherwise many
+/// properties are decided by states near the initial state.
 void LocalizationCheck::look_at_whole() {
     TimedOptions first = options_;
     first.max_states = std::min(options_.max_states, limits_.whole);
@@ -182,7 +182,7 @@ bool LocalizationCheck::about_race(const Property& property) const {
     return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
-/// Searches for each query in the fragments that it reads, and in each fragment that may have a model error.
+/// Searches the fragments that each query reads, and each fragment that may have a model error.
 void LocalizationCheck::search_locally() {
     std::set<std::uint32_t> looked_at;
     const auto work = [&] {
@@ -244,14 +244,15 @@ void LocalizationCheck::search(const Task& task) {
 }
 
 /// Uses a property that holds by localization as an invariant. If a model error is possible, no result of localization
-/// is reported. In each state of a run before the first error, the invariant and the results that use it hold.
+/// is reported. In each state of a run before the first error, the invariant holds, and the results that use the
+/// invariant hold.
 void LocalizationCheck::know(const Property& property) {
     if (property.at_stable || about_race(property)) return;
     const Id<Expr> term = property.operands[0];
     const bool is_true = property.pattern == Pattern::Always;
     if (!is_true && property.pattern != Pattern::Never) return;
     for (const Id<Expr> leaf : leaves(network_.exprs, term))
-        if (network_.exprs[leaf].op == Op::At) return;  // guards read no locations
+        if (network_.exprs[leaf].op == Op::At) return;  // guards cannot read locations
     known_.push_back(
         {property.name, is_true ? term : network_.exprs.negation(term), cells_read(network_, cells_, property)});
 }
@@ -271,8 +272,9 @@ SearchScope LocalizationCheck::scope(const std::set<std::uint32_t>& searched, st
     return made;
 }
 
-/// Repeats a search if more invariants about its fragments are known. Otherwise fragments are added: first those whose
-/// values the border reads, then those that prevent its PLCs from being stable.
+/// Repeats a search if more invariants about the fragments that it reads are known. Otherwise adds fragments: first the
+/// fragments whose values the searched processes read, then all other fragments that are read, for example in the
+/// cycles of PLCs.
 void LocalizationCheck::go_on_with(Open open) {
     Task& task = open.task;
     const auto tells = [&](const Invariant& invariant) {
@@ -294,7 +296,7 @@ void LocalizationCheck::go_on_with(Open open) {
 }
 
 void LocalizationCheck::take_local() {
-    if (race_) {  // if races are possible, each fragment that may race has been searched
+    if (race_) {  // if races are possible, each fragment with a possible race has been searched
         Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
         none.scope = scope(faultless_, "cannot have a model error");
         if (!faultless_.empty()) {
@@ -313,7 +315,7 @@ void LocalizationCheck::take_local() {
     }
 }
 
-/// If the complete network is searched anyway, `no timelock` is reported even if it was not requested.
+/// If the complete network is searched for another reason, `no timelock` is reported even if it was not requested.
 bool LocalizationCheck::needs_whole() {
     if (searched_whole_ || !is_open()) return false;
     if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;
@@ -366,7 +368,8 @@ void LocalizationCheck::search_complete() {
 
 namespace {
 
-/// Adds to verdicts how far timelocks were searched for. After a timelock no further state is reachable.
+/// Adds a note to verdicts about all states: the number of states that were searched for timelocks. The note is
+/// necessary because states that a timelock makes unreachable cannot violate a property.
 TimedResult with_time_reported(TimedResult result) {
     const auto time = std::ranges::find(result.verdicts, Pattern::NoTimelock, &Verdict::pattern);
     if (time == result.verdicts.end()) return result;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Localization for the timed engine. If the complete network has too many states, a property is decided on the
-// fragments ("cells") that it reads. The rest is over-approximated (ir/network_fragments.hpp). The abstraction
-// preserves `always`, `never` and `exactly one of` that hold, and `reachable` that is violated (proof:
-// docs/explanation/decomposition.md, "Cells").
+// Localization: an abstraction for the timed engine. If the complete network has too many states, a property is decided
+// on the fragments ("cells") that it reads. The rest of the network is over-approximated (ir/network_fragments.hpp).
+// The abstraction preserves the verdicts that `always`, `never` or `exactly one of` holds, and that `reachable` is
+// violated (proof: docs/explanation/decomposition.md, "Cells").
 //
 // Refinement: if the abstraction admits a run that may be spurious, or a model error, the fragments whose values are
 // read are added. The last iteration explores the complete network.
 //
-// A verdict is reported only if no model error is possible anywhere in the complete network. It is therefore the
-// verdict of the complete network.
+// A verdict is reported only if no model error is possible anywhere in the complete network. Therefore it is also the
+// verdict on the complete network.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ using WholeSearch = std::function<TimedResult(const Network&, const TimedOptions
 
 class LocalizationCheck;
 
-/// The steps of check_timed_by_cells, for callers that decide open verdicts between them.
+/// Executes check_timed_by_cells in steps, for callers that decide open verdicts between the steps.
 class CellSearch {
 public:
     /// Prepares a search. `network` must be expanded. The search reads `options` at the beginning of each step.
@@ -43,14 +43,16 @@ public:
     ~CellSearch();
     CellSearch(CellSearch&&) = delete;
 
-    /// Performs the first search of the complete network, and localization.
+    /// Performs the first search of the complete network, and then localization.
     void begin();
-    /// Returns the result so far. Open verdicts have the obstacle `Bound`. A caller that decides one sets its
-    /// `abstraction`.
+    /// Returns the result so far. Open verdicts have the obstacle `Bound`. A caller that decides an open verdict also
+    /// sets its `abstraction`.
     TimedResult& found();
-    /// True if a requested verdict is open, or if no verdict was decided without the complete network.
+    /// True if the complete network must be searched: a verdict is open, and either it is requested or no verdict was
+    /// decided without the complete network.
     bool needs_whole();
-    /// Searches the complete network for the open verdicts, unless the first search already used the allowed bound.
+    /// Searches the complete network for the open verdicts. Has no effect if the first search already had the maximum
+    /// number of states as its limit.
     void search_complete();
     TimedResult result();
 

@@ -8,7 +8,7 @@ namespace grafverif::pdr {
 
 namespace {
 
-/// Clauses of the complete circuit, gate by gate. Variable n + 1 represents node n.
+/// A solver with the clauses of all gates of the circuit. Variable n + 1 represents node n.
 class CircuitClauses {
 public:
     CircuitClauses(const Circuit& circuit, LimitMonitor& watch) : solver_(watch) {

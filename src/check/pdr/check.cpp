@@ -20,7 +20,7 @@ namespace pdr {
 
 namespace {
 
-/// Returns the reason why this engine does not support a property, or an empty string if it does.
+/// Returns the reason why this engine does not support a property, or an empty string if the engine supports it.
 std::string refusal(Pattern pattern) {
     const bool about_runs =
         pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
@@ -63,9 +63,10 @@ private:
         const Property& property;
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
-        const Circuit::Target* target = nullptr;  ///< null if no search is necessary
-        std::size_t cleared = 0;  ///< number of first states of every run in which `bad` is proved false
-        /// has_value: an operand is proved to have a value in every reachable state.
+        const Circuit::Target* target = nullptr;  ///< null if the query requires no search
+        /// Number of states from the start of every run for which `bad` is proved to be false.
+        std::size_t cleared = 0;
+        /// `has_value` is true if the operands are proved to have values in every reachable state.
         bool open = true, has_value = false;
         const std::atomic<bool>* moot = nullptr;  ///< set when another engine has decided the query
         std::function<PdrAnswer()> search = {};   ///< an interrupted PDR search, to be continued
@@ -80,7 +81,7 @@ private:
         PropertyQuery& question = questions_.emplace_back(PropertyQuery{property, verdict_on(id, property)});
         if (const std::string why = refusal(property.pattern); !why.empty())
             return give_up(question, UnknownReason::Unsupported, why);
-        if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // BMC never proves that a property holds
+        if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // BMC cannot prove that a property holds
             return give_up(question, UnknownReason::Unsupported, "its property is not proved");
         if (fault_obstacle_ != UnknownReason::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
@@ -104,9 +105,9 @@ private:
         return cause == Exhausted::Cause::Stopped ? UnknownReason::Stopped : UnknownReason::Memory;
     }
 
-    /// Searches for a state with `bad`. Both possible results are validated for every query, since other verdicts
-    /// depend on faults and quiescence. `going_on` is an interrupted search or empty. If the search is interrupted
-    /// again, it is stored there.
+    /// Searches for a state in which `bad` is true. The result, a trace or an invariant, is always validated, also for
+    /// queries about faults and quiescence, because the verdicts of properties depend on them. `going_on` is an
+    /// interrupted search or empty. If the search is interrupted, it is stored in `*going_on`.
     PdrAnswer searched(Literal bad, const std::string& name, std::function<PdrAnswer()>* going_on = nullptr) {
         const auto told = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
@@ -127,7 +128,7 @@ private:
         return answer;
     }
 
-    /// True if the run has a state with `bad`. Removes the states after the first such state.
+    /// True if `bad` is true in some state of the run. Removes the states after the first such state.
     bool gets_to(Literal bad, std::vector<std::vector<bool>>& inputs) const {
         std::size_t states = 0, first = 0;
         run_through(circuit_, inputs, [&](const NodeValues& values) {
@@ -138,7 +139,7 @@ private:
         return first != 0;
     }
 
-    /// A result of an internal engine that failed validation.
+    /// Thrown if the validation of an engine's result fails.
     struct UnsoundResult {
         std::string what = {};
     };
@@ -158,7 +159,7 @@ private:
 
     // -- validity of the system ------------------------------------------------------------------------------------
 
-    /// Calls `work` and handles exhausted limits and invalid results. In these cases open queries remain undecided.
+    /// Calls `work` and handles exhausted limits and invalid results. In both cases open queries remain undecided.
     template <class Work>
     void guarded(const Work& work) {
         obstacle_ = UnknownReason::None;
@@ -168,7 +169,7 @@ private:
             obstacle_ = obstacle(end.cause);
             reason_ = words(end.cause);
         } catch (const std::bad_alloc&) {
-            unrolling_.reset();  // an exception may have left these objects incomplete
+            unrolling_.reset();  // after an exception, these objects may be incomplete
             equal_latches_.reset();
             obstacle_ = UnknownReason::Memory;
             reason_ = words(Exhausted::Cause::Memory);
@@ -181,8 +182,8 @@ private:
         if (obstacle_ == UnknownReason::Stopped && !watch_.over()) reason_ = "its share of the time limit is used up";
     }
 
-    /// Records an invalid result. For an internal engine it is a failure; the result of an external program is only
-    /// rejected.
+    /// Records that the result of an engine is invalid. An invalid result of an internal engine is a failure; an
+    /// invalid result of an external program is only rejected.
     void disbelieve(const std::string& what) {
         if (!options_.reach) result_.failures.push_back(what);
         obstacle_ = options_.reach ? UnknownReason::Disagrees : UnknownReason::Failed;
@@ -206,8 +207,9 @@ private:
         return solver.solve(std::vector{first, possible});
     }
 
-    /// Determines if values can leave their ranges. If all values are initially in range and no step leaves the range,
-    /// they stay in range. If a step may leave it, a search determines if the step is reachable.
+    /// Determines if values can leave their ranges. If all values are initially in their ranges and no step leaves a
+    /// range, all values stay in their ranges. If a step may leave the range, a search determines if the step is
+    /// reachable.
     void find_leaks() {
         Solver solver(circuit_, watch_);
         const int in_range = circuit_.leaks.empty() ? 0 : solver.of(circuit_.in_range);
@@ -226,7 +228,7 @@ private:
 
     bool any_open() const { return std::ranges::any_of(questions_, &PropertyQuery::is_open); }
 
-    /// False for a probe of a property that does not hold.
+    /// False if the query is a probe of a property whose check has ended without the verdict `holds`.
     bool matters(const PropertyQuery& question) const {
         if (!is_probe(question.property)) return true;
         const auto of = std::ranges::find(questions_, probed_by(question.property),
@@ -234,8 +236,8 @@ private:
         return of == questions_.end() || of->open || of->verdict.outcome == Outcome::Holds;
     }
 
-    /// Decides the queries sequentially by PDR, each within its share of the time, or within `time`. Undecided queries
-    /// remain open.
+    /// Decides the queries sequentially by PDR. The time of each query is its share of the remaining time, or `time` if
+    /// this is given. Undecided queries remain open.
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &PropertyQuery::is_open));
         for (PropertyQuery& question : questions_) {
@@ -255,8 +257,8 @@ private:
         }
     }
 
-    /// Evaluates the work on a query. If `later` is true, the query may be continued later, provided that only its
-    /// share of the time is used up.
+    /// Evaluates the result of the work on a query. If `later` is true, and only the query's share of the time is
+    /// exceeded, the query remains open.
     void conclude(PropertyQuery& question, const char* by, bool later) {
         if (obstacle_ == UnknownReason::None) {
             if (options_.method != PdrOptions::Method::InTurns || question.verdict.outcome == Outcome::Unknown) return;
@@ -267,8 +269,8 @@ private:
         }
     }
 
-    /// Alternates PDR and BMC. An interrupted PDR search loses its current obligation. Therefore, with few queries,
-    /// each query gets a longer first round.
+    /// Alternates PDR and BMC. An interrupted PDR search discards its current obligation. Therefore the first round of
+    /// each query is longer if there are few queries.
     void interleaved_steps() {
         constexpr std::ptrdiff_t few = 8;
         const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &PropertyQuery::is_open));
@@ -276,7 +278,7 @@ private:
              time *= 4) {
             const auto start = Clock::now();
             by_pdr(time);
-            by_bmc(std::max<Clock::duration>(time, Clock::now() - start) / 3);  // PDR also finds violations
+            by_bmc(std::max<Clock::duration>(time, Clock::now() - start) / 3);  // PDR can also find a violation
         }
     }
 
@@ -338,7 +340,7 @@ private:
 
     // -- bounded model checking --------------------------------------------------------------------------------------
 
-    /// Searches for a shorter run, for about as long as it took to find this run.
+    /// Searches for a shorter run, for at most `took` (the time of the search for this run) plus two seconds.
     void shorten(PropertyQuery& question, PdrAnswer& answer, Clock::duration took) {
         watch_.limit(took + std::chrono::seconds(2));
         try {
@@ -351,7 +353,8 @@ private:
         }
     }
 
-    /// Returns a run to the first state that has not been searched yet, or nothing if there is none.
+    /// Returns a run to a bad state that is one step longer than the runs searched so far, or nullopt if there is no
+    /// such run.
     std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
@@ -362,8 +365,8 @@ private:
         return found;
     }
 
-    /// Extends the search of all open queries step by step. If `time` is given, queries that are open at its end remain
-    /// open.
+    /// Extends the search of all open queries step by step. If `time` is given, queries that are undecided after this
+    /// time remain open.
     void by_bmc(std::optional<Clock::duration> time) {
         if (without_bmc_) return;
         if (!time) refuse_what_has_no_value();
@@ -381,7 +384,7 @@ private:
                         reached(*question, {.reached = true, .inputs = std::move(*inputs)});
                 });
             question->verdict.seconds = seconds();
-            if (time && obstacle_ == UnknownReason::Memory) {  // PDR may need less memory
+            if (time && obstacle_ == UnknownReason::Memory) {  // a later PDR search may need less memory
                 unrolling_.reset();
                 without_bmc_ = true;
                 return;
@@ -399,7 +402,8 @@ private:
         }
     }
 
-    /// Returns the open query with a value that has been searched least, or null if there is none.
+    /// Among the open queries whose operands are known to have values, returns the one for which the searched runs are
+    /// shortest; null if there is none.
     PropertyQuery* least_looked_at() {
         PropertyQuery* least = nullptr;
         for (PropertyQuery& question : questions_)

@@ -18,7 +18,7 @@ constexpr std::size_t runs = 8, states_of_a_run = 64;
 EqualLatches::EqualLatches(const Circuit& circuit, LimitMonitor& watch)
     : circuit_(circuit), watch_(watch), class_of_(circuit.latches.size()) {}
 
-/// Splits each class by value. Class 0 keeps the latches whose value is false.
+/// Splits each class by the values of its latches. In class 0, only latches with the value false remain.
 template <class Value>
 void EqualLatches::split(const Value& value) {
     std::map<std::pair<std::size_t, bool>, std::size_t> classes{{{0, false}, 0}};
@@ -27,7 +27,7 @@ void EqualLatches::split(const Value& value) {
 }
 
 void EqualLatches::split_by_runs() {
-    std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the same runs each time
+    std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the runs must be reproducible
     for (std::size_t run = 0; run < runs; ++run) {
         std::vector<std::vector<bool>> inputs(states_of_a_run);
         for (std::vector<bool>& each : inputs)
@@ -39,7 +39,7 @@ void EqualLatches::split_by_runs() {
     }
 }
 
-/// Splits the classes by a step that the solver finds. Returns false if there is no such step.
+/// Searches for a step that splits the classes, and splits them. Returns false if there is no such step.
 bool EqualLatches::split_by_solver() {
     if (!solver_) solver_.emplace(circuit_, watch_);
     Solver& solver = *solver_;
@@ -48,7 +48,7 @@ bool EqualLatches::split_by_solver() {
     std::map<std::size_t, std::size_t> first;  // latch that represents each class
     for (std::size_t k = 0; k < class_of_.size(); ++k) {
         const Circuit::Latch& latch = circuit_.latches[k];
-        Circuit::Latch other;  // default: the constant false
+        Circuit::Latch other;  // representative of class 0: the constant false
         if (class_of_[k] != 0) {
             const auto [place, fresh] = first.try_emplace(class_of_[k], k);
             if (fresh) continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Justification: reduces a state and inputs that make some literals true to a part that is sufficient for this.
+// Justification: given a state and inputs for which some literals are true, determines a subset of their values that is
+// sufficient to make these literals true.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +22,22 @@ public:
     struct Justification {
         Sources latches = {}, inputs = {};  ///< literals that are true, increasing
     };
-    /// Returns a sufficient part. `value` returns the value of every literal in the cone of `targets`, all of which are
-    /// true. The number of latches is minimized by a greedy pass over the gates.
+    /// Returns values of latches and inputs that are sufficient to make `targets` true. `value` returns the value of
+    /// every literal in the cone of `targets`. Requires that all targets are true. A greedy pass over the gates reduces
+    /// the number of latches.
     Justification part(const std::vector<Gates::Literal>& targets, const std::function<bool(Gates::Literal)>& value);
 
 private:
     void collect(const std::vector<Gates::Literal>& targets);
 
     const Circuit& circuit_;
-    std::vector<bool> is_latch_;                ///< true if the node is a latch
-    std::vector<std::uint32_t> seen_, needed_;  ///< for each node: the last round in which it was seen or needed
-    std::vector<std::uint32_t> cost_;           ///< for each node: the number of latches that its value may need
-    std::vector<char> values_;                  ///< value of each node
-    std::vector<std::uint32_t> cone_ = {};      ///< nodes in the cone, increasing
+    std::vector<bool> is_latch_;  ///< true if the node is a latch
+    /// For each node: the last round in which the node was visited (`seen_`) or needed (`needed_`).
+    std::vector<std::uint32_t> seen_, needed_;
+    /// For each node: an upper bound of the number of latches that determine its value.
+    std::vector<std::uint32_t> cost_;
+    std::vector<char> values_;              ///< value of each node
+    std::vector<std::uint32_t> cone_ = {};  ///< nodes in the cone, increasing
     std::uint32_t round_ = 0;
 };
 

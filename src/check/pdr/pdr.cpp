@@ -21,10 +21,10 @@ bool holds_first_state(const Cube& cube) { return std::ranges::all_of(cube, is_i
 
 bool contains(const Cube& cube, const Cube& part) { return std::ranges::includes(cube, part); }
 
-/// A partial state from which `bad` is reachable.
+/// A set of states from which a bad state is reachable.
 struct Obligation {
     Cube state = {};
-    Sources inputs = {};        ///< inputs with which the state leads to `successor`, or is bad
+    Sources inputs = {};        ///< inputs with which a step leads to `successor`, or with which the state is bad
     std::size_t successor = 0;  ///< index of the next state; for the last state, its own index
     std::size_t frame = 0, depth = 0;
 };
@@ -91,8 +91,8 @@ private:
         return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
     }
 
-    /// Searches for a step from a state of frame i outside of `cube` into `cube`. If there is none, `core` is the part
-    /// of the cube that the solver needed.
+    /// True if a step leads from a state of the frame (if `from_outside` is true: from one outside of `cube`) into
+    /// `cube`. Otherwise `core` contains the literals of the cube that the solver used.
     bool steps_into(const Cube& cube, std::size_t frame, bool from_outside, Cube& core) {
         std::vector<int> assumptions = in_frame(frame);
         const std::size_t first = assumptions.size();
@@ -117,7 +117,8 @@ private:
         return nexts;
     }
 
-    /// Extends `core` so that it does not contain the first state. Requires that `cube` does not contain it.
+    /// Extends `core` by literals of `cube` so that it does not contain the first state. Requires that `cube` does not
+    /// contain the first state.
     static void keep_off_first_state(Cube& core, const Cube& cube) {
         if (!holds_first_state(core)) return;
         const auto found = std::ranges::find_if_not(cube, is_inverted);
@@ -125,7 +126,7 @@ private:
         core.insert(std::ranges::lower_bound(core, *found), *found);
     }
 
-    /// Returns the part of the solver's model that makes `targets` true.
+    /// Returns the values of the solver's model that are sufficient to make `targets` true.
     Obligation found_for(const std::vector<Literal>& targets) {
         Justifier::Justification part =
             justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
@@ -152,8 +153,8 @@ private:
         return obligations_.size() - 1;
     }
 
-    /// Excludes the state from its frame, and all its predecessors from the previous frames. Otherwise returns the
-    /// obligation that contains the first state.
+    /// Excludes the state from its frame, and all predecessors of the state from the previous frames. If this is
+    /// impossible, returns the obligation that contains the first state.
     std::size_t block(std::size_t first) {
         const auto later = [this](std::size_t a, std::size_t b) {
             const Obligation &one = obligations_[a], &other = obligations_[b];
@@ -196,7 +197,7 @@ private:
         return false;
     }
 
-    /// Excludes a generalization of the cube from the frame and from later frames that contain it.
+    /// Excludes a generalization of the cube from the frame, and from later frames from which it can also be excluded.
     void learn(Cube cube, std::size_t frame, bool obstacles = false) {
         generalise(cube, frame - 1, obstacles);
         Cube core;
@@ -211,7 +212,8 @@ private:
         frames_[frame].push_back(std::move(cube));
     }
 
-    /// Removes literals that the cube does not need, starting with those that have been least useful so far.
+    /// Removes literals that are not necessary for the exclusion of the cube, starting with the literals that have been
+    /// used least.
     void generalise(Cube& cube, std::size_t before, bool obstacles) {
         Cube order = cube;
         std::ranges::stable_sort(order, {}, [this](Literal literal) {
@@ -226,9 +228,9 @@ private:
         }
     }
 
-    /// True if the step relation excludes the cube; reduces it to the part that is necessary for this. A state that
-    /// prevents this is itself excluded if it has no predecessors. The number of these attempts is limited (Hassan,
-    /// Bradley and Somenzi 2013: "Better generalization in IC3").
+    /// Returns true if no step leads from the frame into the cube, and removes literals that are not necessary for
+    /// this. A state with a step into the cube is first excluded if it has no predecessors. The number of these
+    /// attempts is limited (Hassan, Bradley and Somenzi 2013: "Better generalization in IC3").
     bool excludes(Cube& cube, std::size_t before, bool obstacles) {
         if (holds_first_state(cube)) return false;
         Cube core;
@@ -242,7 +244,8 @@ private:
         return true;
     }
 
-    /// Moves every cube to the next frame if that frame also excludes it. Returns a frame that has become empty.
+    /// Moves each cube to the next frame if it can also be excluded from that frame. Returns the first frame whose list
+    /// of cubes is then empty: this frame and the next one are equal.
     std::optional<std::size_t> propagated() {
         for (std::size_t frame = 1; frame < top(); ++frame) {
             const std::vector<Cube> cubes = frames_[frame];
@@ -287,11 +290,11 @@ private:
     LimitMonitor& watch_;
     std::function<void(std::size_t)> progress_;
     Justifier justifier_;
-    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< for each node of a latch: its next value
+    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< next value of the latch of each node
     std::optional<Solver> solver_ = {};
-    /// For each frame: the cubes that it excludes but the next frame does not.
+    /// For each frame: the cubes that this frame excludes and the next frame does not exclude.
     std::vector<std::vector<Cube>> frames_ = {};
-    std::vector<int> active_ = {};  ///< for each frame: the assumption under which its clauses hold
+    std::vector<int> active_ = {};  ///< for each frame: the assumption that activates its clauses
     std::vector<Obligation> obligations_ = {};
     std::unordered_map<Literal, unsigned> uses_ = {};
     std::uint64_t live_ = 0, clauses_when_new_ = 0;

@@ -8,7 +8,7 @@
 #include <new>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED                                                  // sanitizers replace the allocator
+#define SANITIZED                                                  // sanitizers replace the memory allocator
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: its name
 #endif
 
@@ -33,7 +33,7 @@ LimitMonitor::LimitMonitor(const SolverLimits& bounds)
 void LimitMonitor::share(std::size_t parts) {
     met_.reset();
     calls_ = 0;
-    share_ = bounds_.deadline;  // the limit of earlier work no longer applies
+    share_ = bounds_.deadline;  // the time limit of earlier work does not apply to later work
     if (!bounds_.deadline || parts == 0) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);
@@ -76,7 +76,7 @@ void LimitMonitor::look() {
 
 SatSolver::SatSolver(LimitMonitor& watch) : watch_(watch), solver_(std::make_unique<CaDiCaL::Solver>()) {
     solver_->set("quiet", 1);
-    solver_->set("profile", 0);  // profiling would query the clock in every call
+    solver_->set("profile", 0);  // with profiling, CaDiCaL would query the clock in every call
     solver_->connect_terminator(&watch);
 }
 

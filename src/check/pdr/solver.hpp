@@ -25,30 +25,31 @@ struct SolverLimits {
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// Thrown when a limit is exceeded. The current query of the solver then has no result.
+/// Thrown when a limit is exceeded or the work is cancelled. The current query of the solver has no result in this
+/// case.
 struct Exhausted {
     enum class Cause { Memory, Stopped };
     Cause cause = Cause::Stopped;
 };
 
-/// Polls the limits while the solver works, and for other callers.
+/// Polls the limits during the work of the solver and of other callers.
 class LimitMonitor final : public CaDiCaL::Terminator {
 public:
     explicit LimitMonitor(const SolverLimits& bounds);
 
-    /// Sets the deadline to the end of the first of `parts` equal shares of the remaining time. Work that exceeds it
-    /// may continue in the next share.
+    /// Sets the deadline to the end of the first of `parts` equal shares of the remaining time. Work that reaches this
+    /// deadline may be continued in the next share.
     void share(std::size_t parts);
-    /// Limits the following work to this time, within the remaining time.
+    /// Limits the following work to `time` or to the remaining time, whichever is shorter.
     void limit(std::chrono::steady_clock::duration time);
-    /// Also ends the following work if this flag is set; null means no flag.
+    /// Adds a flag that ends the following work when it is set; null removes the flag.
     void end_with(const std::atomic<bool>* moot) { moot_ = moot; }
     std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
-    /// True if a limit of the complete work is exceeded, not only the limit of a share.
+    /// True if the complete work was cancelled or its deadline has passed; deadlines of shares and memory are ignored.
     bool over() const;
 
     bool terminate() override;
-    /// Throws Exhausted if a limit is exceeded.
+    /// Throws Exhausted if a limit is exceeded or the work is cancelled.
     void look();
     std::uint64_t bytes() const;  ///< memory allocated since construction, in bytes
 
@@ -62,9 +63,9 @@ private:
     std::optional<Exhausted::Cause> met_ = {};
 };
 
-/// CaDiCaL with the limits of a LimitMonitor. After an exception such as std::bad_alloc, CaDiCaL is unusable: if it is
-/// called again, it aborts the process, and its destructor may release a wrong address (Internal::enlarge in 1.5.3).
-/// Therefore every later call throws std::bad_alloc, and the memory of the solver is not released.
+/// CaDiCaL with the limits of a LimitMonitor. After an exception such as std::bad_alloc, CaDiCaL is unusable: a further
+/// call aborts the process, and the destructor may release a wrong address (Internal::enlarge in 1.5.3). Therefore
+/// every later call throws std::bad_alloc, and the memory of the solver is not released.
 class SatSolver {
 public:
     explicit SatSolver(LimitMonitor& watch);
@@ -72,15 +73,15 @@ public:
     SatSolver(const SatSolver&) = delete;
     SatSolver& operator=(const SatSolver&) = delete;
 
-    /// For thousands of small queries: disables techniques that inspect all clauses.
+    /// Disables techniques that inspect all clauses, for thousands of small queries.
     void expect_small_queries();
     void add(std::span<const int> clause);
-    /// True if the assumptions are satisfiable, together with at least one of `one_of` if it is not empty. Throws
-    /// Exhausted.
+    /// True if the clauses are satisfiable under the assumptions, and under at least one literal of `one_of` if
+    /// `one_of` is not empty. Throws Exhausted.
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {});
-    /// Value of a literal after a satisfiable query.
+    /// Returns the value of a literal after a satisfiable query.
     bool is_true(int literal) const;
-    /// After an unsatisfiable query: true if the refutation needed the assumption.
+    /// True if the proof of the last, unsatisfiable query used the assumption.
     bool failed(int assumption);
 
 private:
@@ -101,7 +102,7 @@ public:
     int of(Literal literal);
     /// Returns a new variable.
     int fresh() { return ++variables_; }
-    /// Makes all existing and later latch variables false under `condition`.
+    /// Adds clauses by which all existing and later latch variables are false if `condition` is true.
     void all_false_under(int condition);
 
     void add(std::span<const int> clause);
@@ -109,8 +110,8 @@ public:
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {}) {
         return solver_.solve(assumptions, one_of);
     }
-    /// Return, for the last query, the value of a literal that the solver knows, and if the refutation needed an
-    /// assumption.
+    /// `value` returns the value of a literal after a satisfiable query. `knows` is true if the solver has a variable
+    /// for the literal. `failed` is true if the proof of the last, unsatisfiable query used the assumption.
     bool value(Literal literal) const;
     bool knows(Literal literal) const {
         return node_of(literal) < variable_.size() && variable_[node_of(literal)] != 0;
@@ -125,7 +126,7 @@ private:
 
     const Circuit& circuit_;
     SatSolver solver_;
-    std::vector<int> variable_;   ///< variable of each node; 0 if it has none yet
+    std::vector<int> variable_;   ///< variable of each node; 0 if the node has no variable yet
     std::vector<bool> is_latch_;  ///< true if the node is a latch
     std::vector<int> latches_ = {};
     int variables_ = 0;

@@ -18,7 +18,8 @@ Unrolling::Unrolling(const Circuit& circuit, LimitMonitor& watch)
     }
 }
 
-/// True if the value of the node at that step is determined, after its operands have been requested.
+/// Determines the literal of the node at that step from the literals of its operands. Returns false if they are not
+/// known yet.
 bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     Literal& made = states_[step][node];
     const auto known = [&](Literal literal, std::size_t when) {
@@ -38,7 +39,7 @@ bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     return made != unknown;
 }
 
-/// Returns the literal after that number of steps, as an unrolled gate.
+/// Returns the unrolled literal for the value of `literal` after that number of steps.
 Literal Unrolling::at(Literal literal, std::size_t step) {
     while (states_.size() <= step) {
         states_.emplace_back(circuit_.gates.size(), unknown);
@@ -56,7 +57,7 @@ Literal Unrolling::at(Literal literal, std::size_t step) {
             open.emplace_back(node_of(next_[node]), when - 1);
             continue;
         }
-        // One operand is unrolled first; if it is false, the other operand is not unrolled.
+        // The first operand is unrolled first; if it is the constant false, the second operand is not unrolled.
         const Gates::Node gate = circuit_.gates[node];
         const bool left = states_[when][node_of(gate.left)] == unknown;
         open.emplace_back(node_of(left ? gate.left : gate.right), when);

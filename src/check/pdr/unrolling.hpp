@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"). The first
-// states of all runs of a circuit are one graph of gates, which grows with every step. The latches of the first state
-// are constants, and equal gates of different steps are one gate. Therefore, for a small number of steps, most gates
-// are simplified before solving. Only gates that a query requires are unrolled.
+// Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"). One graph of
+// gates represents the first states of all runs of a circuit. The graph grows with every step. The latches of the first
+// state are constants, and equal gates of different steps are one gate. Therefore, for a small number of steps, most
+// gates are simplified before solving. Only gates on which a query depends are unrolled.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ public:
     /// Both arguments must outlive the object.
     Unrolling(const Circuit& circuit, LimitMonitor& watch);
 
-    /// Returns a run with `bad` in the state after that number of steps. If there is none, this is recorded and the
-    /// result is empty. Throws Exhausted; may be called again afterwards.
+    /// Returns a run of that number of steps whose last state is bad. If there is no such run, the result is empty, and
+    /// later queries use this fact. Throws Exhausted; may be called again afterwards.
     std::optional<RunInputs> run_to(Literal bad, std::size_t steps);
 
 private:
@@ -34,10 +34,10 @@ private:
 
     const Circuit& circuit_;
     LimitMonitor& watch_;
-    std::vector<Literal> next_;                      ///< for each node of a latch: its next value
+    std::vector<Literal> next_;                      ///< next value of the latch of each node
     std::vector<bool> is_latch_;                     ///< true if the node is a latch
     Circuit unrolled_ = {};                          ///< contains only gates
-    std::vector<std::vector<Literal>> states_ = {};  ///< unrolled literal per step and node
+    std::vector<std::vector<Literal>> states_ = {};  ///< unrolled literal for each step and node
     Solver solver_;
 };
 

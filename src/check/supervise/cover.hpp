@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Covers: short conditions over few variables that are true on one set of states and false on another.
+// Covers: computes short conditions over few variables that are true on one set of states and false on another set.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,16 @@
 
 namespace grafverif::supervise {
 
-/// An irredundant sum of products: no product and no literal can be removed. If `negated`, it covers the complement.
+/// An irredundant sum of products, from which no product and no literal can be removed. If `negated` is true, the sum
+/// represents the negation of the condition.
 struct Cover {
     std::vector<std::vector<BddLiteral>> products = {};  ///< products; if empty, the sum is false
     bool negated = false;
 };
 
-/// Returns a condition that is true on `on` and false on `off`, which are disjoint. Variables are removed greedily, in
-/// the order of `variables`. The result is the shorter one of the condition and its negation; it is empty if it has
-/// more than `most` products.
+/// Returns a condition that is true on `on` and false on `off`, which must be disjoint. Variables are removed greedily,
+/// in the order of `variables`. The result represents the condition or its negation, whichever is shorter; it is empty
+/// if both sums have more than `most` products.
 std::optional<Cover> cover(const BddSpace& space, Bdd on, Bdd off, std::span<const std::uint32_t> variables,
                            std::size_t most);
 

@@ -26,7 +26,8 @@ Bdd Game::evolved(std::size_t player, const Bdd& pairs) const {
     return states(model_.image(pairs, evolutions_[player]));
 }
 
-/// Returns the states from which `to` cannot be avoided: a move leads to it, or an evolution under every permission.
+/// Returns the states from which `to` cannot be avoided in the next step: a move leads to `to`, or the evolution of
+/// some player leads to `to` whichever permissions are granted.
 Bdd Game::unwilling(const Bdd& to) const {
     Bdd found = moves_to(to);
     for (std::size_t player = 0; player < players(); ++player) found |= helpless(player, to);

@@ -2,13 +2,14 @@
 // Supervisory-control game: the charts of a system (controllable) against its plant (uncontrollable).
 //
 // In each evolution a chart clears transitions and sets outputs; the supervisor restricts both by permissions. All
-// other moves are uncontrollable: plant, environment, timers and scheduling. In terms of Ramadge and Wonham (1987),
-// "Supervisory control of a class of discrete event processes", permissions are the controllable events, except that an
-// evolution itself cannot be prevented.
+// other moves are uncontrollable: moves of the plant, the environment and timers, and scheduling. In terms of Ramadge
+// and Wonham (1987), "Supervisory control of a class of discrete event processes", permissions are the controllable
+// events, except that an evolution itself cannot be prevented.
 //
-// A state is losing if it is bad, or if an uncontrollable move or an evolution under every permission leads to a losing
-// state. It is also losing if no marked state is reachable without a losing state. All other states are winning; every
-// uncontrollable move from a winning state leads to a winning state.
+// A state is losing if it is bad or if an uncontrollable move leads to a losing state. It is also losing if an
+// evolution of some chart leads to a losing state whichever permissions are granted. Finally, a state is losing if
+// every path to a marked state contains a losing state. All other states are winning; every uncontrollable move from a
+// winning state leads to a winning state.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +21,20 @@
 
 namespace grafverif::supervise {
 
-/// A controller of the system as a player.
+/// A controller of the system, which is a player of the game.
 struct Player {
-    Bdd evolves = {};           ///< function of states and choices: true if the step is one of its evolutions
-    std::vector<Bdd> may = {};  ///< permissions; each is a choice, represented by a variable of the space
+    Bdd evolves = {};  ///< function of states and choices: true if the step is an evolution of this player
+    /// Permissions, each of which is a choice that is represented by a variable of the space.
+    std::vector<Bdd> may = {};
 };
 
-/// The losing states, in stages in the order of their detection. The states of a stage are bad or blocked, or one move
-/// or evolution leads from each of them to an earlier stage.
+/// The losing states, in stages in the order of their detection. A state of a stage is bad or blocked, or one move or
+/// evolution leads from it to an earlier stage.
 struct LosingRegion {
     struct Stage {
         Bdd states = {};
-        bool blocked = false;  ///< no marked state is reachable from here unless an earlier losing state is passed
+        /// True: every path from these states to a marked state contains a losing state of an earlier stage.
+        bool blocked = false;
     };
     std::vector<Stage> stages = {};
     Bdd all = {};
@@ -46,28 +49,29 @@ public:
     const std::vector<Bdd>& may(std::size_t player) const { return players_[player].may; }
     const Bdd& reached() const { return reached_; }
 
-    /// Return the successors of `states`, and the predecessors of `to`, by uncontrollable moves.
+    /// `moved` returns the successors of `states` by uncontrollable moves; `moves_to` returns the predecessors of `to`
+    /// by such moves.
     Bdd moved(const Bdd& states) const { return model_.image(states, moves_); }
     Bdd moves_to(const Bdd& to) const { return model_.preimage(to, moves_); }
-    /// Returns the successors of pairs of a state and permissions by evolutions of a player.
+    /// Returns the states to which evolutions of a player lead from pairs of a state and permissions.
     Bdd evolved(std::size_t player, const Bdd& pairs) const;
     /// Returns the pairs whose evolution leads to a state of `to`.
     Bdd evolves_to(std::size_t player, const Bdd& to) const { return model_.preimage(to, evolutions_[player]); }
-    /// Return the states in which the player can evolve, and those of them whose evolution leads to `to` under every
-    /// permission.
+    /// `ready` returns the states in which the player can evolve; `helpless` returns those in which its evolution leads
+    /// to `to` whichever permissions are granted.
     const Bdd& ready(std::size_t player) const { return ready_[player]; }
     Bdd helpless(std::size_t player, const Bdd& to) const { return ready(player) & ~states(~evolves_to(player, to)); }
-    /// Functions of states and choices. The first is true if the step is not an evolution, the second if it is an
-    /// evolution of the player.
+    /// Functions of states and choices. `is_move` is true if the step is not an evolution; `is_evolution` is true if
+    /// the step is an evolution of the player.
     const Bdd& is_move() const { return is_move_; }
     const Bdd& is_evolution(std::size_t player) const { return players_[player].evolves; }
     /// Returns the states of `pairs`, without the permissions.
     Bdd states(const Bdd& pairs) const { return exists(pairs, all_may_); }
 
-    /// Returns all losing states for the bad states `bad`. `lost` contains those that are already known.
+    /// Returns all losing states for the bad states `bad`. `lost` contains the losing states that are already known.
     LosingRegion solve(const Bdd& bad, const Bdd& marked, LosingRegion lost = {}) const;
-    /// Returns the pairs of a winning state in which the player can evolve and permissions with which the evolution
-    /// leads to a winning state.
+    /// Returns the pairs of a winning state and permissions under which an evolution of the player leads to a winning
+    /// state.
     Bdd allowed(std::size_t player, const LosingRegion& lost) const;
 
 private:

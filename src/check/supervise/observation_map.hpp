@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Observations of a chart, which are functions of states. A set of observations ("sights") is a function with one
-// variable per observation; an observation that is a bit of the state uses the variable of that bit.
+// Maps sets of states to sets of observed values of a chart, and back. An observation is a Boolean function of states.
+// A set of observed values ("sights") is a function with one variable per observation. If an observation is a bit of
+// the state, it uses the variable of that bit.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +16,19 @@ public:
     /// Creates the map and adds variables to the space.
     ObservationMap(const symbolic::StateSpace& model, BddSpace& space, const std::vector<Bdd>& seen);
 
-    /// Return the observations of the states, and the states that have one of the observations.
+    /// `sights` returns the values observed in the states; `states` returns the states in which one of these values is
+    /// observed.
     Bdd sights(const Bdd& states) const { return and_exists(states, link_, unseen_); }
     Bdd states(const Bdd& sights) const { return and_exists(sights, link_, own_); }
 
-    /// Returns the variable of each observation, with the value at which the observed function is true.
+    /// Returns the variable of each observation, with the value of the variable for which the observed function is
+    /// true.
     const std::vector<BddLiteral>& literals() const { return literals_; }
 
 private:
     std::vector<BddLiteral> literals_ = {};
     Bdd link_ = Bdd::constant(true);
-    /// Sets of variables: those of states that are not observed; those of observations only.
+    /// Sets of variables: variables of states that are not observed, and variables that only represent observations.
     Bdd unseen_ = {}, own_ = {};
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Synthesis of conditions from a game. States are explored as they are reached under the current conditions. If an
-// evolution then reaches a losing state, all conditions are recomputed for the explored states, until no evolution
-// does. Two types of states are treated as losing: states that observation cannot distinguish, and states that allow
-// infinite cycles under the conditions. The synthesis then restarts; the conditions remain sound and are `Cautious`.
+// Synthesizes conditions from the solution of a game. The search explores the states that are reachable under the
+// current conditions. If an evolution reaches a losing state, all conditions are recomputed for the explored states.
+// This is repeated until no evolution reaches a losing state. Two types of states are treated as losing: states that
+// the observations do not distinguish sufficiently, and states from which no marked state is reachable under the
+// conditions. The synthesis is then restarted; the resulting conditions are sound and classified as `Cautious`.
 #include "check/supervise/supervise.hpp"
 
 #include <algorithm>
@@ -20,12 +21,13 @@ namespace supervise {
 
 namespace {
 
-constexpr std::size_t most_products = 64;  ///< maximum length of a condition; longer conditions are not readable
+constexpr std::size_t most_products = 64;  ///< maximum number of terms of a condition that is readable
 
 using symbolic::StateSpace;
 
-/// The policy of a player. `refusals` contains, for each permission, the observations at which it is refused; for
-/// outputs, the observations after the evolution. `obeyed` is the same as a function of states and permissions.
+/// The policy of a player. `refusals` contains, for each permission, the observations with which the permission is
+/// refused; for outputs, these are observations after the evolution. `obeyed` represents the same policy as a function
+/// of states and permissions.
 struct Policy {
     std::vector<Bdd> refusals = {};
     Bdd obeyed = Bdd::constant(true);
@@ -87,7 +89,7 @@ private:
     struct Terms {
         Id<Expr> evolves = {};
         std::vector<Id<Expr>> seen = {}, may = {}, effects = {};
-        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< terms of the sites of each permission
+        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< terms `site_effects` of each permission
     };
 
     Supervisor unknown(std::string why) {
@@ -155,22 +157,23 @@ private:
 
     // -- conditions over observations ---------------------------------------------------------------------------------
 
-    /// Returns the pairs in which a permission is refused at these observations.
+    /// Returns the pairs in which a permission is refused because of these observations.
     Bdd refused(std::size_t player, std::size_t index, const Bdd& sights) const {
         if (sights.is_false()) return {};
         const Bdd states = seen_[player].states(sights);
         return permission(player, index).output ? game_->evolves_to(player, states) : states;
     }
 
-    /// Returns the policy that refuses nothing.
+    /// Returns the policy that does not refuse any permission.
     Policy lenient(std::size_t player) const {
         Policy made{std::vector<Bdd>(game_->may(player).size())};
         for (const Bdd& may : game_->may(player)) made.obeyed &= may;
         return made;
     }
 
-    /// Returns a policy for the states of `within`. It refuses permissions one by one, as few as possible, and
-    /// transitions before outputs. States without an allowed permission are added to `none_left`.
+    /// Returns a policy for the states of `within`. The permissions are decided one by one, those of transitions before
+    /// those of outputs, and as few as possible are refused. States without an allowed combination of permissions are
+    /// added to `none_left`.
     Policy decided(std::size_t player, const Bdd& within, const LosingRegion& lost, Bdd& none_left) const {
         const std::vector<Bdd>& may = game_->may(player);
         Policy made{std::vector<Bdd>(may.size())};
@@ -187,7 +190,7 @@ private:
             made.obeyed &= obeyed;
             return obeyed;
         };
-        Bdd wanted = pairs;  // the pairs with as many outputs as possible
+        Bdd wanted = pairs;  // the pairs in which as many outputs as possible are permitted
         for (std::size_t index = 0; index < may.size(); ++index)
             if (permission(player, index).output) wanted &= may[index] | ~game_->states(wanted & may[index]);
         for (std::size_t index = 0; index < may.size(); ++index)
@@ -204,13 +207,13 @@ private:
         return made;
     }
 
-    /// The states that the system without conditions reaches.
+    /// Returns the states that are reachable in the system without conditions.
     Bdd unrestricted() const {
         report_phase("exploring the loop without conditions");
         return closed(model_->initial(), {}, lenient());
     }
 
-    /// Returns the states that are reachable from `states` under the policies without passing a losing state.
+    /// Returns the states that are reachable from `states` under the policies by paths without losing states.
     Bdd closed(Bdd states, const LosingRegion& lost, const std::vector<Policy>& policies) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
@@ -221,7 +224,7 @@ private:
         return states;
     }
 
-    /// Computes the policies. If no policies exist for these states, losing states are added and the result is false.
+    /// Computes the policies. If no policies exist for these states, adds losing states and returns false.
     bool settled(LosingRegion& lost) {
         policies_ = lenient();
         Bdd looked_at = model_->initial();
@@ -270,7 +273,7 @@ private:
             return cofactor(f, cube(space_, {&literal, 1}));
         };
         const Bdd& effect = effects_[player][index];
-        if (!permission(player, index).output) return with(effect, true);  // the firing condition holds
+        if (!permission(player, index).output) return with(effect, true);  // states in which the firing condition holds
         const Bdd set = game_->evolves_to(player, effect);
         return with(set, true) & ~with(set, false);
     }
@@ -339,10 +342,10 @@ private:
         return true;
     }
 
-    /// Compares the chosen permissions with all allowed ones. A permission without effect is treated as granted.
+    /// Compares the chosen permissions with all allowed permissions. A permission without effect is treated as granted.
     void claim(std::size_t player, const Bdd& chosen, const std::vector<Bdd>& matters, Bdd allowed) {
         const std::vector<Bdd>& may = game_->may(player);
-        std::vector<Bdd> permitted;  // states in which it is granted or has no effect
+        std::vector<Bdd> permitted;  // states in which the permission is granted or has no effect
         Bdd above = Bdd::constant(true);
         for (std::size_t index = 0; index < may.size(); ++index) {
             allowed &= may[index] | matters[index];  // a permission without effect is treated as granted
@@ -418,11 +421,12 @@ private:
     Id<Expr> marked_term_ = {};
     std::optional<StateSpace> model_ = {};
     std::optional<Game> game_ = {};
-    std::vector<ObservationMap> seen_ = {};                         ///< observations of each player
-    std::vector<std::vector<Bdd>> effects_ = {};                    ///< effect per player and permission
-    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< effect per player, permission and site
-    std::vector<std::vector<Bdd>> observed_ = {};                   ///< per player
-    std::vector<Bdd> bads_ = {};                                    ///< per bad term
+    std::vector<ObservationMap> seen_ = {};       ///< observation map of each player
+    std::vector<std::vector<Bdd>> effects_ = {};  ///< function of the effect, for each player and permission
+    /// Function of the effect, for each player, permission and site.
+    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};
+    std::vector<std::vector<Bdd>> observed_ = {};  ///< observed functions of each player
+    std::vector<Bdd> bads_ = {};                   ///< states of each bad term
     Bdd bad_ = {}, marked_ = {};
     std::vector<Policy> policies_ = {};  ///< policy of each player
     Bdd under_ = {};                     ///< states that are reachable under the policies

@@ -3,13 +3,13 @@
 // reachable.
 //
 // The synthesis solves the game (game.hpp) on a system in which each transition and each output of the charts has a
-// permission, which is a choice. A condition reads only the observations of its chart, so that states with equal
-// observations are restricted equally.
+// permission, which is a choice. A condition reads only the observations of its chart, so that the restrictions are
+// equal in states with equal observations.
 //
 // The conditions are classified with respect to the states that are reachable under them:
-//   Least     every refused permission there leads to a losing state: no supervisor could allow more
+//   Least     every refused permission would lead to a losing state: no supervisor could allow more
 //   Several   in an evolution more can be allowed only if another permission is refused instead; transitions are
-//             refused before outputs, later ones before earlier ones
+//             refused before outputs, and later elements before earlier elements
 //   Cautious  a supervisor that observes the complete plant could allow more
 #pragma once
 
@@ -29,18 +29,21 @@ namespace grafverif {
 struct Supervision {
     /// A permission to clear a transition or to set an output.
     struct Permission {
-        Id<TransitionSystem::Symbol> symbol = {};  ///< symbol of main: a Boolean choice; false refuses the permission
+        /// Symbol of main: a Boolean choice, which is false if the permission is refused.
+        Id<TransitionSystem::Symbol> symbol = {};
         bool output = false;
         Id<Expr> effect = {};  ///< term over main: true if the transition is cleared, or the output is set, in the step
-        /// For an output: the observations at which its actions may set it, one per site.
+        /// For an output: the indices of the observations with which its actions may set the output. Each of these
+        /// observations is a site.
         std::vector<std::size_t> sites = {};
-        /// Per site, a term over main: true if its action sets the output in the step, provided that this is permitted.
-        /// If the term is missing or invalid, the action sets the output whenever the site is observed.
+        /// For each site, a term over main: true if the action of the site sets the output in the step, if this is
+        /// permitted. If the term is missing or invalid, the action sets the output whenever the observation of the
+        /// site is true.
         std::vector<Id<Expr>> site_effects = {};
     };
     struct Controller {
-        Id<Expr> evolves = {};  ///< term over main: true if the step is one of its evolutions
-        /// Terms over main, without choices: its observations; its outputs are not observed.
+        Id<Expr> evolves = {};  ///< term over main: true if the step is an evolution of the controller
+        /// Terms over main, without choices: the observations of the controller. It does not observe its outputs.
         std::vector<Id<Expr>> seen = {};
         std::vector<Permission> permissions = {};
     };
@@ -60,25 +63,26 @@ struct SuperviseOptions {
 struct Supervisor {
     enum class Outcome {
         Found,
-        None,     ///< no conditions are sufficient, even over all variables
+        None,     ///< conditions are not sufficient, even if they read all variables
         Unknown,  ///< `reason` states why
     };
     enum class Permissiveness { Least, Several, Cautious };
 
     struct Literal {
-        std::size_t seen = 0;  ///< index of the observation of its controller
+        std::size_t seen = 0;  ///< index of the observation, in Controller::seen
         bool value = true;
         bool operator==(const Literal&) const = default;
     };
-    /// A condition. If `all` is true, it is a conjunction of disjunctions; otherwise a disjunction of conjunctions.
+    /// A condition. If `all` is true, `terms` is a conjunction of disjunctions; otherwise a disjunction of
+    /// conjunctions.
     struct Condition {
         std::size_t controller = 0, permission = 0;
-        std::optional<std::size_t> site = {};  ///< for an output: index of its site
+        std::optional<std::size_t> site = {};  ///< for an output: index of the site
         std::vector<std::vector<Literal>> terms = {};
         bool all = false;
         bool operator==(const Condition&) const = default;
     };
-    /// A permission, selected by its indices.
+    /// A permission, identified by its indices.
     struct Selection {
         std::size_t controller = 0, permission = 0;
         bool operator==(const Selection&) const = default;
@@ -90,25 +94,26 @@ struct Supervisor {
     std::vector<Condition> conditions = {};  ///< conditions; empty if no restriction is necessary
     /// Cautious: permissions that a supervisor with full observation could grant more often.
     std::vector<Selection> hidden = {};
-    /// Several: permissions that could be granted more often if others were refused more often.
+    /// Several: permissions that could be granted more often if other permissions were refused more often.
     std::vector<Selection> traded = {};
-    /// Found: permissions that the conditions refuse in some reachable state, and that have an effect in none: the
-    /// transition is never cleared, the output never set.
+    /// Found: permissions that the conditions refuse in some reachable state, and that have no effect in any reachable
+    /// state: the transition is never cleared, or the output is never set.
     std::vector<Selection> disabled = {};
-    /// An observation by its indices.
+    /// An observation, identified by its indices.
     struct Observation {
         std::size_t controller = 0, seen = 0;
         bool operator==(const Observation&) const = default;
     };
-    /// Found: observations that are true in some state that the system reaches without conditions, in none with them.
+    /// Found: observations that are true in some reachable state of the system without conditions, but not in any
+    /// reachable state with the conditions.
     std::vector<Observation> lost = {};
-    std::vector<bool> violated = {};  ///< per bad term: the system without conditions reaches it; empty if Unknown, or
-                                      ///< if no condition is needed
-    /// None: a run under all permissions to a bad state; none of its moves can be prevented. If `blocked`, it leads to
-    /// a state from which every path to a marked state contains a losing state.
+    /// For each bad term: true if it is reachable without conditions; empty if Unknown, or if no condition is needed.
+    std::vector<bool> violated = {};
+    /// None: a run to a bad state. All permissions are granted, and no move of the run can be prevented. If `blocked`
+    /// is true, the run leads to a state from which every path to a marked state contains a losing state.
     std::optional<FlatRun> run = {};
     bool blocked = false;
-    FlatSystem flat = {};  ///< variables of the run
+    FlatSystem flat = {};  ///< system with the variables of `run`
 };
 
 /// Synthesizes the conditions. Requires verify(system).empty().

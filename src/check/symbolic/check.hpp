@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One symbolic check, from the space of decision diagrams to the verdicts. It can be kept for further queries about its
-// state space.
+// A symbolic check: owns the space of decision diagrams, the model and the verdicts. The object remains usable for
+// further queries about the state space.
 #pragma once
 
 #include <chrono>
@@ -19,10 +19,10 @@ public:
     Check(const Check&) = delete;
     Check& operator=(const Check&) = delete;
 
-    /// Searches the states and decides the queries. It must be called once, before the following functions.
+    /// Searches the states and decides the queries. The function must be called once, before the following functions.
     SymbolicResult result();
 
-    /// True if all states were reached, and none of them is faulty.
+    /// True if all reachable states were found, and none of them is faulty.
     bool complete() const { return search_.obstacle == UnknownReason::None; }
     std::uint64_t bytes() const { return space_.bytes(); }
     const FlatSystem& flat() const { return flat_; }

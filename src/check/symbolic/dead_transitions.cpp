@@ -54,7 +54,7 @@ private:
         if (value.op == Op::Variable) names_.emplace(value.value, name);
     }
 
-    /// True if some step from some state clears the transition, or if this is unknown.
+    /// True if a step from one of the states clears the transition, or if this is unknown.
     bool is_cleared(const System::Controller& controller, const System::Named& transition) {
         Id<Expr> clears = flat_.symbols[transition.variable.index];
         if (controller.evolves.valid())
@@ -84,7 +84,8 @@ private:
     FlatSystem& flat_;
     const StateSpace& model_;
     Bdd behind_;
-    std::map<std::int64_t, std::string> names_ = {};  // names of the values of each variable of the flat system
+    // Name of each flat variable that represents a step, an input, an output or an internal variable.
+    std::map<std::int64_t, std::string> names_ = {};
 };
 
 }  // namespace

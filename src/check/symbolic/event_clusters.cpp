@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A choice is split if its values leave most bits unchanged. Before this test, the choices that a value implies are
-// substituted. For example, a process that is not selected takes no edge, and without an edge its bits are unchanged.
+// A choice is split if its values leave enough bits unchanged. Before this test, other choices whose values the value
+// implies are replaced by these values. For example, a process that is not selected does not take an edge, and its bits
+// are then unchanged.
 #include "check/symbolic/event_clusters.hpp"
 
 #include <algorithm>
@@ -13,10 +14,10 @@ namespace {
 
 /// A choice is split if, on average over its values, at most this fraction of the bits can change.
 constexpr double worth_splitting = 0.6;
-/// Larger conditions are not examined for implying that a bit is unchanged.
+/// Maximum size, in nodes, of a condition that is used to show that a bit is unchanged.
 constexpr std::size_t easily_joined = 100;
 
-/// A function with its support, which is used repeatedly.
+/// A function with its support, which is stored because it is needed repeatedly.
 struct Read {
     Bdd function = {};
     std::vector<std::uint32_t> variables = {};
@@ -75,7 +76,7 @@ public:
     }
 
 private:
-    /// Returns the rules that remain for each value of the word, or an empty list if no rule reads it.
+    /// Returns the rules that remain for each value of the word, or an empty list if no rule reads the word.
     std::vector<Rules> by_value(const Rules& rules, const BddWord& word) const {
         const auto read = [&](const Read& each) { return each.reads_any(word.bits); };
         std::vector<Rules> parts;
@@ -86,8 +87,8 @@ private:
         return parts;
     }
 
-    /// Returns the rules restricted to literals of choices and their implications, without unchanged bits. The result
-    /// is empty if there is no such step.
+    /// Returns the rules for steps that satisfy literals of choices and their implications, without unchanged bits. The
+    /// result is empty if there is no such step.
     std::optional<Rules> under(const Rules& rules, Bdd literals) const {
         Rules left = rules;
         while (!literals.is_true()) {
@@ -109,7 +110,7 @@ private:
         return left;
     }
 
-    /// True if a bit is unchanged in all states that have such steps.
+    /// True if steps that satisfy the conditions never change the bit.
     bool stays(std::uint32_t bit, const Read& value, const std::vector<Read>& conditions) const {
         Bdd changes = value.function ^ space_.variable(bit);
         for (const Read& each : conditions)

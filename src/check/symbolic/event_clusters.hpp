@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Event clusters: a disjunctive partition of the transition relation. Steps are grouped by the choice that they make,
-// if this choice determines which bits change. An interleaved closed loop has one cluster per automaton and one for
-// time.
+// Event clusters: a disjunctive partition of the transition relation. Steps are grouped by the value of a choice, if
+// this value determines which bits can change. An interleaved closed loop has one cluster for each automaton and one
+// cluster for time.
 #pragma once
 
 #include <span>
@@ -19,8 +19,8 @@ struct EventCluster {
     std::vector<bdd::NextBit> bits = {};
 };
 
-/// Returns clusters whose union is the set of steps of `all`; they may overlap. `choices` are words that are chosen in
-/// each step.
+/// Returns clusters whose union is the set of steps of `all`; they may overlap. `choices` are variables whose values
+/// are chosen freely in each step.
 std::vector<EventCluster> kinds(const BddSpace& space, EventCluster all, std::span<const BddWord> choices);
 
 }  // namespace grafverif::symbolic

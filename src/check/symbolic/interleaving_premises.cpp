@@ -47,8 +47,8 @@ const Bdd& InterleavingPremises::moving_for_ever() {
     return moving_for_ever_.emplace(std::move(staying));
 }
 
-/// Returns a shortest path of moves in `within` to a state of `goal`, including both ends, or an empty list if there is
-/// none.
+/// Returns the states of a shortest path of moves in `within` to a state of `goal`, including both ends, or an empty
+/// list if there is no path.
 std::vector<State> InterleavingPremises::moves_to(const State& from, const Bdd& goal, const Bdd& within) const {
     bdd::Rings rings;
     for (bool more = rings.add(model_.only(from)); more && (rings.each.back() & goal).is_false();)
@@ -61,13 +61,14 @@ std::vector<State> InterleavingPremises::moves_to(const State& from, const Bdd& 
         });
 }
 
-/// Adds all of `states` except the last, with the moves that leave them.
+/// Adds all states except the last, each with the choices of the move to the next state.
 void InterleavingPremises::add_moves(const std::vector<State>& states, FlatRun& run) const {
     for (std::size_t i = 0; i + 1 < states.size(); ++i)
         run.states.push_back(model_.values(states[i], &states[i + 1], moves_));
 }
 
-/// Follows moves within `within` until a state is repeated. Each state of `within` has a move that stays in it.
+/// Follows moves within `within` until a state is repeated. From each state of `within`, a move leads to a state of
+/// `within`.
 void InterleavingPremises::walk(State from, const Bdd& within, FlatRun& run) const {
     std::map<State, std::size_t> seen;
     while (seen.emplace(from, run.states.size()).second) {

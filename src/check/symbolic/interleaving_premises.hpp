@@ -3,7 +3,7 @@
 // runs that show them (docs/explanation/decomposition.md, "Sub-loops").
 //
 // In a step, the part waits or moves. If the loop has clocks, waiting is the passing of time, and a step that neither
-// waits nor moves repeats a state that cannot be left.
+// waits nor moves repeats a state without successors.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,16 @@ namespace grafverif::symbolic {
 
 class InterleavingPremises {
 public:
-    /// `waits` and `moves` are conditions of a step, over main of `part`. Requires check.complete(). `check` belongs to
-    /// `part` and must outlive the object.
+    /// `waits` and `moves` are terms over main of `part`: the conditions that a step waits, and that a process moves.
+    /// Requires check.complete(). `check` belongs to `part` and must outlive the object.
     InterleavingPremises(const TransitionSystem& part, Check& check, Id<Expr> waits,
                          const std::vector<Id<Expr>>& moves);
 
     /// True if some run waits infinitely often.
     bool diverges() { return !(waiting_for_ever() & model_.initial()).is_false(); }
-    /// True if the part can wait again after each reachable state.
+    /// True if, from each reachable state, the part can reach a step that waits.
     bool never_locks();
-    /// True if no run moves forever without waiting.
+    /// True if every run waits infinitely often or ends.
     bool rests() { return moving_for_ever().is_false(); }
     /// Returns the reachable states in which the part can wait.
     const Bdd& ready();
@@ -32,12 +32,12 @@ public:
     /// True if the state with these values is reachable.
     bool reaches(const std::vector<std::int64_t>& values) const { return evaluate(reached_, model_.state_of(values)); }
 
-    /// Returns a run that waits infinitely often, or nothing if it is too long. Requires diverges().
+    /// Returns a run that waits infinitely often, or nullopt if the run would be too long. Requires diverges().
     std::optional<FlatRun> waiting_run();
     /// Returns moves from the state with these values to a state of `goal`. If no such state is reachable, returns an
-    /// infinite sequence of moves. Requires that sequences of moves end only in `goal`.
+    /// infinite sequence of moves. Requires that every finite maximal sequence of moves ends in `goal`.
     FlatRun moves_on(const std::vector<std::int64_t>& from, const Bdd& goal) const;
-    /// Returns the states without a move.
+    /// Returns the reachable states from which no move is possible.
     Bdd still() const { return reached_ & ~model_.preimage(reached_, move_steps_); }
     /// Returns an infinite run of moves from the initial state. Requires that rests() is false and that waiting does
     /// not change the state.

@@ -39,10 +39,10 @@ std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunctio
     return found;
 }
 
-/// Returns conjuncts. Their conjunction is true for the assignments for which `condition` is true and defined. For
-/// example, `a -> b and not (c or d)` yields `a -> b`, `a -> not c` and `a -> not d`. Assignments for which only
-/// operands are undefined need not be considered: if the complete condition is defined, an operand before them
-/// determines it.
+/// Returns conjuncts, whose conjunction is true for exactly the assignments for which `condition` is true and defined.
+/// For example, `a -> b and not (c or d)` yields `a -> b`, `a -> not c` and `a -> not d`. Undefined operands need not
+/// be considered separately: if the complete condition is defined although an operand is undefined, an earlier operand
+/// determines its value.
 std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> condition) {
     const BddTerm& whole = terms(condition);
     if (!whole.undefined.is_false()) return {whole.bits.front() & ~whole.undefined};
@@ -64,7 +64,7 @@ std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> conditi
     return found;
 }
 
-Bdd together(std::vector<Bdd> operands) {  // conjoins in pairs, so that both operands have similar sizes
+Bdd together(std::vector<Bdd> operands) {  // conjoins adjacent pairs, so that the operands have similar sizes
     if (operands.empty()) return Bdd::constant(true);
     for (; operands.size() > 1; operands.resize((operands.size() + 1) / 2))
         for (std::size_t i = 0; i < operands.size(); i += 2)
@@ -140,8 +140,8 @@ void StateSpace::add_next_bits(BddTerms& terms) {
     }
 }
 
-/// Clusters leave bits unchanged, but free inputs may always change. Therefore, if there are free inputs, all steps
-/// form one cluster.
+/// The steps of a cluster leave the bits of other clusters unchanged, but a free input may change in every step.
+/// Therefore, if there are free inputs, all steps form one cluster.
 std::deque<bdd::ClusterSteps> StateSpace::steps_where(const Bdd& condition,
                                                       const std::vector<std::uint32_t>& kept) const {
     EventCluster all{offered_, next_bits_};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// StateSpace: a FlatSystem over the variables of a BddSpace. Its states are assignments; its steps are a relation.
+// StateSpace: a FlatSystem over the variables of a BddSpace. Its states are assignments; its steps are a relation
+// between assignments.
 //
 // Each bit of a state variable with a next value has two variables: one for the bit before a step and one for the bit
 // after it. Free variables and choices have one variable, since the value of a free variable after a step is arbitrary.
@@ -22,11 +23,11 @@ using State = std::vector<bool>;
 
 class StateSpace {
 public:
-    /// Builds the model. If `by_kind` is true, the steps are partitioned by their choices, provided that these
-    /// determine which bits change.
+    /// Builds the model. If `by_kind` is true, the steps are partitioned by the values of their choices, if these
+    /// values determine which bits change.
     StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind);
 
-    /// In this class, sets of states are functions of the bits of a state, and imply the invariants.
+    // In this class, a set of states is a function of the bits of a state that implies the invariants.
     const Bdd& initial() const { return initial_; }
     const Bdd& invariant() const { return invariant_; }
     /// Returns the successors of `states` by one step.
@@ -40,31 +41,31 @@ public:
     /// Returns the predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
     Bdd preimage(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
-    /// Returns states in which some step changes nothing. States may be missing if the cluster of the step does not
-    /// determine this.
+    /// Returns states that some step leaves unchanged. The result may be incomplete: it contains only states for which
+    /// the cluster of the step determines this.
     Bdd still() const;
-    /// Returns the steps that satisfy `condition`, a function of states and choices. Images and preimages leave the
-    /// choices `kept`, which are bits of the space, unchanged.
+    /// Returns the steps that satisfy `condition`, a function of states and choices. Images and preimages by these
+    /// steps do not quantify the choices `kept`, which are bits of the space.
     std::deque<bdd::ClusterSteps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
 
     /// Returns a translator of terms over the variables of the system to functions of the bits of a state.
     BddTerms terms() const;
 
-    /// The part of `states` in which a step assigns a variable an undefined value or a value outside its range.
+    /// States in which a step assigns a variable an undefined value or a value outside its range.
     struct Leak {
         Id<FlatSystem::Variable> variable = {};
         Bdd states = {};
     };
     std::optional<Leak> leak(const Bdd& states) const;
 
-    /// Returns one of `states`, which must not be empty. As many bits as possible have their value in `near`; the
-    /// others are false.
+    /// Returns a state of `states`, which must not be empty. Beginning with the topmost bit, each bit has its value in
+    /// `near` if this is possible.
     State pick(const Bdd& states, const State& near) const;
     Bdd only(const State& state) const;
     /// Returns the state with these values of the variables.
     State state_of(const std::vector<std::int64_t>& values) const;
-    /// Returns the values of all variables. If `next` is given, the choices are those of a step from `state` to `next`
-    /// that satisfies `condition`.
+    /// Returns the values of all variables. If `next` is given, the values of choices are those of a step from `state`
+    /// to `next` that satisfies `condition`.
     std::vector<std::int64_t> values(const State& state, const State* next, const Bdd& condition) const;
 
     /// Returns the bits of a state, increasing.
@@ -82,9 +83,10 @@ private:
     std::vector<BddWord> words_ = {};  ///< bits of each variable before a step
     std::vector<std::uint32_t> state_bits_ = {}, choice_bits_ = {};
     Bdd initial_ = {}, invariant_ = {};
-    std::vector<Bdd> offered_ = {};  ///< relation between states and the choices that they offer: conjuncts over both
-    std::vector<Leak> leaks_ = {};   ///< functions of states and choices
-    Bdd choices_ = {}, free_ = {};   ///< sets of variables
+    /// Conjuncts of the relation between states and the choices that are possible in them.
+    std::vector<Bdd> offered_ = {};
+    std::vector<Leak> leaks_ = {};  ///< functions of states and choices
+    Bdd choices_ = {}, free_ = {};  ///< sets of variables
     std::vector<bdd::NextBit> next_bits_ = {};
     std::deque<bdd::ClusterSteps> steps_ = {};  ///< steps of each cluster
 };

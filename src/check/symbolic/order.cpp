@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Variable order by quadratic placement on a line. Each variable and each term has a position. The sum of the squared
-// distances between an operator and its operands, and between a variable and its next value, is minimized (Hall 1970:
-// "An r-dimensional quadratic placement algorithm"; Fiedler 1973). The weight of an operator decreases with its number
-// of operands, so that a wide disjunction does not force all its variables into one block. Terms have separate
-// positions, so that the variables of a large term need not be adjacent.
+// Computes a variable order by quadratic placement on a line. Each variable and each term has a position on the line.
+// The sum of the squared distances between an operator and its operands, and between a variable and its next value, is
+// minimized (Hall 1970: "An r-dimensional quadratic placement algorithm"; Fiedler 1973). The weight of an operator
+// decreases with its number of operands, so that a wide disjunction does not force all its variables into one block.
+// Terms have separate positions, so that the variables of a large term need not be adjacent.
 //
-// The positions are the second eigenvector of a random walk over the terms, which is computed by power iteration.
-// Starting with an initial guess, each vertex is repeatedly moved to the mean position of its neighbours, and the
-// common mean is subtracted.
+// The positions are the second eigenvector of the transition matrix of a random walk over the terms. It is computed by
+// power iteration. Starting with initial positions, each vertex is repeatedly moved to the mean position of its
+// neighbours, and the common mean is subtracted.
 #include "check/symbolic/order.hpp"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ private:
 
     double weight(std::size_t tie) const { return 1 / static_cast<double>(ties_[tie].size() - 1); }
 
-    /// Adds a vertex for each term below `root`, and a connection for each operator. Variables are the first vertices.
+    /// Adds a vertex for each operator in the term, connected to its operands. The first vertices represent variables.
     void add(Id<Expr> root) {
         std::vector<Id<Expr>> open{root}, operators;
         while (!open.empty()) {
@@ -90,8 +90,8 @@ private:
         for (const std::uint32_t vertex : ties_.back()) weights_[vertex] += weight(ties_.size() - 1);
     }
 
-    /// Returns the initial guess: variables in the order of the system; each term at the mean position of its operands,
-    /// which precede it in the table.
+    /// Returns the initial positions: variables have the order of the system, and each term has the mean position of
+    /// its operands. Operands precede their term in the table.
     std::vector<double> first_guess() const {
         std::vector<double> place(weights_.size());
         for (std::size_t vertex = 0; vertex < flat_.variables.size(); ++vertex)
@@ -106,7 +106,7 @@ private:
         return place;
     }
 
-    /// Shifts and scales the positions so that the mean is 0 and the greatest distance is 1.
+    /// Shifts and scales the positions so that their weighted mean is 0 and the greatest distance from 0 is 1.
     void centred(std::vector<double>& place) const {
         double sum = 0, all = 0, farthest = 0;
         for (std::size_t vertex = 0; vertex < place.size(); ++vertex) {
@@ -125,7 +125,7 @@ private:
     const FlatSystem& flat_;
     /// For each vertex: total weight of its connections.
     std::vector<double> weights_ = std::vector<double>(flat_.variables.size());
-    std::vector<std::uint32_t> vertex_ = {};  ///< vertex of each term
+    std::vector<std::uint32_t> vertex_ = {};  ///< index of the vertex of each term
     std::vector<std::vector<std::uint32_t>> ties_ = {};
 };
 

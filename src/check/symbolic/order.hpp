@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Static variable order of a system for decision diagrams: variables that terms read together are placed near each
+// Static variable order of a system for decision diagrams: variables that occur in the same terms are placed near each
 // other.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace grafverif::symbolic {
 
-/// Returns every variable once, the topmost first.
+/// Returns all variables in their order, beginning with the topmost variable.
 std::vector<Id<FlatSystem::Variable>> variable_order(const FlatSystem& flat);
 
 }  // namespace grafverif::symbolic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reachability searches in a StateSpace, and runs that show their results.
+// Searches of reachable states in a StateSpace, and runs that show the results of these searches.
 #pragma once
 
 #include <functional>
@@ -15,12 +15,13 @@ namespace grafverif::symbolic {
 struct Path {
     std::vector<State> states = {};
     std::optional<std::size_t> loop = {};
-    /// Condition on the choices of the step that leaves each state; a missing entry means no condition.
+    /// Condition on the choices of the step from each state. A missing entry means that there is no condition.
     std::vector<Bdd> steps = {};
 };
 
 /// Adds rings to `rings` until one intersects `goal`, no new state is found, or `goes_on` returns false for the number
-/// of rings. Rings are subsets of `within`, which contains the first ring. Returns true if further states may exist.
+/// of rings. Rings are subsets of `within`; the first ring must be a subset of `within`. Returns true if further states
+/// may exist.
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<bool(std::size_t)>& goes_on = {});
 

@@ -49,7 +49,7 @@ void PropertyQueries::ask(Id<Property> about) {
     PropertyQuery question{about, {}};
     for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
     Exprs& exprs = flat_.exprs;
-    // To decide a property of every state, a state that violates it is searched for.
+    // A property of every state is decided by a search for a state that violates the property.
     if (property.pattern == Pattern::ExactlyOneOf) question.operands = {exprs.negation(exactly_one(question.operands))};
     if (property.pattern == Pattern::Always) question.operands = {exprs.negation(question.operands.front())};
     for (Id<Expr>& operand : question.operands) operand = settled_and(property, operand);
@@ -66,7 +66,7 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
         QueryResult found{verdict_on(question.about, of(question)), {}};
         const auto exhausted = [&](UnknownReason what, std::string why) {
             unknown(found.verdict, what, why);
-            if (what != UnknownReason::Stopped) return;  // a less expensive query may still fit in memory
+            if (what != UnknownReason::Stopped) return;  // another query may need less memory
             obstacle = what;
             reason = std::move(why);
         };
@@ -84,7 +84,8 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
         }
         all.push_back(std::move(found));
     }
-    // Explanations are computed after all verdicts, because they may use up time or memory that another verdict needs.
+    // Explanations are computed after all verdicts, because they may need time or memory that is necessary for another
+    // verdict.
     for (QueryResult& found : all) {
         if (!found.lost) continue;
         std::string words = what_is_dead(*model, search, *found.lost);
@@ -171,7 +172,7 @@ void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& ques
     found.run = run_of(model, lasso(model, search, from, staying));
 }
 
-/// Returns the note on dead transitions, or an empty string if it would need more memory or time than is available.
+/// Returns the note on dead transitions, or an empty string if its computation reaches the limit of memory or time.
 std::string PropertyQueries::what_is_dead(const StateSpace& model, const ReachableSet& search, const State& from) {
     try {
         return dead_transitions_note(system_, flat_, model, search.reached, from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Property queries: the properties of a system as sets of states, and their evaluation on the reachable states.
+// Property queries: translates the properties of a system to sets of states and evaluates them on the reachable states.
 #pragma once
 
 #include <string>
@@ -12,29 +12,29 @@ namespace grafverif::symbolic {
 
 /// Result of a search of the reachable states.
 struct ReachableSet {
-    bdd::Rings rings = {};  ///< rings around the initial states, as many as were needed so far
+    bdd::Rings rings = {};  ///< rings around the initial states that were computed so far
     Bdd reached = {};
-    bool witnesses = true;                         ///< find a run for each `reachable` that holds
-    UnknownReason obstacle = UnknownReason::None;  ///< reason why the search ended; None: all states were reached
+    bool witnesses = true;                         ///< true: find a run for each `reachable` that holds
+    UnknownReason obstacle = UnknownReason::None;  ///< reason why the search ended; None if all states were reached
     std::string reason = {};
 };
 
-/// Returns a shortest path from an initial state to a state of `goal`, some of which are reachable. Extends the search
-/// if necessary.
+/// Returns a shortest path from an initial state to a state of `goal`. Requires that a state of `goal` is reachable.
+/// Extends the search if necessary.
 std::vector<State> shortest_trace(const StateSpace& model, ReachableSet& search, const Bdd& goal);
 
 /// One verdict and the run that shows it.
 struct QueryResult {
     Verdict verdict = {};
     std::optional<FlatRun> run = {};
-    std::optional<State> lost = {};  ///< a state from which the required states are unreachable
+    std::optional<State> lost = {};  ///< a state from which the states required by the property are unreachable
 };
 
 class PropertyQueries {
 public:
     PropertyQueries(const TransitionSystem& system, FlatSystem& flat);
 
-    /// Translates a property. All calls must precede answers(), because terms are added to `flat`.
+    /// Translates a property. All calls must precede answers(), because the function adds terms to `flat`.
     void ask(Id<Property> property);
     /// Returns the verdicts, in the order of the calls of ask(). `model` may be null if the search ended before it was
     /// built.

@@ -67,15 +67,15 @@ void Check::note(const BddExhausted& exhausted) {
 void Check::count_states() {
     try {
         result_.states = count(search_.reached, model_->state_bits());
-    } catch (const BddExhausted&) {  // the value is then unknown
+    } catch (const BddExhausted&) {  // the number then remains unknown
     }
 }
 
 void Check::search() {
     const StateSpace& model = *model_;
     const std::uint64_t enough = space_.work() + options_.one_by_one;
-    // If a step leaves a range, its successor is not a state. The search ends with that step: the successors of a ring
-    // are used only after the ring was checked for such steps.
+    // If a step assigns a value outside a range, its successor is not a state, and the search ends. Therefore each ring
+    // is checked for such steps before its successors are used.
     bool leaks = false;
     const auto goes_on = [&](bool kinds) {
         return [&, kinds](std::size_t depth) {
@@ -91,7 +91,7 @@ void Check::search() {
     search_.rings.add(model.initial());
     if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_clusters())) && !leaks) {
         const Bdd closure = model.closure(search_.reached);
-        // States that violate a range or the invariants may have further successors, although no run leads to them.
+        // Assignments that violate a range or the invariants may have successors although no run leads to them.
         if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
         else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
     }
@@ -107,7 +107,8 @@ std::optional<SystemFault> Check::fault() {
     };
     if (const auto some = model.leak(search_.reached)) {
         (void)shortest_trace(model, search_, some->states);
-        // The nearest leak is reported: states after a leak do not belong to a run.
+        // The nearest step with a value outside its range is reported, because states after such a step do not belong
+        // to a run.
         for (const Bdd& ring : search_.rings.each)
             if (const auto leak = model.leak(ring))
                 return SystemFault{OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Symbolic engine: represents a TransitionSystem by sets of states, each of which is a Boolean function (Burch, Clarke,
-// McMillan, Dill, Hwang 1992: "Symbolic model checking: 10^20 states and beyond"). It decides every property pattern as
-// CTL.
+// McMillan, Dill, Hwang 1992: "Symbolic model checking: 10^20 states and beyond"). The engine decides the property
+// patterns of untimed models as CTL formulas.
 //
 // Semantics: ir/transition_system.hpp. `always`, `never`, `exactly one of` and `reachable` concern the reachable
 // states. `inevitable p` is AF p, `p leads to q` AG (p -> AF q), `always possible p` AG EF p. Runs are infinite. If the
@@ -9,11 +9,12 @@
 // and q satisfies `p leads to q`.
 //
 // Witnesses and counterexamples about single states have the minimum number of steps of the system. A lasso consists of
-// a shortest path to a first state from which the property fails, and of short, not necessarily shortest, paths after
-// it.
+// a shortest path to a state from which the property fails, and of short (not necessarily shortest) paths after this
+// state.
 //
-// If a system is not total, or if a variable leaves its range, every CTL formula would be true for runs that do not
-// exist. The engine searches the reached states for both faults. If it finds one, it decides no property (`faulty`).
+// CTL is defined only for total systems, and a step that leaves the range of a variable does not lead to a state.
+// Therefore, the engine searches the reached states for both faults. If it finds a fault, it does not decide any
+// property (`faulty`).
 #pragma once
 
 #include <atomic>
@@ -42,11 +43,12 @@ struct SymbolicOptions {
     const std::atomic<bool>* stop = nullptr;                     ///< cancellation flag: return the results so far
     std::function<void(const SymbolicProgress&)> progress = {};  ///< called after every step of the search
     bool witnesses = true;                                       ///< return a run for each `reachable` that holds
-    /// Put steps that change few bits into separate clusters, whose reachable states are computed by saturation.
+    /// True: steps that change few bits form separate clusters, and reachable states are computed by saturation.
     bool by_kind = true;
-    /// Number of operation steps of a breadth-first search before saturation.
+    /// Number of operation steps after which the breadth-first search ends and saturation begins.
     std::uint64_t one_by_one = 200'000;
-    std::atomic<std::uint64_t>* worked = nullptr;  ///< the number of operation steps is periodically added to it
+    /// Counter to which the number of operation steps is periodically added.
+    std::atomic<std::uint64_t>* worked = nullptr;
 };
 
 struct SymbolicResult {
@@ -54,7 +56,8 @@ struct SymbolicResult {
     std::vector<std::optional<SystemRun>> runs = {};  ///< counterexample of each verdict, or witness of `reachable`
     std::optional<SystemFault> fault = {};
     std::string states = {};  ///< exact number of reachable states, in decimal; empty if not all were reached
-    /// Number of steps from the initial states in the breadth-first search; all steps if not `by_kind`.
+    /// Number of steps from the initial states that the breadth-first search completed. Without `by_kind`, all states
+    /// are searched breadth first.
     std::size_t depth = 0;
     std::uint64_t bytes = 0;  ///< peak memory in bytes
     double seconds = 0;

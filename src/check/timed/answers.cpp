@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Converts searches to verdicts. A violation requires one run of integer time, which is also a run of dense time. To
-// show that a property holds, all runs are needed: a complete search, a model without errors, and integer time that is
-// exact for dense time.
+// Computes verdicts from the results of a search. A violation requires one run of integer time, which is also a run of
+// dense time. A proof that a property holds requires all runs: a complete search, a model without errors, and integer
+// time that is exact for dense time.
 #include <algorithm>
 #include <atomic>
 #include <new>
@@ -36,7 +36,7 @@ std::string text_of(UnknownReason ended, const Graph& graph, const Limits& limit
     return graph.states() > 1 ? "stopped after " + states : "stopped before the exploration";
 }
 
-/// Returns the expanded states whose kind satisfies the predicate.
+/// Returns the expanded states with a kind that satisfies the predicate.
 template <class Is>
 StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) {
     StateSet set(graph.states());
@@ -47,7 +47,8 @@ StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) 
     return set;
 }
 
-/// Returns a run to a state from which time never passes again, continued until it repeats or no move is possible.
+/// Returns a run to `state`, from which time never passes again. The run continues until a state is repeated or no move
+/// is possible.
 Lasso without_time(Graph& graph, std::uint32_t state) {
     Lasso lasso{.path = graph.path_to(state)};
     StateSet seen(graph.states());
@@ -87,7 +88,8 @@ std::vector<Verdict> PropertyQueries::answers(Graph& graph, UnknownReason ended,
         if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
         verdicts.push_back(std::move(question.verdict));
     }
-    // Explanations are computed after all verdicts, because they may use up time or memory that another verdict needs.
+    // Explanations are computed after all verdicts, because they may need time or memory that is necessary for another
+    // verdict.
     for (std::size_t k = 0; k < questions_.size(); ++k) report_never_again(questions_[k], graph, limits, verdicts[k]);
     return verdicts;
 }
@@ -188,7 +190,7 @@ void PropertyQueries::decide_liveness(PropertyQuery& question, Graph& graph, con
     if (!holds) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
     if (*holds) return holds_if_dense(question, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
-    // If a strict bound blocks integer time, a little more time may pass in dense time.
+    // If a strict bound prevents a delay of one unit, a shorter delay may be possible in dense time.
     const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value(), limits);
     if (lasso.path.empty()) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
@@ -203,7 +205,7 @@ void PropertyQueries::decide_deadlock(PropertyQuery& question, Graph& graph, con
 }
 
 /// In an input abstraction, urgent edges must lead to a state in which time passes for all chosen valuations
-/// (ir/network_inputs.hpp). It is not sufficient that they do so for some valuations.
+/// (ir/network_inputs.hpp). It is not sufficient that such a state is reachable for some valuations.
 void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& question, Graph& graph,
                                                      const Limits& limits) const {
     holds_if_dense(question, graph, graph.locked_bound);
@@ -263,7 +265,7 @@ void PropertyQueries::decide_possible(PropertyQuery& question, Graph& graph, con
                 "untimed model");
 }
 
-/// The note is omitted if it needs more time or memory than is available.
+/// Adds the note on dead transitions. The note is omitted if it needs more time or memory than is available.
 void PropertyQueries::report_never_again(const PropertyQuery& question, Graph& graph, const Limits& limits,
                                          Verdict& verdict) const {
     if (!question.lost || verdict.outcome != Outcome::Violated || outcomes_.obstacle != UnknownReason::None) return;

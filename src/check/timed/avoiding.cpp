@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Counterexamples of liveness properties: short runs that avoid `met` after a root, and reach a state that lies on a
-// cycle or in which the run ends.
+// Counterexamples of liveness properties: short runs that avoid `met` after a root, up to a cycle or to a state without
+// successors.
 //
-// A breadth-first walk outside `met`, in which each root starts at its depth in the search, determines for every
-// visited state a near root and a short path from it. Then the strongly connected components of the visited states are
-// computed. The result is the first state of the walk that is on a cycle or has no successor. A breadth-first search in
-// its component finds the cycle.
+// A breadth-first walk outside `met` determines for every visited state a near root and a short path from this root. A
+// root is added to the walk at the level that it has in the search. Then the strongly connected components of the
+// visited states are computed. The result is the first state of the walk that is on a cycle or has no successor. A
+// breadth-first search in its component finds the cycle.
 #include "check/timed/components.hpp"
 #include "check/timed/fixpoints.hpp"
 
@@ -19,7 +19,7 @@ constexpr std::uint32_t none = Store::none;
 /// root is the root.
 struct Walk {
     Column<std::uint32_t> order = {};
-    Column<std::uint32_t> from = {};  // per state of the graph; none if it was not reached
+    Column<std::uint32_t> from = {};  // predecessor of each state of the graph; none if the state was not reached
 
     bool has(std::uint32_t state) const { return from[state] != none; }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Column: data about states, indexed by state number. Memory grows in chunks: elements are not copied, and growth does
-// not double the peak.
+// Column: a vector of data about states, indexed by the number of the state. Memory grows in chunks. Therefore elements
+// are never copied, and growth does not double the peak memory.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ public:
         free_memory(1);
         (*this)[size_++] = value;
     }
-    /// Appends elements from other memory.
+    /// Appends `count` elements that are copied from an array.
     void append(const T* values, std::size_t count) {
         free_memory(count);
         for (std::size_t done = 0; done != count;) {

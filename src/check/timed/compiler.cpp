@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compiles terms to code (see program). If operands of a conjunction are tests of bits, they are evaluated first, all
-// bits of a word in one test. The order of operands matters only if one of them may be undefined; it is then kept.
+// Compiles terms to code (see program.hpp). In a conjunction, operands that test bits are evaluated first, with one
+// test for all bits of a word. If an operand may be undefined, the order of the operands is relevant and is not
+// changed.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -13,12 +14,12 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::uint32_t largest_tree = 4096;  // larger terms are evaluated in the form with shared subterms
-constexpr double largest_value = 4.0e18;      // terms with larger bounds may overflow
+constexpr std::uint32_t largest_tree = 4096;  // larger terms are evaluated with shared subterms
+constexpr double largest_value = 4.0e18;      // a term with larger bounds may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
-/// A term of the form `field + add`.
+/// A term that has the form `field + add`.
 struct Shifted {
     std::uint32_t variable = 0;
     std::int64_t add = 0;
@@ -165,7 +166,7 @@ void Compiler::choose(const InputChoice& choice, std::size_t number) {
     }
 }
 
-/// Tests if the value of a chosen variable is in low..high.
+/// Generates a test that the value of a chosen variable is in low..high.
 std::uint32_t Compiler::chosen_within(Id<Network::Variable> variable, std::int64_t low, std::int64_t high,
                                       std::uint32_t yes, std::uint32_t no) {
     const Chosen& chosen = chosen_.at(variable.index);
@@ -180,7 +181,7 @@ std::uint32_t Compiler::load(Id<Network::Variable> variable, std::uint32_t to, s
     if (is_chosen(variable)) {
         const std::set<std::int64_t> values(chosen_.at(variable.index).values.begin(),
                                             chosen_.at(variable.index).values.end());
-        std::uint32_t start = Program::no;  // result if no valuation has another value
+        std::uint32_t start = Program::no;  // code for the case that no further value is possible
         for (const std::int64_t value : values) {
             const std::uint32_t constant =
                 emit({.value = static_cast<Word>(value), .yes = next, .to = to, .op = Opcode::Constant});
@@ -259,7 +260,7 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     case Op::LessEqual:
     case Op::Greater:
     case Op::GreaterEqual: return comparison(term, yes, no, base);
-    case Op::Variable:  // a chosen variable, or a Boolean in another representation
+    case Op::Variable:  // a chosen variable, or a Boolean variable with another representation
         if (is_chosen(variable_of(node))) return chosen_within(variable_of(node), 1, 1, yes, no);
         return emit({.mask = layout_.variables[variable_of(node).index].mask(),
                      .yes = no,
@@ -284,8 +285,9 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     unreachable();
 }
 
-/// Compiles an And or Or. An Or is the And of the negated operands with exchanged successors. Only single bits are
-/// negated in the test itself.
+/// Compiles an And or Or. An Or is compiled as the And of the negated operands, with exchanged successors. A negated
+/// operand is compiled with exchanged successors; for an operand that tests a single bit, the required value is changed
+/// instead.
 std::uint32_t Compiler::junction(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base) {
     const auto operands = network_.exprs.operands(term);
     const bool conjunction = network_.exprs[term].op == Op::And;

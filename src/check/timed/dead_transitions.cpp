@@ -30,7 +30,8 @@ States reachable_from(Graph& graph, std::uint32_t from, const Limits& limits) {
     return found;
 }
 
-/// Returns the condition of the transition as the cycle computes it, or an invalid id if there is none.
+/// Returns the term that the cycle of the controller evaluates for the transition, or an invalid id if there is no such
+/// term.
 Id<Expr> condition_of(const Network& network, const Network::Controller& controller, const Named& transition) {
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
     for (const Network::Assignment& assignment : automaton.procedures[controller.fire].assignments)
@@ -39,7 +40,8 @@ Id<Expr> condition_of(const Network& network, const Network::Controller& control
     return {};
 }
 
-/// Returns `X3` or `!a`, or an empty string if the term is neither a step nor a named variable.
+/// Returns the text of a step, of a named variable or of a negation (`X3`, `!a`), or an empty string for any other
+/// term.
 std::string literal_text(const Network& network, Id<Expr> term) {
     if (network.exprs[term].op == Op::Not) {
         const std::string words = literal_text(network, network.exprs.operands(term)[0]);
@@ -74,7 +76,7 @@ std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     return {};
 }
 
-/// True if the edge of `machine` is an evolution of the controller.
+/// True if the edge is an evolution of the controller.
 bool fires(const Network& network, const Network::Controller& controller, const Machine& machine, std::uint32_t edge) {
     if (machine.process_of(edge) != controller.process) return false;
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
@@ -82,9 +84,9 @@ bool fires(const Network& network, const Network::Controller& controller, const 
     return std::ranges::find(calls, controller.fire) != calls.end();
 }
 
-/// Determines, per controller and transition, if some evolution from one of these states clears it. The clearing is
-/// visible in the state before the situation changes. If the evolution is one edge, it is visible only while that edge
-/// is taken.
+/// Determines for each transition of each controller if an evolution from one of these states clears the transition.
+/// The firing condition is visible in the state before the situation changes. If the complete evolution is one edge,
+/// the firing condition is visible only during that edge.
 std::vector<std::vector<bool>> cleared(Graph& graph, const States& states, const Limits& limits) {
     const Network& network = graph.machine.network();
     const Layout& layout = graph.machine.layout();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiles large terms with shared subterms: one register per subterm, children before parents, without branches.
+// Compiles large terms with shared subterms to code without branches. Each subterm has one register, and children are
+// evaluated before their parents.
 #include <algorithm>
 #include <unordered_map>
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search by the number of moves. A delay of any length counts as one move: a state reached by a delay
-// continues the same delay at no cost. Therefore, if time passes in a state, it is advanced immediately, unit by unit,
-// until it is stopped or reaches a state whose delay is known. All states on the way are one level below. If an
-// edge reached such a state first, the delay reaches it with the same distance. The parent of the state becomes its
-// predecessor in time, so that its successors in time have their shortest runs through it.
+// Breadth-first search by the number of moves. A delay of any length counts as one move, because a further delay after
+// a delay belongs to the same move. Therefore, if time can pass in a state, time is advanced immediately, unit by unit.
+// The delay ends in a state in which time cannot pass, or whose further delay is already known. All states of the delay
+// are one level below the first state. If such a state was already reached by an edge, its distance is the same; its
+// parent is then replaced by its predecessor in time. The shortest runs to its successors in time then lead through
+// this state.
 //
-// The queue is processed block by block. All threads compute the moves of a block while nothing is written. States that
-// the store does not contain are grouped by hash. Then one thread numbers the new states in the order of the block, as
-// a sequential search would; it does no other work. Finally all threads index the new states and store the targets of
-// the edges of the block. Therefore numbers, and all results derived from them, do not depend on the number of threads
-// or the size of blocks.
+// The queue is processed block by block. First, all threads compute the moves of the states of a block, without
+// changing the graph. States that the store does not contain are grouped by hash. Then one thread assigns numbers to
+// the new states in the order of the block, in the same order as a sequential search. Finally all threads index the new
+// states and store the targets of the edges of the block. Therefore numbers, and all results derived from them, do not
+// depend on the number of threads or the size of blocks.
 #include "check/timed/explore.hpp"
 
 #include <algorithm>
@@ -34,7 +35,8 @@ bool Limits::stopped() const {
 
 UnknownReason Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
     if (stopped()) return UnknownReason::Stopped;
-    // Evaluating the properties requires additional memory. If links are kept, the index has then been freed.
+    // The evaluation of properties requires additional memory. If links are kept, the index is freed before the
+    // evaluation.
     const std::size_t freed = graph.linked ? graph.store.index_bytes() : 0;
     const std::size_t bytes = graph.bytes() + more + std::max(16 * graph.states(), freed) - freed;
     if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return UnknownReason::Memory;
@@ -54,13 +56,13 @@ void Limits::explain(Graph& graph) {
 
 namespace {
 
-constexpr std::uint32_t slices_each = 64;     // slices per thread in a block
-constexpr std::size_t many_text = 1U << 21U;  // size of computed states in a block; above it, no further slice is begun
-constexpr std::size_t kept_bytes = 1U << 21U;  // memory that a slice keeps for the next one
+constexpr std::uint32_t slices_each = 64;      // number of slices for each thread in a block
+constexpr std::size_t many_text = 1U << 21U;   // limit on the number of words of the states computed in a block
+constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory that a slice keeps for reuse
 // Minimum number of slices of states or new states that are processed in parallel.
 constexpr std::size_t worth_sharing = 16;
-constexpr std::size_t link_bytes = 24;         // bytes per state above which links are dropped
-constexpr std::size_t link_grace = 1U << 18U;  // total size in bytes below which links are never dropped
+constexpr std::size_t link_bytes = 24;         // maximum number of bytes per state; above it, links are dropped
+constexpr std::size_t link_grace = 1U << 18U;  // total bytes up to which links are never dropped
 
 class Exploration {
 public:
@@ -84,7 +86,7 @@ public:
     }
 
 private:
-    /// Calls `work(member)` for each thread, or sequentially if there is little work.
+    /// Calls `work(member)` for each thread, in parallel, or sequentially if there is little work.
     void share(std::size_t size, const std::function<void(unsigned)>& work) {
         if (size >= worth_sharing * limits_.slice() && team_.size() > 1) return team_.share(work);
         for (unsigned member = 0; member < team_.size(); ++member) work(member);
@@ -118,8 +120,8 @@ private:
         return obstacle;
     }
 
-    /// Fills slices with the moves of the next states. Returns the number of filled slices; all except the last are
-    /// complete.
+    /// Fills slices with the moves of the next states. Returns the number of filled slices. All of them except the last
+    /// are complete.
     std::size_t compute() {
         const std::size_t most = std::size_t{slices_each} * team_.size();
         const std::size_t states = graph_.states() - graph_.looked_at;
@@ -146,7 +148,7 @@ private:
         return begun;
     }
 
-    /// Finds equal new states in the slices and reserves memory for them.
+    /// Identifies equal new states of all slices and reserves memory for new states.
     void gather() {
         std::size_t count = 0;
         for (std::size_t i = 0; i < filled_; ++i) {
@@ -168,7 +170,7 @@ private:
         });
     }
 
-    /// Registers the new states of a slice that belong to the part, in order.
+    /// Adds the new states of a slice that belong to the part to `new_states_`, in order.
     void meet(SuccessorBatch& slice, unsigned part) {
         for (SuccessorBatch::NewState& new_state : slice.new_states) {
             if (new_states_.part_of(new_state.shard) != part) continue;
@@ -178,13 +180,13 @@ private:
         }
     }
 
-    /// Requires that `kept` contains the new state.
+    /// Returns a new state in packed form. Requires that `kept` contains its index.
     const Word* words_of(const SuccessorBatch& slice, std::uint32_t new_state) const {
         const auto at = std::ranges::lower_bound(slice.kept, new_state) - slice.kept.begin();
         return slice.words.data() + static_cast<std::size_t>(at) * graph_.machine.layout().words;
     }
 
-    /// Numbers the successors of the states of a slice, in order, and their successors in time.
+    /// Assigns numbers, in order, to the new states to which edges and delays lead from the states of a slice.
     UnknownReason number(const SuccessorBatch& slice) {
         for (std::uint32_t state = slice.begin; state != slice.end; ++state) {
             if (limits_.too_many(graph_.states())) return UnknownReason::Bound;
@@ -207,11 +209,11 @@ private:
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
             if ((target & SuccessorBatch::new_state) != 0 && slice.new_states[target & SuccessorBatch::number].first)
-                resolve(slice, target, state);  // sets the number of all other entries of the same state
+                resolve(slice, target, state);  // also sets the number for all equal new states
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        // `lead` sets the targets of edges.
+        // The function `lead` sets the targets of edges.
         if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -220,8 +222,7 @@ private:
         if (at.fault) graph_.set_kind(state, StateKind::Open, state);
     }
 
-    /// Indexes the new states and stores the targets of edges. Afterwards new states can be found, and expanded states
-    /// have the targets of their edges.
+    /// Indexes the new states, so that they can be found, and stores the targets of the edges of the expanded states.
     void write_down(std::size_t found) {
         next_slice_ = 0;
         share(std::max<std::size_t>(found, graph_.looked_at - slices_[0].begin), [&](unsigned member) {
@@ -244,7 +245,7 @@ private:
             const SuccessorBatch::State& at = slice.states[state - slice.begin];
             if (graph_.linked) slice.links.begin();
             std::uint32_t last = state;
-            // Target of an edge; a state with a large number, since these tend to lead to later states.
+            // Target of an edge: the state with the largest number, because such states tend to lead to later states.
             std::uint32_t onward = 0;
             std::uint32_t urgently = 0;  // target of an urgent edge
             for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
@@ -259,7 +260,7 @@ private:
         }
     }
 
-    /// Returns the number of the target. Requires that it has one.
+    /// Returns the number of the target. Requires that the target has a number.
     std::uint32_t number_of(const SuccessorBatch& slice, std::uint32_t target) const {
         const std::uint32_t number = target & SuccessorBatch::number;
         return (target & SuccessorBatch::new_state) == 0 ? number : new_states_.number(slice.new_states[number].entry);
@@ -279,7 +280,7 @@ private:
 
     /// Adds a new state with its parent. If memory is exhausted, nothing is changed.
     std::uint32_t discover(Word root, std::uint32_t parent) {
-        if (graph_.states() >= Store::most) throw std::bad_alloc();  // a single state may have many successors
+        if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may have very many successors
         graph_.parent.free_memory(1);
         graph_.kinds.free_memory(1);
         const std::uint32_t state = graph_.store.roots().append(root);
@@ -288,7 +289,7 @@ private:
         return state;
     }
 
-    /// Returns the number of the state in `now_.words`, which may be new.
+    /// Returns the number of the state in `now_.words`. A new state is added.
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
@@ -301,8 +302,8 @@ private:
         return entry.number;
     }
 
-    /// Returns the successor of the state after one unit of time: from its slice if it is in this block, otherwise
-    /// computed. The result is Store::none if time does not pass.
+    /// Returns the successor of the state after one unit of time, or Store::none if time does not pass. The successor
+    /// is read from the slice of the state if the state is in this block; otherwise it is computed.
     std::uint32_t later(std::uint32_t state) {
         const std::size_t index = (state - slices_[0].begin) / limits_.slice();
         if (state >= slices_[0].begin && index < filled_) {
@@ -316,8 +317,8 @@ private:
         return graph_.machine.delay(now_.words.data()) ? find_or_discover(state) : Store::none;
     }
 
-    /// Advances time from the state until it is stopped or reaches a known state. See the comment at the top of the
-    /// file.
+    /// Advances time from the state until time cannot pass or a state with a known delay is reached. See the comment at
+    /// the top of the file.
     void pass_time(std::uint32_t state) {
         for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
             const std::uint32_t next = later(now);
@@ -383,7 +384,7 @@ UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Fi
     try {
         return Exploration(graph, watch, races, limits).run();
     } catch (const std::bad_alloc&) {
-        // The states found are complete and indexed, and the expanded ones have their links.
+        // Postcondition: all states found so far are complete and indexed, and expanded states have their links.
         return UnknownReason::Memory;
     }
 }

@@ -14,7 +14,7 @@
 
 namespace grafverif::timed {
 
-/// Limits of one check, its threads, and its progress report.
+/// The limits, the threads and the progress report of one check.
 class Limits {
 public:
     explicit Limits(const TimedOptions& options)
@@ -22,7 +22,7 @@ public:
 
     ThreadPool& team() const { return team_; }
     std::uint32_t slice() const { return options_.slice; }
-    /// Returns the number of parts into which inexpensive work on this number of states is divided.
+    /// Returns the number of parts into which inexpensive work on `states` states is divided.
     std::size_t parts(std::size_t states) const { return states < std::size_t{1024} * slice() ? 1 : team_.size(); }
     /// Calls `work(part)` for each part, in parallel.
     template <class Work>
@@ -43,9 +43,9 @@ public:
     }
 
     double seconds() const;
-    /// True if the user or the deadline ends the check.
+    /// True if the user has stopped the check or the deadline has passed.
     bool stopped() const;
-    /// Thrown by loops outside the exploration, which test it for every state, if the check ends.
+    /// Thrown by loops over states outside the exploration, if the check must end.
     struct Stop {};
     static constexpr std::size_t poll_interval = 65536;  ///< number of states between two polls
     void poll() const {
@@ -54,12 +54,13 @@ public:
     /// Returns the reason that ends the search, or None. Reports progress periodically. `more` is the number of bytes
     /// used in addition to the graph.
     UnknownReason judge(const Graph& graph, std::uint32_t state, std::size_t more);
-    /// Computes a profile of the states found, at most once, if there are many states and a profile was requested.
+    /// Computes a profile of the states found so far, if there are many states and a profile was requested. A profile
+    /// is computed at most once.
     void explain(Graph& graph);
     bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
     bool until_decided() const { return options_.until_decided; }
     std::uint64_t max_memory() const { return options_.max_memory; }
-    /// True if the memory limit ended the search; false if the system has no more memory.
+    /// True if the search ended at the memory limit, false if an allocation failed.
     bool allowed_used() const { return allowed_used_; }
 
 private:
@@ -72,8 +73,8 @@ private:
     mutable ThreadPool team_;
 };
 
-/// Fills `graph` from the initial state. Returns the reason of an early end, or None. States in which the `race` bit is
-/// set are stored but not expanded.
+/// Fills `graph` from the initial state. Returns the reason of an early end, or None. States in which a bit of `races`
+/// is set are stored but not expanded.
 UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits);
 
 }  // namespace grafverif::timed

@@ -10,13 +10,13 @@ namespace grafverif::timed {
 
 namespace {
 
-/// One sweep over `open`: each state for which `decided(state)` is true moves to `set`. If `beside` is true, threads
-/// sweep parts in parallel.
+/// Performs one sweep over `open`: each state for which `decided(state)` is true is moved to `set`. If `parallel` is
+/// true, threads sweep parts in parallel.
 template <class Decided>
-void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, const Limits& limits,
+void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool parallel, const Limits& limits,
                 const Decided& decided) {
-    const std::size_t parts = beside ? limits.parts(open.size()) : 1;
-    std::vector<std::size_t> ends(parts);  // end of the remaining states of each part
+    const std::size_t parts = parallel ? limits.parts(open.size()) : 1;
+    std::vector<std::size_t> ends(parts);  // end of the undecided states of each part
     const auto sweep_part = [&](std::size_t part) {
         std::size_t kept = open.size() * part / parts;
         const std::size_t end = open.size() * (part + 1) / parts;
@@ -36,16 +36,17 @@ void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, co
     open.resize(kept);
 }
 
-/// Sweeps over `open` in alternating directions, until a sweep decides less than one state in `stall`; if `stall` is 0,
-/// until it decides none. `decided(state)` is true if the state moves to `set`. Returns false if the check was stopped.
+/// Sweeps over `open` in alternating directions until a sweep decides fewer than 1/`stall` of the states or, if `stall`
+/// is 0, no state. `decided(state)` is true if the state is to be moved to `set`. Returns false if the check was
+/// stopped.
 template <class Decided>
-bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, bool beside, const Limits& limits,
+bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, bool parallel, const Limits& limits,
            const Decided& decided) {
     std::ranges::reverse(open);
     for (std::size_t before = open.size() + 1; !open.empty();) {
         if (limits.stopped()) return false;
         before = open.size();
-        sweep_once(open, set, beside, limits, decided);
+        sweep_once(open, set, parallel, limits, decided);
         const std::size_t found = before - open.size();
         if (found == 0 || (stall != 0 && found < before / stall)) break;
         std::ranges::reverse(open);
@@ -62,7 +63,7 @@ void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
     });
 }
 
-/// Returns the first `states` states that are not in `set`, in order.
+/// Returns all states below `states` that are not in `set`, in order.
 std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, const Limits& limits) {
     const std::size_t words = (states + 63) / 64;
     const auto bits = [&](std::size_t word) {
@@ -71,7 +72,7 @@ std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, cons
         return ~set.bits(word) & all;
     };
     const std::size_t parts = limits.parts(states);
-    std::vector<std::size_t> first(parts + 1);  // first index of each part in the list
+    std::vector<std::size_t> first(parts + 1);  // first index of each part in the result
     limits.share(parts, [&](std::size_t part) {
         std::size_t count = 0;
         for (std::size_t word = words * part / parts; word != words * (part + 1) / parts; ++word)
@@ -95,13 +96,14 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Li
     return all_but(set, graph.states(), limits);
 }
 
-constexpr std::size_t most_walkers = 4;  // limited because each walker has separate memory for its path
+constexpr std::size_t most_walkers = 4;  // limited, because each walker stores a path
 
-/// Decides the states that sweeps leave open by a depth-first walk from the roots. When all successors of a state are
-/// in `met`, the walk backtracks from the state and adds it to `met`. Several threads walk in parallel, from different
-/// roots and with different orders of successors. A thread does not enter a state from which another one has
-/// backtracked. A state from which a run avoids `met` lies on a cycle of such states, leads to one, or is terminal. No
-/// thread ever backtracks from such a state, so one is found no matter which thread visits which states.
+/// Decides the states that are open after the sweeps, by a depth-first walk from the roots. When all successors of a
+/// state are in `met`, the walk backtracks from the state and adds it to `met`. Several threads walk in parallel, from
+/// different roots and with different orders of successors. A thread does not enter a state from which another thread
+/// has backtracked. A state from which a run avoids `met` lies on a cycle of such states, leads to one, or is terminal.
+/// No thread ever backtracks from such a state. Therefore such a state is found, independently of the distribution of
+/// the states to threads.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,
@@ -181,13 +183,13 @@ private:
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal, limits);
-    const auto target_leads = [&](std::uint32_t state) {  // tests the stored target without visiting all successors
+    const auto target_leads = [&](std::uint32_t state) {  // tests the stored target before visiting all successors
         const StateKind kind = graph.kind(state);
         const bool has_one = kind == StateKind::Urgent || (kind == StateKind::Acts && by != Transitions::UrgentActions);
         return has_one && goal.has(graph.target(state));
     };
     if (!sweep(open, goal, 0, true, limits, target_leads)) return {};
-    std::vector<std::uint32_t> successors;  // successors by urgent edges; the sweep that uses them is sequential
+    std::vector<std::uint32_t> successors;  // successors by urgent edges; only a sequential sweep uses this list
     const auto leads = [&](std::uint32_t state) {
         bool found = false;
         const auto look = [&](std::uint32_t next) { found = found || goal.has(next); };
@@ -217,7 +219,7 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
     return DepthFirst(graph, met, roots, limits, std::min(limits.parts(graph.states()), most_walkers)).run();
 }
 
-std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged,
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& considered,
                                             const Limits& limits) {
     StateSet alive(graph.states());
     const auto goes_on = [&](std::uint32_t state) {
@@ -230,7 +232,7 @@ std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::funct
         while (goes_on(end)) end = graph.target(end);
         const bool dead = !graph.open(end) && !alive.has(end) &&
                           (graph.kind(end) == StateKind::Stuck || graph.kind(end) == StateKind::Passes);
-        if (dead && judged(state)) return state;
+        if (dead && considered(state)) return state;
         if (dead) continue;
         for (std::uint32_t now = state; now != end; now = graph.target(now)) alive.add(now);
     }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Graph: the states that a search has found and the transitions between them.
 //
-// The kind of a state is stored in one word together with a target. It states if time passes in the state, and the
-// target is a successor. The targets of edges are in `links`. Each is encoded as the difference of its number from the
-// previous one; the first, as the difference from the state itself. A difference uses as few groups of seven bits as
-// possible, since most are small. If links use too many bytes per state, they are dropped and computed again on demand,
-// which saves memory but costs time. Parents determine a shortest run to each state.
+// The kind of a state is stored in one word together with a target. The kind states if time passes in the state; the
+// target is one of its successors. `links` contains the targets of edges. A target is encoded as the difference of its
+// number from the previous target, and the first target as the difference from the state. A difference is stored in
+// groups of seven bits, because most differences are small. If links use too many bytes per state, they are discarded.
+// Successors are then computed again on demand, which saves memory but costs time. The parents of states determine a
+// shortest run to each state.
 #pragma once
 
 #include <atomic>
@@ -21,15 +22,15 @@
 
 namespace grafverif::timed {
 
-/// The behaviour of a state except for its edges.
+/// Classification of a state: whether time can pass, and whether an edge (or an urgent edge) is enabled.
 enum class StateKind : std::uint32_t {
     Unknown,       ///< the state was not expanded
-    Passes,        ///< time passes, no edge is enabled
-    PassesOrActs,  ///< time passes, and an edge can be taken
-    Urgent,        ///< an urgent edge stops time; the target is its successor
+    Passes,        ///< time can pass, and no edge is enabled
+    PassesOrActs,  ///< time can pass, and an edge is enabled
+    Urgent,        ///< an urgent edge stops time; the target is the successor by this edge
     Stuck,         ///< an invariant stops time, and no edge is enabled
     Acts,          ///< an invariant stops time, and an edge is enabled; the target is a successor
-    Open,          ///< a model error occurs: nothing is concluded from this state
+    Open,          ///< a model error occurs in this state: its successors are not conclusive
 };
 
 /// Compressed lists of target states, one list per state.
@@ -37,7 +38,7 @@ class Links {
 public:
     /// The lists of a few consecutive states, built in parallel with other chunks.
     struct Chunk {
-        static constexpr std::size_t most = 5;  ///< maximum bytes of one target in a list
+        static constexpr std::size_t most = 5;  ///< maximum number of bytes of one target in a list
         std::vector<std::uint8_t> bytes = {};
         std::vector<std::uint32_t> begins = {};  ///< start of each list in `bytes`
 
@@ -51,7 +52,7 @@ public:
             bytes.push_back(static_cast<std::uint8_t>(rest));
         }
     };
-    /// Appends the lists of the states that follow.
+    /// Appends the lists of the next states.
     void append(const Chunk& part) {
         const auto first = static_cast<std::uint32_t>(bytes_.size());
         bytes_.append(part.bytes.data(), part.bytes.size());
@@ -97,7 +98,7 @@ public:
     void add_beside(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
     void remove(std::uint32_t state) { word(state).store(word(state).load(relaxed) & ~bit(state), relaxed); }
 
-    /// Returns the 64 states from 64 * `index` on, one per bit.
+    /// Returns the 64 states from 64 * `index` on, one for each bit.
     std::uint64_t bits(std::size_t index) const { return words_[index].load(relaxed); }
 
 private:
@@ -132,17 +133,17 @@ public:
     Column<std::uint32_t> kinds = {};  // kind and target of each state
     Links links = {};                  // lists of the expanded states
     bool linked = true;
-    std::uint32_t looked_at = 0;             // all states below this number have `kinds` and `links`
+    std::uint32_t looked_at = 0;             // number of expanded states; they have `kinds` and `links`
     std::vector<std::uint32_t> levels = {};  // first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
-    std::vector<FaultAt> faults = {};        // at most one per edge and variable
+    std::vector<FaultAt> faults = {};        // at most one for each edge and variable
     std::optional<std::uint32_t> race = {};  // the first state with a race
 
     std::size_t states() const { return store.size(); }
     StateKind kind(std::uint32_t state) const { return static_cast<StateKind>(kinds[state] >> kind_shift); }
-    /// Returns the successor by a unit of time or by the urgent edge.
+    /// Returns the stored successor: by a unit of time if time passes, otherwise by an edge.
     std::uint32_t target(std::uint32_t state) const { return kinds[state] & target_mask; }
     bool passes(std::uint32_t state) const {
         return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs;
@@ -170,17 +171,17 @@ public:
         each_action(state, visit);
         if (passes(state)) visit(target(state));
     }
-    /// Returns the successors by urgent edges in `found`.
+    /// Stores the successors by urgent edges in `found`.
     void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
 
     /// Returns the move that leads from one state to its successor.
     Move move_between(std::uint32_t from, std::uint32_t to);
-    /// Returns the moves along a path of states. Consecutive delays are joined, except across the index `loop` of the
-    /// path.
+    /// Returns the moves along a path of states. Consecutive delays are joined to one move, but not across the
+    /// beginning of the loop at index `loop`.
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
-    /// Returns the states of a path after the first, in the form of TimedResult::paths.
+    /// Returns the states of a path, except the first, in the form of TimedResult::paths.
     std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);
-    /// Returns the path from the initial state.
+    /// Returns the path from the initial state to `state`.
     std::vector<std::uint32_t> path_to(std::uint32_t state) const;
     Run run_to(std::uint32_t state) { return run_along(path_to(state)); }
 
@@ -197,7 +198,7 @@ private:
 
     Moves moves_ = {};
     Unfolded now_ = {}, found_ = {};
-    std::size_t taken_ = 0;  // index in moves_ of the edge, set by move_between
+    std::size_t taken_ = 0;  // index of the edge in moves_, set by move_between
 };
 
 }  // namespace grafverif::timed

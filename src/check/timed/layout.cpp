@@ -10,7 +10,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Allocates bits. Each field is placed in the first word with enough free bits; related fields are allocated
+/// Allocates bits. Each field is placed in the first open word with enough free bits. Related fields are allocated
 /// consecutively.
 class Bits {
 public:
@@ -26,7 +26,7 @@ public:
         return field;
     }
 
-    /// Starts a new half word for later fields; returns its number.
+    /// Ends the current 32-bit unit, so that later fields begin in a new unit. Returns the number of the new unit.
     std::size_t seam() {
         first_ = std::max<std::size_t>(used_.size(), 1) - 1;
         if (last() > 0) used_.back() = last() <= 32 ? 32 : 64;
@@ -45,7 +45,7 @@ public:
 
 private:
     std::size_t base_ = 0;
-    std::size_t first_ = 0;            // every word before this one is full
+    std::size_t first_ = 0;            // words before this word are not used for further fields
     std::vector<unsigned> used_ = {};  // number of bits used in each open word
 };
 
@@ -59,7 +59,8 @@ std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkS
     return processes;
 }
 
-/// Returns the variables that each process is the first to write, in order; unwritten variables come last.
+/// Returns, for each process, the variables that it writes and no previous process writes. The last list contains the
+/// variables that no process writes.
 std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network& network) {
     std::vector<std::size_t> writer(network.variables.size(), network.processes.size());
     for (const Id<Network::Process> id : network.processes.ids()) {
@@ -146,14 +147,14 @@ std::optional<std::string> inexact_place(const Network& network) {
             const std::string place = "`" + process.name + "`, edge `" + automaton.locations[edge.from].name + " -> " +
                                       automaton.locations[edge.to].name + "`";
             const bool watches =
-                // Proof that observers may be excluded: docs/explanation/timed-engine.md.
+                // Observers are excluded; the proof that this is correct is in docs/explanation/timed-engine.md.
                 process.kind == Network::ProcessKind::Observer;
             for (const Network::ClockConstraint& constraint : edge.constraint)
                 if (strict(constraint) && !watches)
                     return "the strict constraint on clock `" + automaton.clocks[constraint.clock].name + "` of " +
                            place;
             if (edge.urgent && !keeps_target_invariant(network, process, edge))
-                return "the urgent edge that the passage of time can disable, of " + place;
+                return "an urgent edge that the passage of time can disable: " + place;
         }
     }
     return {};

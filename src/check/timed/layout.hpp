@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Layout: position of each location, variable and clock of a network in the bits of a state.
 //
-// A state is an array of 64-bit words. A field does not cross a word boundary, so that a shift and a mask read it, and
-// one comparison tests a conjunction of Booleans in one word. A Boolean uses one bit; an integer uses the bits of its
-// range, a clock those of its cap (ir/network_clocks.hpp). Scratch variables follow the stored words: they are written
-// before they are read, and therefore need not be cleared or compared.
+// A state is an array of 64-bit words. A field does not cross a word boundary. Therefore a field is read by a shift and
+// a mask, and a conjunction of Booleans in one word is tested by one comparison. A Boolean uses one bit; an integer
+// uses the bits of its range, and a clock the bits of its cap (ir/network_clocks.hpp). Scratch variables follow the
+// stored words. They are written before they are read, and therefore need not be cleared or compared.
 #pragma once
 
 #include <bit>
@@ -19,13 +19,11 @@
 
 namespace grafverif::timed {
 
-// Clock analysis of a network (ir/network_clocks) in the form used by the timed engine, and places where integer time
-// is inexact.
-
+/// The admitted values of a clock (ir/network_clocks.hpp).
 using Interval = ClockInterval;
 
 /// Returns the first element for which integer time is inexact: a strict constraint, or an urgent edge that the passing
-/// of time may disable. Empty if there is none.
+/// of time may disable. Returns nullopt if integer time is exact.
 std::optional<std::string> inexact_place(const Network& network);
 
 using Word = std::uint64_t;
@@ -34,7 +32,7 @@ struct Field {
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
     std::uint8_t width = 0;  ///< number of bits; 0 if the value is always `low`
-    std::int64_t low = 0;    ///< value that the raw bits 0 represent
+    std::int64_t low = 0;    ///< value that is represented by raw bits that are all 0
 
     /// Returns a mask of all bits of the field, without shift.
     Word all() const { return width == 0 ? 0 : ~Word{0} >> (64U - width); }
@@ -49,20 +47,19 @@ struct Field {
 };
 
 struct Layout {
-    static constexpr std::size_t most_text =
-        std::size_t{1}  /// Maximum number of words that a field can address; with more words,
-        /// `fits` is false.
-        << 16U;
+    /// Maximum number of words that a field can address; with more words, `fits` is false.
+    static constexpr std::size_t most_text = std::size_t{1} << 16U;
     bool fits() const { return words <= most_text; }
 
     std::vector<Field> locations = {};            ///< one field per process
     std::vector<Field> variables = {};            ///< one field per variable
     std::vector<std::vector<Field>> clocks = {};  ///< one field per process and clock
-    std::vector<Field> choices = {};      ///< for each choice: set of possible valuations; width 0 if it is not stored
+    /// For each choice: set of possible valuations; width 0 if the set is not stored.
+    std::vector<Field> choices = {};
     std::size_t stored = 1;               ///< number of words of a state
     std::size_t words = 1;                ///< number of words including scratch variables
-    std::size_t halves = 1;               ///< number of 32-bit units that contain every stored bit
-    std::vector<std::size_t> seams = {};  ///< units at which a subsystem begins, except the first
+    std::size_t halves = 1;               ///< number of 32-bit units that contain all stored bits
+    std::vector<std::size_t> seams = {};  ///< units at which a subsystem begins, except the first subsystem
 };
 
 /// Computes the layout of `network`, which must be expanded.

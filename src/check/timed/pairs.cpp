@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t first_slots = 32;
 constexpr std::uint32_t pairs_fetched_ahead = 32;  // number of slots whose pairs are prefetched
-// Chosen such that a print has at most the 20 bits that a slot index does not use.
+// With this value, a print has at most 20 bits; other bits of the hash select the slot.
 constexpr unsigned least_number_bits = 12;
 
 // The topmost bits of a hash select the shard, the lowest bits are the print, and the bits between them select the slot
@@ -87,7 +87,7 @@ std::uint32_t Pairs::append(Word pair) {
     return static_cast<std::uint32_t>(size_++);
 }
 
-/// Reserves a slot for one more pair.
+/// Reserves a slot for another pair.
 void Pairs::count(Shard& shard) {
     const bool full = 5 * (shard.used + 1) > 4 * shard.slots.size();
     const std::size_t slots = full ? 2 * shard.slots.size() : shard.slots.size();
@@ -117,7 +117,7 @@ void Pairs::index(Word pair, std::uint32_t number) {
     put(shards_[shard_at(hash)], hash, number);
 }
 
-/// Packs the open chunk, which is full.
+/// Packs the open chunk. Requires that it is full.
 void Pairs::pack() {
     std::uint32_t lows = 0, highs = 0;
     for (std::size_t i = 0; i < chunk; ++i) {
@@ -129,7 +129,7 @@ void Pairs::pack() {
     packed.low = mask_of(packed.low_bits);
     packed.high = mask_of(static_cast<unsigned>(std::bit_width(highs)));
     packed.each = static_cast<std::uint8_t>((packed.low_bits + std::bit_width(highs) + 7) / 8);
-    const std::size_t bytes = chunk * packed.each + sizeof(Word);  // the last pairs are also read as complete words
+    const std::size_t bytes = chunk * packed.each + sizeof(Word);  // the last pair is read as a complete word
     packed.bytes = std::make_unique<std::uint8_t[]>(bytes);
     for (std::size_t i = 0; i < chunk; ++i) {
         const Word word = low(open_[i]) | Word{high(open_[i])} << packed.low_bits;
@@ -139,8 +139,8 @@ void Pairs::pack() {
     chunk_bytes_ += bytes + sizeof(Chunk);
 }
 
-/// Rehashes the shard with this number of slots. The slots have enough bits for `more` further numbers and for as many
-/// as fit until the shard is full.
+/// Rehashes the shard with this number of slots. The slots then have enough bits for the numbers of all pairs in the
+/// table and of further pairs: `more`, or half of the present number if that is greater.
 void Pairs::rebuild(Shard& shard, std::size_t slots, std::size_t more) {
     Shard wider{std::vector<std::uint32_t>(slots), shard.used, 0};
     wider.number_bits =

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Pairs: a table of pairs of 32-bit numbers, in which each pair has a unique number, in the order of insertion. It is
-// one level of the tree in which states are stored (see Store).
+// Pairs: a table of pairs of 32-bit numbers, in which each pair has a unique number, in the order of insertion. Each
+// inner node of the tree in which states are stored (see Store) is such a table.
 //
-// The pairs are in chunks in the order of their numbers. A full chunk is packed: each of its pairs uses the number of
-// bytes that the largest numbers of the chunk need. The index is split into shards by hash. When a shard is four fifths
-// full, it alone is doubled, so that only one shard is duplicated at a time. A slot of 32 bits contains the number of a
-// pair. The bits that no number uses yet contain a print of the hash. It distinguishes most other pairs without an
-// access to them.
+// The pairs are stored in chunks, in the order of their numbers. A full chunk is packed: each of its pairs uses the
+// number of bytes that the largest numbers of the chunk need. The index is split into shards by hash. When a shard is
+// four fifths full, only this shard is doubled, so that the additional memory is small. A slot of 32 bits contains the
+// number of a pair. The remaining bits contain bits of the hash (a print), which distinguish most other pairs without
+// an access to them.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ namespace grafverif::timed {
 class Pairs {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
-    static constexpr std::uint32_t most = (1U << 30U) - 2;  ///< maximum count; above it, `intern` throws bad_alloc
+    /// Maximum number of pairs; above it, `intern` throws bad_alloc.
+    static constexpr std::uint32_t most = (1U << 30U) - 2;
 
     explicit Pairs(unsigned shard_bits);
 
@@ -34,25 +35,27 @@ public:
         std::uint32_t number = none;
         bool fresh = false;
     };
-    /// Returns the number of the pair, which is new if it had none. If memory is exhausted, nothing is changed.
+    /// Returns the number of the pair. A new pair is added. If memory is exhausted, nothing is changed.
     Interned intern(Word pair);
-    /// Returns the next number for a pair that has none. The pair cannot be found before it is indexed.
+    /// Adds a pair that is not in the table, and returns its number. `find` does not find the pair before `index` is
+    /// called.
     std::uint32_t append(Word pair);
     // The following functions may run in several threads, each of which accesses only the shards of its Share.
     struct Share {
         unsigned member = 0, members = 1;
     };
-    /// Reserves memory for further pairs. It may not suffice if unusually many of them belong to one shard.
+    /// Reserves memory for further pairs. The memory may be insufficient if unusually many of these pairs belong to one
+    /// shard.
     void free_memory(std::size_t more, Share share);
-    /// Returns the shard of the pair. It belongs to the member whose number equals the shard modulo the number of
-    /// members.
+    /// Returns the shard of the pair. A shard belongs to the member whose number is the number of the shard modulo the
+    /// number of members.
     std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
-    /// Adds an appended pair to the index, so that it can be found.
+    /// Adds an appended pair to the index, so that `find` finds it.
     void index(Word pair, std::uint32_t number);
 
     /// Returns the number of the pair, or none.
     std::uint32_t find(Word pair) const;
-    /// Prefetch the first slot of the pair, and then the pair to which the slot refers.
+    /// `prefetch` prefetches the first slot of the pair; `prefetch_met` prefetches the pair to which this slot refers.
     void prefetch(Word pair) const;
     void prefetch_met(Word pair) const;
 
@@ -79,7 +82,7 @@ private:
         std::uint8_t low_bits = 0, each = 0;
     };
     struct Shard {
-        std::vector<std::uint32_t> slots = {};  // each contains a print and number + 1; 0 if free
+        std::vector<std::uint32_t> slots = {};  // a slot contains a print and number + 1, or 0 if it is free
         std::size_t used = 0;                   // number of used slots, including those of appended pairs
         unsigned number_bits = 0;
     };

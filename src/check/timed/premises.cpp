@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Two premises concern cycles: no run continues forever within one instant (cycles of edges only), and time can diverge
-// (cycles of edges and delays that contain a delay). Both are decided by strongly connected components. Most parts can
-// rest: a state that does not change when time passes decides the second premise immediately.
+// Two premises concern cycles. No run has infinitely many moves in one instant if there is no cycle of edges. Time can
+// diverge if there is a cycle of edges and delays that contains a delay. Both are decided by strongly connected
+// components. Most parts have a state that does not change when time passes. Such a state decides the second premise
+// immediately.
 #include "check/timed/premises.hpp"
 
 #include <optional>
@@ -25,7 +26,7 @@ auto components_of(Graph& graph, bool delays, const Limits& limits) {
     return components;
 }
 
-/// Returns a run in which time diverges. If a run that stays in one state exists, it is preferred.
+/// Returns a run in which time diverges. A run that stays in one state is preferred.
 std::optional<Run> divergent(Graph& graph, const Limits& limits) {
     const auto along = [&](std::uint32_t state, const std::vector<std::uint32_t>& cycle) {
         std::vector<std::uint32_t> path = graph.path_to(state);

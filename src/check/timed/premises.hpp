@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Premises under which a part of a network can be omitted when other parts are checked
-// (docs/explanation/timed-engine.md, "Sub-loops"). They are determined from the graph of a complete search.
+// (docs/explanation/timed-engine.md, "Sub-loops"). The premises are determined from the graph of a complete search.
 #pragma once
 
 #include "check/timed/explore.hpp"
@@ -8,7 +8,7 @@
 
 namespace grafverif::timed {
 
-/// Determines the premises. `settled` is the code of Network::settled, or Program::no.
+/// Determines the premises. `settled` is the first instruction of the code for Network::settled, or Program::no.
 Premises premises_of(Graph& graph, std::uint32_t settled, const Limits& limits);
 
 }  // namespace grafverif::timed

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Each field of a state has a pseudorandom number that depends on its value. The hash of a state is the sum of these
 // numbers; the hash of a component (a part or a clock) is the sum over its fields. The difference is the hash of the
-// rest of the state. Therefore one pass over the states yields the rests for every component. Only rests in one class
-// of 2^k are counted, which bounds the memory: a class contains either all states with a given rest or none.
+// rest of the state. Therefore one pass over the states computes the hashes of the rests for every component. To bound
+// the memory, only rests in one of 2^k classes are counted. A class contains either all states with a given rest or
+// none of them.
 #include "check/timed/profile.hpp"
 
 #include <algorithm>
@@ -17,8 +18,9 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t most_rests = std::size_t{1} << 21U;  // maximum number of stored rests
-// Maximum number of distinguished values, for all components together.
+constexpr std::size_t most_rests = std::size_t{1} << 21U;  // approximate maximum number of stored rests
+// Maximum number of different values that are stored, for all components together (but at least 256 for each
+// component).
 constexpr std::size_t most_seen = std::size_t{1} << 20U;
 
 /// Mixing function of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014).
@@ -31,7 +33,7 @@ std::uint64_t mixed(std::uint64_t value) {
 
 struct ProfiledElement {
     std::uint64_t now = 0;  // hash of the component in the current state
-    std::uint64_t met = 0;  // number of states whose rest is counted
+    std::uint64_t met = 0;  // number of states with a counted rest
     std::vector<std::uint64_t> rests = {};
     std::unordered_set<std::uint64_t> values = {};
 
@@ -58,7 +60,7 @@ struct Column {
     std::size_t clock = none;
 };
 
-/// The location of a controller's process outside of a cycle.
+/// The location of a controller's process between two cycles.
 struct Waiting {
     Field location = {};
     std::uint32_t waiting = 0, initial = 0;
@@ -103,7 +105,7 @@ public:
 private:
     using Kind = StateProfile::Kind;
 
-    /// Creates one part for each controller with its timers, and one for each other process.
+    /// Creates one part for each controller with its timers, and one part for each other process.
     void name_parts() {
         part_of_.assign(network_.processes.size(), Column::none);
         told_ = display_names(network_);
@@ -158,7 +160,7 @@ private:
         for (const Network::Edge& edge : automaton.edges) take(edge.constraint, edge.origin);
     }
 
-    /// Assigns each variable to the part whose edges alone write it.
+    /// Assigns a variable to a part if only edges of this part write the variable.
     void add_variables() {
         constexpr std::size_t several = Column::none - 1;
         std::vector<std::size_t> writer(network_.variables.size(), Column::none);
@@ -216,8 +218,8 @@ private:
     std::vector<std::string> told_ = {};     // name of each process: `3s/X2` for a timer, otherwise its name
     std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
-    std::vector<ProfiledElement> elements_ = {};  // parts first, then clocks
-    ProfiledElement finer_ = {};                  // clock values that the coarser unit does not distinguish
+    std::vector<ProfiledElement> elements_ = {};  // first the parts, then the clocks
+    ProfiledElement finer_ = {};                  // its rests are the states with clocks in the coarser time unit
     std::uint64_t classes_ = 1;
 };
 

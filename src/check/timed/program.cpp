@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Executes compiled code. The only state of the loop is the current instruction, so that the speed depends only on
-// branch prediction.
+// Executes compiled code. The interpreter has no state except the current instruction, so that its speed depends mainly
+// on branch prediction.
 #include "check/timed/program.hpp"
 
 #include "support/overloaded.hpp"

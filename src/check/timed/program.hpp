@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Program: guards, assignments and properties compiled once to a flat branching program over packed states.
 //
-// Every instruction names its successors, so that code has no fixed order and is generated from its end backwards. To
-// compile a Boolean term, the compiler receives the instructions to execute if it is true and if it is false, and
-// returns the first instruction. A conjunction of Booleans of one word is one Test; a comparison of a variable with a
-// constant is one Within. Other arithmetic uses registers. A term whose tree is far larger than its shared form is
-// evaluated in that form, each subterm once, in registers (`eager`). Both forms have the same value, including
-// undefined values.
+// Every instruction contains the indices of its successors, so that code has no fixed order and is generated backwards,
+// from its end. For a Boolean term, the compiler receives the instructions for the cases that the term is true and that
+// it is false, and returns the first instruction of the term. A conjunction of Booleans of one word is compiled to one
+// Test, and a comparison of a variable with a constant to one Within. All other arithmetic uses registers. If a term is
+// far larger as a tree than with shared subterms, each shared subterm is evaluated once, in a register (`eager`). Both
+// methods give the same value, including undefined values.
 #pragma once
 
 #include <cstdint>
@@ -22,20 +22,20 @@ namespace grafverif::timed {
 
 enum class Opcode : std::uint8_t {
     Yes,
-    No,      // end of the program
+    No,      // Yes, No: end of the program
     Test,    // tests (word & mask) == value
     Within,  // tests low <= raw field <= low + span
     Load,
-    Constant,  // load a field or a constant into register `to`
+    Constant,  // Load, Constant: load a field or a constant into register `to`
     Add,
     Subtract,
     Multiply,
     Divide,
     Modulo,
-    Negate,  // register `to` := a op b; `undefined` if the operation has no value
+    Negate,  // Add to Negate: register `to` := a op b; `undefined` if the operation has no value
     Equal,
     Less,
-    LessEqual,  // compare registers a and b
+    LessEqual,  // Equal to LessEqual: compare registers a and b
     Truth,      // tests if register a is not 0
     EagerNot,
     EagerAnd,
@@ -44,7 +44,7 @@ enum class Opcode : std::uint8_t {
     EagerUnequal,
     EagerLess,
     EagerLessEqual,
-    EagerChoice,  // operations with the result in register `to`
+    EagerChoice,  // EagerNot to EagerChoice: operations with the result in register `to`
     Patch,        // word := (word & mask) | value
     Store,        // field := register a if it is in range; otherwise a model error
     Cap,          // raw field := minimum of the raw field and `value`
@@ -52,7 +52,7 @@ enum class Opcode : std::uint8_t {
 };
 
 struct Instruction {
-    Word mask = 0;          ///< Load, Within, Store, Cap: mask of the field at its position
+    Word mask = 0;          ///< Load, Within, Store, Cap: mask of the field at its position; Test, Patch: see Opcode
     Word value = 0;         ///< Test, Patch: bits; Load, Constant, Store: lower bound; Within: low; Cap: the cap
     Word span = 0;          ///< Within, Store: number of values above the lower bound
     std::uint32_t yes = 0;  ///< next instruction
@@ -66,13 +66,13 @@ struct Instruction {
 /// Returns a test that the bits of `field` are a number in low..high.
 Instruction field_within(const Field& field, std::int64_t low, std::int64_t high, std::uint32_t yes, std::uint32_t no);
 
-/// Content of a register for an undefined term. No term of bounded variables has this value.
+/// Content of a register for an undefined term. No defined term over bounded variables has this value.
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
-/// Data stored in the registers before the first general one, for code that chooses input valuations as it reads them
-/// (ir/network_inputs.hpp). The set of valuations that are possible for a choice is a bit mask. If the condition of
-/// `Choose` is neither true for all of them nor false for all, it splits the set. `path` has one bit per split; `depth`
-/// counts the splits of an execution.
+/// Data in the registers before the first general register, for code that chooses the valuations of inputs when it
+/// reads them (ir/network_inputs.hpp). The set of valuations that are possible for a choice is a bit mask. If the
+/// condition of `Choose` is true for some of these valuations and false for others, the set is split. `path` has one
+/// bit per split; `depth` counts the splits of an execution.
 struct Choices {
     static constexpr std::uint32_t depth = 1, path = 2, path_text = 4, most_splits = 64 * path_text;
     static constexpr std::uint32_t set(std::size_t choice) {
@@ -89,7 +89,7 @@ struct Program {
 
 enum class End { Yes, No, OutOfRange, NoValue };
 
-/// Result of an execution from `start`. `place` is the final instruction, or the one that caused a model error.
+/// Result of an execution from `start`. `place` is the final instruction, or the instruction that caused a model error.
 struct ExecutionResult {
     End end = End::No;
     std::uint32_t place = 0;
@@ -116,12 +116,12 @@ public:
         std::uint16_t word = 0;
         Word mask = 0, value = 0;
     };
-    /// Returns the term as a single test of bits, or nothing if it is not one.
+    /// Returns the term as a single test of bits, or nullopt if this is impossible.
     std::optional<Literal> literal(Id<Expr> term) const;
-    /// From this call on, code that reads the variables of `choice` chooses their valuation. `number`: see
+    /// After this call, generated code that reads the variables of `choice` chooses their valuation. `number`: see
     /// Choices::set.
     void choose(const InputChoice& choice, std::size_t number);
-    /// From this call on, no variable is chosen.
+    /// After this call, generated code does not choose valuations.
     void choose_nothing() { chosen_.clear(); }
     bool fallible(Id<Expr> term) const { return facts_[term.index].fallible; }
 
@@ -150,7 +150,7 @@ private:
     Program& program_;
     std::vector<Facts> facts_ = {};
     struct Chosen {
-        std::uint32_t set = 0;             // register of its set of valuations
+        std::uint32_t set = 0;             // register that contains the set of valuations
         std::vector<std::int64_t> values;  // value per valuation
     };
     std::unordered_map<std::uint32_t, Chosen> chosen_ = {};  // chosen variables, by index

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Property monitors: search for single states that decide properties, for all properties in one pass. A monitor ends
-// when it has found its state, so that decided properties cause no further cost.
+// when it has found a state, so that decided properties cause no further cost.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,13 @@ public:
     /// Program::yes.
     std::size_t add_bit(const Field& bit, std::uint32_t settled);
 
-    /// True if a new state would be the first one for some monitor. Thread-safe.
+    /// True if the new state ends some monitor, so that look() must be called. Thread-safe.
     bool wants(const Machine& machine, const Word* words, Registers& registers) const;
     /// Evaluates a new state for which wants() is true.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
-    /// True if each monitor has found its state or an undefined predicate.
+    /// True if each monitor has found a state or an undefined predicate.
     bool is_over() const { return predicates_.empty() && bits_.empty(); }
-    /// Returns the first state found, or none.
+    /// Returns the first state that the monitor found, or `none`.
     std::uint32_t found(std::size_t watch) const { return results_[watch].state; }
     /// True if the predicate was undefined in some state.
     bool broken(std::size_t watch) const { return results_[watch].broken; }
@@ -45,7 +45,7 @@ private:
         Word mask = 0;
         std::size_t watch = 0;
     };
-    struct Bits {  // bits of one word with the same condition
+    struct Bits {  // bits of one word that have the same condition
         std::uint16_t word = 0;
         std::uint32_t settled = 0;
         Word missing = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compiles properties to code and monitors. `at stable` is part of the code. For `always p at stable`, a state with
-// `settled` and not p is searched for; in all other cases an operand p becomes `settled` and p.
+// Compiles properties to code and monitors. The code includes `at stable`: for `always` and `exactly one of`, the
+// monitor searches for a state in which `settled` is true and the property is violated; an operand p of any other
+// pattern is replaced by `settled` and p.
 #include "check/timed/property_queries.hpp"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ std::uint32_t PropertyQueries::settled_but_not(const Property& property, Id<Expr
     return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
 }
 
-/// Returns code that ends in Yes if none or at least two of the operands hold. It is generated from the last operand
-/// backwards, both for the case that no operand has held so far and for the case that one has.
+/// Returns code that ends in Yes if none or at least two of the operands hold. The code is generated from the last
+/// operand backwards, for two cases: no previous operand holds, or one previous operand holds.
 std::uint32_t PropertyQueries::not_exactly_one(const Property& property) {
     Compiler& compiler = machine_.compiler();
     std::uint32_t after_none = Program::yes;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Property queries: the properties of a network, as code and monitors before the search and as verdicts after it.
+// Property queries: compiles the properties of a network to code and monitors before the search, and computes their
+// verdicts after it.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@
 
 namespace grafverif::timed {
 
-/// Returns `no timelock` for models that do not declare it. Timed checks decide it by default.
+/// Returns `no timelock` for models that do not declare it. Timed checks decide this property by default.
 Property undeclared_timelock(const Network& network);
 /// True if `property` is `no timelock` without `at stable`.
 bool about_time(const Property& property);
@@ -25,18 +26,19 @@ public:
     PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch, bool abstracted = false);
 
     void ask(Id<Property> about, const Property& property);
-    /// True if some selected property needs the edges of many states.
+    /// True if some selected property is `inevitable`, `leads to` or `always possible`; their verdicts depend on the
+    /// edges of the graph, not only on single states.
     bool follow_edges() const;
     /// Returns the verdicts after a search that ended for the reason `ended`.
     std::vector<Verdict> answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);
-    /// Returns the state that decides a property about single states, if the search has found it. `verdict` is an index
-    /// in the order of the verdicts.
+    /// Returns the state that decides a property about single states, if the search has found such a state. `verdict`
+    /// is an index in the order of the verdicts.
     std::optional<std::size_t> state_found(std::size_t verdict) const {
         const std::uint32_t state = watch_.found(questions_[verdict].watch);
         return state == PropertyMonitor::none ? std::nullopt : std::optional<std::size_t>(state);
     }
-    /// Returns the content of TimedResult::paths for each verdict.
+    /// Returns TimedResult::paths: the path of each verdict.
     std::vector<std::vector<AbstractState>> paths(Graph& graph) const;
 
 private:
@@ -46,10 +48,10 @@ private:
     struct PropertyQuery {
         Verdict verdict = {};
         const Property* property = nullptr;
-        std::size_t watch = none;  // monitor of the state that decides the property or shows that it is not vacuous
+        std::size_t watch = none;  // monitor of a state that decides the property or its vacuity
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
-        std::optional<std::uint32_t> lost = {};  // a state from which the required states are unreachable
+        std::optional<std::uint32_t> lost = {};  // a state from which no required state is reachable
     };
 
     std::uint32_t settled_and(const Property& property, Id<Expr> operand);
@@ -60,7 +62,7 @@ private:
 
     /// Data shared by all verdicts of one search.
     struct Outcomes {
-        // The reason that prevents `holds` for properties about all states.
+        // Reason why no property about all states can be decided as `holds`.
         UnknownReason obstacle = UnknownReason::None;
         std::string reason = {};
     };

@@ -8,7 +8,7 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr unsigned shard_bits = 6;  // shards of the root table
+constexpr unsigned shard_bits = 6;  // number of bits of the index of a shard of the root table
 
 }  // namespace
 
@@ -22,8 +22,8 @@ Store::Store(const Layout& layout)
 }
 
 /// Builds the subtree of the halves from `first` on. Returns the index of its root in Unfolded::numbers. The range is
-/// split in the middle or at the nearest subsystem boundary: the states of subsystems that share only time multiply, so
-/// that each is best stored in a separate subtree.
+/// split in the middle or at the nearest subsystem boundary: the numbers of states of subsystems that share only time
+/// multiply, so that each subsystem should have a separate subtree.
 std::uint32_t Store::grow(const std::vector<std::size_t>& seams, std::uint32_t first, std::uint32_t end) {
     if (end - first == 1) return first;
     const std::uint32_t middle = (first + end + 1) / 2;
@@ -50,8 +50,9 @@ void Store::take(const Word* words, Unfolded& now) const {
     }
 }
 
-/// Assigns numbers to the inner nodes with `number(node, pair)`, children first. A node with the same children as in
-/// `before` keeps its number. The result is empty if a pair has no number.
+/// Assigns numbers to the inner nodes except the root with `number(node, pair)`, children first, and returns the root
+/// pair. The number of a node with the same children as in `before` is copied from `before`. The result is empty if a
+/// pair has no number.
 template <class Number>
 std::optional<Word> Store::numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const {
     take(words, now);

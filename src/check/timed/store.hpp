@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // State store: contains the states, numbered in the order of discovery, each as a tree of pairs.
 //
-// The 32-bit halves of a state are the leaves of a binary tree. An inner node has a table of the pairs of numbers of
-// its children that have occurred; its number is the number of the pair. The pairs of the root are the states (Laarman,
-// van de Pol, Weber: Parallel recursive state space compression for free, 2011). Adjacent parts of a state are under
-// one node (see Layout), so that nearly all tables except that of the root stay small. The compression is exact: two
-// different states have different pairs at the root.
+// The 32-bit halves of a state are the leaves of a binary tree. An inner node has a table of all pairs of numbers that
+// its children have had; the number of the node is the number of the pair in this table. The pairs in the table of the
+// root represent the states (Laarman, van de Pol, Weber: Parallel recursive state space compression for free, 2011).
+// Adjacent parts of a state are under one node (see Layout), so that nearly all tables except that of the root stay
+// small. The compression is exact: different states have different root pairs.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace grafverif::timed {
 
 /// A state with the numbers of its tree: first the leaves, then the inner nodes except the root, children first.
 struct Unfolded {
-    std::vector<Word> words = {};  ///< layout.words words of the state
+    std::vector<Word> words = {};  ///< the layout.words words that represent the state
     std::vector<std::uint32_t> numbers = {};
 };
 
@@ -30,12 +30,14 @@ public:
 
     explicit Store(const Layout& layout);
 
-    /// Returns the root pair of the state in `words`, after interning the pairs of its nodes. Fills `now` with its
-    /// numbers. Subtrees equal to those of `before`, an unfolded state, are not looked up.
+    /// Adds the pairs of all nodes of the state in `words` and returns its root pair. Stores the numbers of the nodes
+    /// in `now`. The numbers of subtrees that are equal to those of the unfolded state `before` are copied.
     Word fold(const Word* words, const Unfolded& before, Unfolded& now);
-    /// Returns the root pair if all subtrees are known. Otherwise the result is empty, and the state is not stored.
+    /// Returns the root pair if all subtrees are known; otherwise the state is not in the store, and the result is
+    /// empty.
     std::optional<Word> root_of(const Word* words, const Unfolded& before, Unfolded& now) const;
-    /// Returns the states by their root pairs. An appended state can be found after it is indexed (see Pairs).
+    /// Returns the table of the root pairs of all states. An appended state is found only after it is indexed (see
+    /// Pairs).
     const Pairs& roots() const { return root_; }
     Pairs& roots() { return root_; }
     /// Returns the number of the state in `words`, or none.
@@ -43,7 +45,7 @@ public:
         const std::optional<Word> root = root_of(words, {}, now);
         return root ? root_.find(*root) : none;
     }
-    /// Unfolds `state` into `unfolded`. Subtrees of `unfolded` with the same numbers are not copied again.
+    /// Unfolds `state` into `unfolded`. Subtrees of `unfolded` that have the same numbers are reused.
     void load(std::uint32_t state, Unfolded& unfolded) const;
 
     std::size_t size() const { return root_.size(); }
@@ -51,7 +53,7 @@ public:
     std::size_t state_bytes() const { return halves_ * 4; }
     std::size_t bytes() const;
     std::size_t index_bytes() const { return root_.index_bytes(); }
-    /// Frees the index; afterwards no state can be looked up.
+    /// Frees the index; afterwards `find` does not find any state.
     void drop_index() { root_.drop_index(); }
 
 private:

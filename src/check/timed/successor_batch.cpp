@@ -11,7 +11,7 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t slice_text = 1U << 17U;  // bytes of states after which a slice ends
+constexpr std::size_t slice_text = 1U << 17U;  // number of words of successors at which a slice ends
 constexpr std::size_t fetched_ahead = 16;      // number of entries whose slots are prefetched
 
 }  // namespace

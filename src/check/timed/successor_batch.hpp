@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Batch of successors: the moves of a few consecutive states. One thread computes a batch in parallel with others,
-// while the graph is not changed. States that are not yet in the store are new: they are numbered when the search
-// reaches them.
+// Batch of successors: the moves of a few consecutive states. A batch is computed by one thread while other threads
+// compute other batches and the graph is not changed. States that are not yet in the store are new: they receive a
+// number when the search reaches them.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,14 @@ namespace grafverif::timed {
 // Size of a memory block that no other thread writes, including the prefetched adjacent cache line.
 constexpr std::size_t own_lines = 128;
 
-/// Threads fill adjacent slices in parallel. Therefore each slice has separate cache lines.
+/// A slice of the queue, with its successors. Threads fill adjacent slices in parallel; therefore each slice has
+/// separate cache lines.
 struct alignas(own_lines) SuccessorBatch {
     static constexpr std::uint32_t new_state = 1U << 31U, urgent = 1U << 30U, number = urgent - 1;
 
     struct State {
-        /// Index in `targets` of the targets of its edges; the target of time follows if time passes.
+        /// Index of the first target in `targets`: first the targets of the edges and then, if time passes, the
+        /// successor in time.
         std::uint32_t first = 0;
         std::uint32_t edges = 0;
         bool race = false;
@@ -36,18 +38,20 @@ struct alignas(own_lines) SuccessorBatch {
         std::uint8_t shard = 0;   ///< shard of the root
         bool folded = false;
         bool wanted = false;  ///< true if a property monitor needs the state
-        bool first = false;   ///< true if no earlier entry in the block has the same state
+        bool first = false;   ///< true if no earlier new state of the block is equal
     };
 
     std::uint32_t begin = 0, end = 0;  ///< range of the expanded states
     std::vector<State> states = {};
-    std::vector<std::uint32_t> targets =
-        {};  ///< number of a state or of a new state, with flags; the flag `urgent` marks the target of an urgent edge
+    /// Numbers of states or of new states, with flags; the flag `urgent` marks the target of an urgent edge.
+    std::vector<std::uint32_t> targets = {};
     std::vector<NewState> new_states = {};
-    std::vector<std::uint32_t> kept = {};  ///< entries that are not folded or that a property monitor needs
-    std::vector<Word> words = {};          ///< states of these entries, at intervals of Layout::words
-    Links::Chunk links = {};               ///< valid after all targets have their numbers
-    std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};  ///< the first uncovered bound of each type
+    /// Indices of the new states that are not folded or that a property monitor needs.
+    std::vector<std::uint32_t> kept = {};
+    std::vector<Word> words = {};  ///< words of the states in `kept`, Layout::words for each state
+    Links::Chunk links = {};       ///< valid after all targets have numbers
+    /// The first bounds at which a run may end, or a timelock may occur, between the ticks: see Moves.
+    std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
     std::vector<FaultAt> faults = {};
     bool cut = false;  ///< true if a state has too many combinations of inputs: see Moves
 
@@ -60,8 +64,8 @@ public:
     Slicer(const Graph& graph, const PropertyMonitor& watch, const std::vector<Field>& races)
         : graph_(graph), watch_(watch), races_(races) {}
 
-    /// Computes the moves of the states from `begin` on, up to `end` or a size limit. Returns the number of computed
-    /// words.
+    /// Computes the moves of the states from `begin` to `end`, or until a size limit is reached. Returns the number of
+    /// computed words.
     std::size_t fill(SuccessorBatch& slice, std::uint32_t begin, std::uint32_t end);
     std::size_t bytes() const { return words_.capacity() * sizeof(Word); }
 
@@ -75,13 +79,13 @@ private:
     const std::vector<Field>& races_;
     SuccessorBatch* slice_ = nullptr;
     Moves moves_ = {};
-    std::vector<Word> words_ = {};  // words of all states to which the slice leads
+    std::vector<Word> words_ = {};  // words of all successors of the slice
     Unfolded now_ = {}, next_ = {};
     std::vector<Word> later_ = {};
 };
 
-/// The distinct new states of several slices. They are partitioned by the shards of their roots, so that each thread
-/// can process and index one part.
+/// The distinct new states of several slices, partitioned by the shards of their roots. Each thread processes and
+/// indexes one part.
 class NewStates {
 public:
     struct Entry {
@@ -96,7 +100,7 @@ public:
         std::uint32_t entry = 0;
         bool fresh = false;
     };
-    /// Returns the entry of `root` in its part, which is new at the first occurrence.
+    /// Returns the entry of `root` in its part. At the first occurrence, a new entry is added.
     Lookup meet(unsigned part, Word root);
     /// Adds the states of a part that the search has reached to the index of `roots`.
     void index(unsigned part, Pairs& roots) const;
@@ -111,7 +115,7 @@ public:
 
 private:
     struct alignas(own_lines) Shard {
-        std::vector<std::uint32_t> slots = {};  // each contains entry + 1; 0 if free
+        std::vector<std::uint32_t> slots = {};  // a slot contains entry + 1, or 0 if it is free
         std::vector<Entry> entries = {};
     };
     static void widen(Shard& part, std::size_t slots);

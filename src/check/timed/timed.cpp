@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Performs one check: compiles the network, searches, and evaluates the properties.
+// Performs a check: compiles the network, explores its states, and evaluates the properties.
 #include "check/timed/timed.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::optional<Premises> premises(timed::Graph& graph, std::uint32_t settled, con
     return {};
 }
 
-/// Returns the profile, or nothing if memory is exhausted.
+/// Returns the profile, or nullopt if memory is exhausted.
 std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& options, timed::Effort effort) {
     try {
         return timed::profile_of(graph, options.finest ? options.finest() : std::nullopt, effort);

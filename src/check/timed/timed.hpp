@@ -6,10 +6,10 @@
 // staying in a state forever is a run; a state that satisfies p and q fulfils `p leads to q`.
 //
 // Exactness (design: "properties, verdicts, traces"; proof in docs/explanation/timed-engine.md). With closed clock
-// constraints, integer time reaches the same discrete states as dense time, so `always`, `never` and `reachable` are
-// exact; a strict constraint makes them one-sided. An integer run can refute `inevitable`, `leads to`, `no deadlock`
-// and `no timelock`. These properties hold only if no timelock can occur between two ticks; otherwise the verdict is
-// unknown and its reason names the location.
+// constraints, integer time reaches the same discrete states as dense time; therefore `always`, `never` and `reachable`
+// are exact. With a strict constraint, only runs that are found in integer time are conclusive for these properties. An
+// integer run can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`. These properties hold only if no
+// timelock can occur between two ticks; otherwise the verdict is unknown and its reason names the location.
 //
 // Counterexamples to state properties have the minimum number of moves; a delay of any length counts as one move.
 #pragma once
@@ -30,7 +30,7 @@
 
 namespace grafverif {
 
-/// Threshold for printing a state profile.
+/// Number of states at which a state profile is computed.
 constexpr std::uint64_t many_states = std::uint64_t{1} << 20U;
 
 struct TimedProgress {
@@ -47,43 +47,47 @@ struct TimedOptions {
     std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag: return the results so far
-    unsigned jobs = 1;                        ///< threads; 0 selects one per core. The results do not depend on it
-    unsigned slice = 64;  ///< states per unit of work; with far fewer states, one thread does all the work
-    /// If false, the engine uses less memory, but several times the work for liveness. Links are kept only if needed.
+    unsigned jobs = 1;    ///< number of threads; 0 selects one per core. The results do not depend on it
+    unsigned slice = 64;  ///< number of states in a unit of work of a thread
+    /// If false, the engine needs less memory, but several times more work for liveness. Links are stored only if a
+    /// property needs them.
     bool keep_links = true;
     bool timelock = true;                   ///< if false, `no timelock` is decided only if a property requires it
     bool premises = false;                  ///< compute TimedResult::premises
-    std::vector<InputChoice> choices = {};  ///< choices of an input abstraction
+    std::vector<InputChoice> choices = {};  ///< choices of inputs, for an input abstraction
     /// The network is an input abstraction, with or without choices: `no timelock` holds only if no sequence of urgent
     /// edges is infinite.
     bool abstracted = false;
-    bool until_decided = false;  ///< end the search when the deciding state of each property is found
+    bool until_decided = false;  ///< end the search when each property is decided by a state
     bool paths = false;          ///< report TimedResult::paths
-    std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
-    bool profile = false;                                ///< compute TimedResult::profile for any outcome of the search
-    std::function<void(const StateProfile&)> many = {};  ///< called once when the search has found `many_states`
-    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< called when a profile is computed
+    std::function<void(const TimedProgress&)> progress = {};  ///< function that is called a few times per second
+    bool profile = false;                                     ///< always compute TimedResult::profile
+    std::function<void(const StateProfile&)> many = {};       ///< called once when the search has found `many_states`
+    /// Function that is called when a profile is computed.
+    std::function<std::optional<StateProfile::Finest>()> finest = {};
 };
 
-/// Results of a complete search on which verdicts about neighbouring parts depend (docs/explanation/timed-engine.md,
-/// "Sub-loops").
+/// Results of a complete search of a part, on which verdicts about other parts depend
+/// (docs/explanation/timed-engine.md, "Sub-loops").
 struct Premises {
     std::optional<Run> diverges = {};  ///< a lasso in which time diverges; empty if no such run exists
     bool rests = false;                ///< true if no run continues forever within one instant
     bool settles = false;              ///< true if time passes only in quiescent states
 };
 
-/// A state of a run of an input abstraction, after `move`; without clocks.
+/// A state of a run of an input abstraction, without clocks: the state after `move`.
 struct AbstractState {
     Move move = {};
     NetworkState state = {};
-    /// For each choice: a bit per possible valuation; 0 if the move is not an edge of its PLC.
+    /// For each choice: a bit for each possible valuation; 0 if the move is not an edge of the PLC that makes the
+    /// choice.
     std::vector<std::uint64_t> possible = {};
 };
 
 struct TimedResult {
-    std::vector<Verdict> verdicts = {};   ///< in the order of the properties; an undeclared `no timelock` comes last
-    std::vector<ModelError> errors = {};  ///< at most one per kind, edge and variable
+    /// Verdicts in the order of the properties; an undeclared `no timelock` is the last.
+    std::vector<Verdict> verdicts = {};
+    std::vector<ModelError> errors = {};  ///< at most one error for each kind, edge and variable
     std::uint64_t states = 0;
     std::uint64_t transitions = 0;  ///< number of edges and delays of one unit
     std::uint64_t bytes = 0;        ///< peak memory in bytes
@@ -92,11 +96,11 @@ struct TimedResult {
     bool complete = true;      ///< true if every reachable state was expanded
     bool time_passes = false;  ///< true if time passes in some reachable state
     bool settles = true;       ///< false if a quiescent state was searched for and not found
-    /// Computed if it was requested, if the search was stopped, or if it found `many_states`. Empty if there is not
-    /// enough memory.
+    /// State profile, if it was requested, if the search was stopped, or if the search found `many_states` states. It
+    /// is empty if there is not enough memory.
     std::optional<StateProfile> profile = {};
     std::optional<Premises> premises = {};
-    /// For each verdict with a run to a single state: the states of that run after the initial one.
+    /// For each verdict with a run to a single state: the states of this run after the initial state.
     std::vector<std::vector<AbstractState>> paths = {};
 };
 

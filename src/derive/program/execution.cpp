@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Executes statements. `returned_` and `exited_` are cells like all others, so that branches merge them. After a
-// statement that may have set one of them, the rest of the block is executed as a branch.
+// Executes statements. `returned_` and `exited_` are memory cells, so that their values are merged after branches in
+// the same way as other values. After a statement that may have set one of them, the rest of the block is executed as a
+// branch.
 #include "derive/program/execution.hpp"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace {
 using Kind = Program::Statement::Kind;
 
 constexpr std::uint64_t most_statements = 2'000'000;  ///< maximum number of statements executed in one scan
-constexpr std::size_t most_branches = 1000;           ///< maximum number of nested branches; each is a recursion
-constexpr std::uint64_t most_iterations = 100'000;    ///< maximum number of iterations of a loop with constant bounds
+constexpr std::size_t most_branches = 1000;  ///< maximum number of nested branches, because each branch is a recursion
+constexpr std::uint64_t most_iterations = 100'000;  ///< maximum number of iterations of a loop with constant bounds
 constexpr std::size_t most_terms = 20'000'000;
 
 }  // namespace
@@ -61,8 +62,8 @@ void SymbolicExecution::write(std::uint32_t cell, Id<Expr> value) {
     memory_[cell] = value;
 }
 
-/// Restores the cells written since `mark`, and returns the values that they had before this. Frames of functions have
-/// already ended.
+/// Restores the cells that were written after `mark` of the journal, and returns the values that are discarded. Cells
+/// of functions that have returned no longer exist.
 std::vector<SymbolicExecution::Changed> SymbolicExecution::undo(std::size_t mark) {
     std::vector<Changed> changed;
     for (std::size_t i = mark; i < journal_.size(); ++i)
@@ -194,12 +195,12 @@ void SymbolicExecution::loop(const Program::Statement& statement, Id<Expr> last,
     write(exited_, exprs_.constant(false));
 }
 
-/// Executes the remaining iterations. While their condition is constant, they are executed in this call, otherwise in a
-/// branch.
+/// Executes the remaining iterations. While the condition of the loop is constant, iterations are executed in this
+/// call, otherwise in a branch.
 void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame) {
     const Program::Body& body = statement.arms.front().body;
     const std::uint32_t variable = statement.kind == Kind::For ? address(statement.place, frame) : 0;
-    const auto rest = [&] {  // rest of the loop, executed if the body executes neither EXIT nor RETURN
+    const auto rest = [&] {  // prepares the next iteration if the body executed neither EXIT nor RETURN
         write(exited_, exprs_.constant(false));
         write(returned_, exprs_.constant(false));
         if (statement.kind == Kind::For)
@@ -218,7 +219,7 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
             condition = exprs_.apply(statement.step > 0 ? Op::LessEqual : Op::GreaterEqual, memory_[variable], last);
         if (is_false(exprs_, condition)) return;
         bool ends = false;
-        const auto once = [&] {  // true if the next iteration follows unconditionally
+        const auto once = [&] {  // returns true if the next iteration follows unconditionally
             execute(body, 0, frame);
             if (failed_) return false;
             Id<Expr> goes_on = alive();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Symbolic execution of statements on memory cells that contain terms. Writes are recorded in a journal. After one
-// branch is executed, its writes are undone, and the other branch is executed. Each cell that one of them has written
-// gets a conditional term.
+// Symbolic execution of statements on memory cells that contain terms. A journal records all writes. After the
+// execution of the first branch of a statement, its writes are undone, and the second branch is executed. Then the
+// value of each cell that a branch has written is a conditional term.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ class SymbolicExecution {
 public:
     SymbolicExecution(const Program& program, const ProgramLayout& layout, Exprs& exprs, Diagnostics& diagnostics);
 
-    /// Returns the terms of the cells; the cells at the end are internal.
+    /// Returns the terms of the memory cells. The last cells are internal.
     std::vector<Id<Expr>>& memory() { return memory_; }
     void run_main();
     Id<Expr> value(Id<Program::Node> node, std::uint32_t frame);
@@ -59,7 +59,8 @@ private:
     std::uint32_t address(const Program::Place& place, std::uint32_t frame) const {
         return place.global ? place.offset : frame + place.offset;
     }
-    /// The cell for given values of the indices, and the condition that they have these values.
+    /// The cell of an array element for certain values of the indices, and the condition that the indices have these
+    /// values.
     struct Element {
         std::uint32_t cell = 0;
         Id<Expr> condition = {};
@@ -76,7 +77,7 @@ private:
     Diagnostics& diagnostics_;
     std::vector<Id<Expr>> memory_ = {};
     std::vector<Write> journal_ = {};
-    std::vector<Id<Expr>> path_ = {};  ///< conditions of the open branches
+    std::vector<Id<Expr>> path_ = {};  ///< conditions of the branches that are being executed
     std::uint32_t main_ = 0, returned_ = 0, exited_ = 0, value_ = 0;
     std::uint64_t executed_ = 0;
     const Program::Statement* loop_ = nullptr;  ///< the outermost loop that is being executed

@@ -16,7 +16,7 @@ namespace {
 
 using Role = Equations::Role;
 
-/// Limited because some engines traverse terms recursively.
+/// Maximum depth of terms, because some engines traverse terms recursively.
 constexpr std::uint32_t deepest_term = 5000;
 
 Type type_of(const Program::Type& type) {
@@ -60,7 +60,7 @@ private:
     void add_variables(std::vector<Id<Expr>>& memory) {
         const std::vector<ProgramCell>& cells = scan_.layout.cells;
         scan_.variables.resize(cells.size());
-        // Backwards, so that the variables of the program keep their names.
+        // In reverse order, so that the names of the program's variables remain unchanged.
         for (std::size_t i = cells.size(); i-- > 0;) {
             const ProgramCell& cell = cells[i];
             Type type = type_of(program_.types[cell.type]);
@@ -76,7 +76,7 @@ private:
     }
 
     void advance_timers(std::vector<Id<Expr>>& memory) {
-        if (scan_.layout.longest == 0) return;  // no elapsed time changes
+        if (scan_.layout.longest == 0) return;  // there is no timer with an elapsed time
         Id<Expr> step;
         if (program_.interval_ms) {
             step = exprs().integer(*program_.interval_ms);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// scan_of: translates a Program to Equations by symbolic execution of one scan. The value of every cell after the scan
-// is a term over the values before the scan and the inputs. Terms are shared, and the branches of IF and CASE are
-// merged per cell. Therefore the size of the terms is linear in the number of executed statements. Loops are unrolled
-// and calls are inlined.
+// scan_of: translates a Program to Equations by symbolic execution of one scan. The value of every memory cell after
+// the scan is a term over the values before the scan and the inputs. Terms are shared, and the branches of IF and CASE
+// are merged for each cell. Therefore the size of the terms is linear in the number of executed statements. Loops are
+// unrolled and calls are inlined.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,11 @@
 
 namespace grafverif {
 
-/// Executes one scan. The result is empty after an error: a loop has no constant bound, or the program is too large.
+/// Executes one scan. The result is empty after an error: the number of iterations of a loop has no constant bound, or
+/// the program is too large.
 std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics);
 
-/// Returns the value of an expression over the variables of `main` at the end of the scan, or nothing after an error.
+/// Returns the value of an expression over the variables of `main` at the end of the scan, or nullopt after an error.
 std::optional<Id<Expr>> value_after(const Program& program, Id<Program::Node> node, Scan& scan,
                                     Diagnostics& diagnostics);
 

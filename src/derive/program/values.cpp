@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Evaluates expressions. Terms wrap a result around if it is outside of the range of its type. The ranges of the
-// operands determine if one addition or subtraction is sufficient.
+// Evaluates expressions. Values outside the range of a type wrap around. The ranges of the operands determine if one
+// addition or subtraction is sufficient.
 #include <algorithm>
 #include <bit>
 
@@ -57,7 +57,8 @@ std::vector<SymbolicExecution::Element> SymbolicExecution::elements(const Progra
     return found;
 }
 
-/// With an index outside of the array: a fault, and any value.
+/// Returns the value of a variable or array element. An index outside the array is a fault, and the value is then
+/// arbitrary.
 Id<Expr> SymbolicExecution::read(const Program::Node& node, std::uint32_t frame) {
     if (node.place.indices.empty()) return memory_[address(node.place, frame)];
     const std::vector<Element> all = elements(node.place, frame, node.origin);
@@ -67,7 +68,8 @@ Id<Expr> SymbolicExecution::read(const Program::Node& node, std::uint32_t frame)
     return result;
 }
 
-/// The second operand is evaluated in a branch, which its faults and overflows have as a condition.
+/// Evaluates the second operand in a branch, so that its faults and overflows occur only under the condition of the
+/// branch.
 Id<Expr> SymbolicExecution::lazy(const Program::Node& node, std::uint32_t frame) {
     const Id<Expr> first = value(node.operands[0], frame);
     const bool conjunction = node.op == Operation::AndThen;
@@ -83,7 +85,7 @@ Id<Expr> SymbolicExecution::lazy(const Program::Node& node, std::uint32_t frame)
 
 // -- bit strings ------------------------------------------------------------------------------------------------------
 
-/// True if the bit of a number from 0 is set.
+/// Returns a term that is true if bit `place` of a non-negative number is set.
 Id<Expr> SymbolicExecution::bit(Id<Expr> value, std::int64_t place) {
     const Id<Expr> shifted =
         place == 0 ? value : exprs_.apply(Op::Divide, value, exprs_.integer(std::int64_t{1} << place));
@@ -94,10 +96,10 @@ Id<Expr> SymbolicExecution::bitwise(const Program::Node& node, const std::vector
     const std::int64_t high = program_.types[node.type].high;
     const auto width = static_cast<std::int64_t>(std::popcount(static_cast<std::uint64_t>(high)));
     const auto power = [&](std::int64_t places) { return exprs_.integer(std::int64_t{1} << places); };
-    const auto lower = [&](std::int64_t places) {  // the bits below a place
+    const auto lower = [&](std::int64_t places) {  // number that consists of the lowest bits
         return places == width ? values[0] : exprs_.apply(Op::Modulo, values[0], power(places));
     };
-    const auto upper = [&](std::int64_t places) {  // the bits from a place
+    const auto upper = [&](std::int64_t places) {  // number without the lowest bits
         return places == 0 ? values[0] : exprs_.apply(Op::Divide, values[0], power(places));
     };
     switch (node.op) {
@@ -225,14 +227,15 @@ Id<Expr> SymbolicExecution::in_range(const Program::Node& node, Id<Expr> value) 
     const Id<Expr> below = only_up ? exprs_.constant(false) : exprs_.apply(Op::Less, value, low);
     if ((only_up && type.low == 0) || (is_false(exprs_, above) && is_false(exprs_, below))) return value;
     event(time ? faults : overflows, exprs_.disjunction(above, below), node.origin, ProgramFault::Range);
-    if (only_up) {  // the least number, negated
+    if (only_up) {  // the result can only be the negated minimum
         const std::int64_t count = type.high - type.low + 1;
         return exprs_.conditional(above, exprs_.apply(Op::Minus, value, exprs_.integer(count)), value);
     }
     return wrapped_term(type, value, node.op != Operation::Times);
 }
 
-/// Wraps a value around. If `once` is true, its distance from the range is less than the number of values of the range.
+/// Wraps a value around. If `once` is true, the distance of the value from the range is at most the number of values of
+/// the range.
 Id<Expr> SymbolicExecution::wrapped_term(const Program::Type& type, Id<Expr> value, bool once) {
     const Id<Expr> count = exprs_.integer(type.high - type.low + 1);
     if (once) {

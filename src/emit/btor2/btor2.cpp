@@ -21,11 +21,11 @@ namespace {
 using Line = std::uint32_t;  ///< line number; 0 means no line
 using Variable = FlatSystem::Variable;
 
-/// A value: a bit vector, with the condition under which it is undefined.
+/// A bit vector with the condition under which its value is undefined.
 struct Word {
     bool boolean = true;
     std::uint32_t width = 1;
-    Line line = 0, undefined = 0;  ///< condition under which it is undefined; 0 if it is always defined
+    Line line = 0, undefined = 0;  ///< condition under which the value is undefined; 0 if it is always defined
 };
 
 std::uint32_t width_of(std::int64_t value) {
@@ -54,7 +54,8 @@ public:
         for (const Line operand : operands) line += " " + std::to_string(operand);
         return said(line + rest);
     }
-    /// Adds a line that is not a value, or that must not be shared with other values.
+    /// Adds a line without searching for an equal line: the line is not a value, or must not be shared by several
+    /// values.
     Line fresh(const std::string& line) {
         text_ += std::to_string(++last_) + " " + line + "\n";
         return last_;
@@ -94,8 +95,7 @@ public:
         return known_.at(root.index);
     }
 
-    // -- Booleans; `undefined` is false if it is line 0
-    // -------------------------------------------------------------------
+    // -- Booleans; `undefined` is false if it is line 0 --------------------------------------------------------------
 
     Line truth(bool value) { return lines_.constant(1, value ? 1 : 0); }
     Line negation(Line a) { return lines_.apply("not", 1, {a}); }
@@ -105,7 +105,7 @@ public:
         if (a == b) return a;
         return lines_.apply("ite", 1, {condition, a == 0 ? truth(false) : a, b == 0 ? truth(false) : b});
     }
-    /// True if the word is true and defined.
+    /// Returns a line that is true if the word is true and defined.
     Line holds(const Word& word) { return word.undefined == 0 ? word.line : both(word.line, negation(word.undefined)); }
 
     Line widened(const Word& word, std::uint32_t width) {
@@ -123,14 +123,14 @@ public:
         const std::uint32_t width = std::max(left.width, right.width);
         return lines_.apply(op, 1, {widened(left, width), widened(right, width)});
     }
-    /// True if the word is in the range of `type`, and defined.
+    /// Returns a line that is true if the word is defined and in the range of `type`.
     Line within(const Word& word, Type type) {
         const Line fits =
             type.boolean ? truth(true)
                          : both(compared("sgte", word, integer(type.low)), compared("slte", word, integer(type.high)));
         return word.undefined == 0 ? fits : both(fits, negation(word.undefined));
     }
-    /// Returns the word with the width of `type`. Its values must be in the range of `type`.
+    /// Returns the word with the width of `type`. Requires that its values are in the range of `type`.
     Line fitted(const Word& word, Type type) {
         const std::uint32_t width = width_of(type);
         if (word.width <= width) return widened(word, width);
@@ -174,7 +174,7 @@ private:
         case Op::Parameter:
         case Op::At: return leaf_(node);
         case Op::Rise:
-        case Op::Fall: unreachable();  // derive has already replaced all edges
+        case Op::Fall: unreachable();  // `derive` has already replaced all edge operators
         }
         unreachable();
     }
@@ -195,7 +195,7 @@ private:
         return {true, 1, compared(op, operands[0], operands[1]), either(operands[0].undefined, operands[1].undefined)};
     }
 
-    /// The result has the width of the wider operand plus `more`.
+    /// Applies `op` to two words. The result has the width of the wider operand plus `more`.
     Word calculated(std::string_view op, const Word& left, const Word& right, std::uint32_t more) {
         const std::uint32_t width = std::max(left.width, right.width) + more;
         return {false, width, lines_.apply(op, width, {widened(left, width), widened(right, width)}),
@@ -272,7 +272,7 @@ private:
     }
 
     void add_words() {
-        const Line no = now_.truth(false);  // placed before the states that are initialized with it
+        const Line no = now_.truth(false);  // this constant must precede the states that are initialized with it
         started_ = named("state", Type{}, "started");
         define("init", started_, no);
         define("next", started_, now_.truth(true));

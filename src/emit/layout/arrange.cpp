@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Orders and positions the items of layers iteratively. Each item is attracted to the other ends of its lines,
-// alternately in the previous and in the next layer. The positions in a layer are then the nearest ones that keep the
-// order and the gaps. They are computed by isotonic regression: overlapping items are merged into blocks at the mean of
-// their preferred positions. The result of the iteration with the shortest lines on tracks is used.
+// alternately in the previous and in the next layer. The positions in a layer are then the positions nearest to the
+// preferred ones that preserve the order and the gaps. They are computed by isotonic regression: overlapping items are
+// merged into blocks at the mean of their preferred positions. The final layout is the iteration with the smallest
+// total length of lines on tracks.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +24,7 @@ int gap(const Item& above, const Item& below) {
     return above.lane && below.lane ? 10 : above.lane || below.lane ? 13 : 24;
 }
 
-/// Preferred start of an item.
+/// The preferred start of an item.
 struct PreferredPosition {
     double sum = 0, weight = 0;
     void add(double place, double by) {
@@ -65,8 +66,8 @@ public:
     }
 
 private:
-    /// Attracts the items of a layer to the other ends of their lines: in the previous layer if `before`, in the next
-    /// layer if `behind`. If `anew`, the items are also reordered.
+    /// Moves the items of a layer towards the other ends of their lines: the ends in the previous layer if `before` is
+    /// true, the ends in the next layer if `behind` is true. If `anew` is true, the items are also reordered.
     void draw(std::size_t layer, bool before, bool behind, bool anew) {
         std::vector<std::size_t>& order = layers_.order[layer];
         for (const std::size_t item : order) wishes_[item] = {};
@@ -80,7 +81,8 @@ private:
         place(order);
     }
 
-    /// Straightness of forward lines has the highest weight, then lanes; backward lines have a low weight at nodes.
+    /// Returns the weight of straightness of a line at `item`. Forward lines have the highest weight, followed by
+    /// lanes; backward lines have a low weight at nodes.
     double weight(std::size_t channel, const Net& net, std::size_t item) const {
         if (layers_.depth[net.target] > channel) return 8;
         return layers_.items[item].lane ? 2 : 0.25;
@@ -111,7 +113,7 @@ private:
         return wish.weight == 0 ? layers_.items[item].at : wish.sum / wish.weight;
     }
 
-    /// Assigns the positions nearest to the preferred ones under the given order and gaps.
+    /// Assigns to each item the position nearest to its preferred position, under the given order and gaps.
     void place(const std::vector<std::size_t>& order) {
         struct Block {
             double sum = 0, weight = 0;  ///< sum over the preferred positions of the first item
@@ -168,7 +170,7 @@ private:
         return forward ? far_place(layers_, net.far.front()) : near_place(layers_, net.near.front());
     }
 
-    /// Moves nodes so that a line from the previous layer enters straight, if there is space.
+    /// Moves nodes such that a line from the previous layer enters without a bend, if there is enough space.
     void straighten_nodes(std::size_t layer) {
         constexpr int corner = 10;
         const std::vector<std::size_t>& order = layers_.order[layer];
@@ -186,7 +188,7 @@ private:
         }
     }
 
-    /// Aligns the lanes of a backward line, as far as their neighbours permit.
+    /// Aligns the lanes of a backward line, as far as the neighbouring items permit.
     void straighten_lanes() {
         std::vector<std::size_t> place_of(layers_.items.size());
         for (const std::vector<std::size_t>& order : layers_.order)
@@ -264,8 +266,8 @@ private:
         return at;
     }
 
-    /// Determines the entry for lines to an item that begins at `at`. For a lane, it is this position. For a node, it
-    /// is the position of an incoming line, otherwise as near to the middle of the node as possible.
+    /// Determines the entry for lines to an item that begins at `at`. The entry of a lane is `at`. The entry of a node
+    /// is the position of an incoming line if possible, otherwise a position near the middle of the node.
     static bool enter(Item& item, int at, const std::map<int, std::size_t>& lines) {
         constexpr int corner = 8;
         const auto is_free = [&](int place) {
@@ -297,7 +299,7 @@ private:
     std::vector<PreferredPosition> wishes_;
 };
 
-/// Positions of a net on both sides of its track.
+/// The positions of the lines of a net on both sides of its track.
 struct Sides {
     std::vector<double> near = {}, far = {};
     Extent extent = {};
@@ -308,7 +310,7 @@ std::ptrdiff_t within(const std::vector<double>& places, Extent extent) {
     return std::ranges::lower_bound(places, extent.high) - std::ranges::upper_bound(places, extent.low);
 }
 
-/// Returns the number of crossings if the track of `first` precedes that of `second`.
+/// Returns the number of crossings if the track of `first` precedes the track of `second`.
 std::ptrdiff_t crossings_between(const Sides& first, const Sides& second) {
     return within(first.far, second.extent) + within(second.near, first.extent);
 }

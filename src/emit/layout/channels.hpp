@@ -12,40 +12,39 @@ namespace grafverif::layout {
 
 inline constexpr std::size_t nothing = static_cast<std::size_t>(-1);
 
-/// An item that occupies space in a layer: a node with its rows, or a lane for a line back to a node.
+/// An item that occupies space in a layer: a node with its rows, or a lane for a backward line to a node.
 struct Item {
     std::size_t node = 0;
     bool lane = false;
-    int size = 0;   ///< size across
-    double at = 0;  ///< start across
-    // only for a node:
+    int size = 0;   ///< size in the direction `across`
+    double at = 0;  ///< start in the direction `across`
+    // The following members are valid only for a node.
     bool is_reached_back = false;  ///< true if it has incoming lines that do not come from the previous layer
-    int rows = 0;                  ///< size of its rows across
-    int entry = 0;                 ///< entry of lines from the previous layer, relative to `at`
-    int back_entry = 0;            ///< entry of all other lines, relative to `at`
+    int rows = 0;                  ///< size of the rows in the direction `across`
+    int entry = 0;                 ///< position of incoming lines from the previous layer, relative to `at`
+    int back_entry = 0;            ///< position of all other incoming lines, relative to `at`
 };
-/// Space above the rows of a node with backward lines.
+/// The height of the space above the rows of a node with incoming backward lines.
 inline constexpr int back_room = 14;
 
-/// Outgoing arrow of a node. All values are across: the space before and after its line, and the position of the line
-/// relative to Item::at.
+/// An outgoing arrow of a node. All values are distances across: the space before and after its line, and the position
+/// of the line relative to Item::at.
 struct Row {
     std::size_t to = nothing;
     int before = 0, behind = 0, at = 0;
 };
 
-/// Point where a line leaves or enters an item.
+/// A point at which a line leaves or enters an item.
 struct Port {
     std::size_t item = 0;
-    std::size_t arrow = nothing;  ///< row of this arrow, if any
+    std::size_t arrow = nothing;  ///< arrow whose row contains the port, if any
 };
 
-/// The lines to one node in one channel; they join on a track.
+/// The lines to one node in one channel. These lines join on a track.
 struct Net {
     std::size_t target = 0;
-    std::vector<Port> near = {},
-                      /// Ports in the layers before and after the channel; the port towards the target is first.
-        far = {};
+    /// Ports in the layers before and after the channel; the port towards the target is first.
+    std::vector<Port> near = {}, far = {};
     std::size_t track = 0;
 };
 
@@ -56,14 +55,14 @@ struct Layers {
     std::vector<std::vector<std::size_t>> arrows = {};  ///< outgoing arrows of each node, in the order of the rows
     std::vector<Row> rows = {};                         ///< row of each arrow
     std::vector<std::size_t> depth = {};                ///< layer of each node
-    std::vector<std::map<std::size_t, std::size_t>> net_of = {};  ///< index of the net per channel and target
+    std::vector<std::map<std::size_t, std::size_t>> net_of = {};  ///< index of the net by target, per channel
 
     const Net& net(std::size_t channel, std::size_t target) const {
         return channels[channel][net_of[channel].at(target)];
     }
 };
 
-/// Position, across, of the line at a port of a net.
+/// Returns the position, in the direction `across`, of the line at a port of a net.
 inline double near_place(const Layers& layers, const Port& port) {
     const Item& item = layers.items[port.item];
     return item.at + (port.arrow != nothing ? layers.rows[port.arrow].at : item.back_entry);
@@ -73,7 +72,7 @@ inline double far_place(const Layers& layers, const Port& port) {
     return item.at + item.entry;
 }
 
-/// Range of a net on its track.
+/// The range that a net occupies on its track.
 struct Extent {
     double low = 0, high = 0;
 };

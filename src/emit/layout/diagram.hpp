@@ -2,11 +2,11 @@
 // Drawings of location automata, Mealy machines (JESA13 Figs. 8, 10, 11) and components: Graphviz DOT, and SVG with a
 // built-in layout.
 //
-// A node is a location. It shows its number and situation, and below them the outputs that are set. An arrow is an
-// evolution with its condition; a dashed arrow without target shows inputs for which no stable situation is reached. In
-// a Mealy machine, an arrow has a label `condition / outputs`. Arrows between the same two states are merged; their
-// labels are placed below each other. In the drawing of a component, nodes show invariants. Each edge has an arrow,
-// which is marked as immediate or timed and shows the guard and the effect.
+// A node represents a location. It shows the number and situation of the location, and below them the outputs that are
+// set. An arrow represents an evolution and shows its condition; a dashed arrow without target shows inputs for which
+// no stable situation is reached. In a Mealy machine, an arrow has a label `condition / outputs`. Arrows between the
+// same two states are merged; their labels are placed below each other. In the drawing of a component, nodes show
+// invariants. Each edge has an arrow, which is marked as immediate or timed and shows the guard and the effect.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +30,13 @@ struct Diagram {
     struct Arrow {
         std::size_t from = 0, to = 0;
         std::vector<std::string> lines = {};
-        bool dashed = false;  ///< total instability; `to` equals `from`
+        bool dashed = false;  ///< true for total instability; then `to` equals `from`
         bool operator==(const Arrow&) const = default;
     };
     std::string name = {};
     std::vector<Node> nodes = {};
     std::vector<Arrow> arrows = {};
-    bool numbered = true;  ///< true: nodes are identified by numbers; false: by names
+    bool numbered = true;  ///< true if nodes are identified by numbers, false if by names
     bool operator==(const Diagram&) const = default;
 };
 
@@ -48,9 +48,9 @@ void emit_dot(const Diagram& diagram, std::ostream& out);
 /// Writes a drawing, or a table if there are more nodes than `largest_drawing`. `prefix` is prepended to all ids.
 void emit_svg(const Diagram& diagram, std::ostream& out, std::string_view prefix = "");
 
-/// Number of nodes above which a drawing is not readable.
+/// The maximum number of nodes for which a drawing is readable.
 inline constexpr std::size_t largest_drawing = 60;
-/// Number of nodes above which a table is not readable. The DOT file can still be used with Graphviz.
+/// The maximum number of nodes for which a table is readable. The DOT file can still be used with Graphviz.
 inline constexpr std::size_t largest_table = 200;
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Diagrams as SVG: a layered drawing, in the direction that results in the smaller page, or a table. Text uses a
-// monospaced font, so that it fits its boxes in every viewer.
+// Writes diagrams as SVG: a layered drawing, in the direction that results in the smaller page, or a table. The font is
+// monospaced, so that each text fits its box in every viewer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ struct Page {
     int side() const { return std::max(2 * places.size.width / 3, places.size.height); }
 };
 
-/// Returns the table: all nodes in one column, each with its arrows and the numbers of their targets.
+/// Returns the table: all nodes in one column, each with its arrows and the numbers of the target nodes.
 Layered table(const layout::States& states) {
     constexpr int gap = 10, row_gap = 3;
     Layered places;
@@ -90,7 +90,7 @@ Layered table(const layout::States& states) {
     return places;
 }
 
-/// `direction` is the direction of the drawing; if it is empty, the page is a table.
+/// Returns the page with a drawing in the given direction, or with a table if `direction` is empty.
 Page page(const Diagram& diagram, std::optional<Direction> direction) {
     constexpr std::size_t node_width = 36;
     const std::size_t label_width = !direction ? 100 : direction == Direction::Across ? 60 : 32;
@@ -169,7 +169,7 @@ private:
              "black");
     }
 
-    /// Arrows with a common end are drawn as one path. Therefore shared segments are drawn only once.
+    /// Draws arrows with a common end as one path, so that shared segments are drawn only once.
     void lines() {
         std::map<std::pair<int, int>, std::size_t> known;
         Lines paths;

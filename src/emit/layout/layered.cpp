@@ -32,8 +32,8 @@ struct Axes {
     }
 };
 
-/// Returns the distance of each node from the first node. Unreachable nodes are placed after all others, so that no
-/// forward arrow skips a layer.
+/// Returns the distance of each node from the first node. Unreachable nodes get larger distances than all other nodes,
+/// so that no forward arrow skips a layer.
 std::vector<std::size_t> depths(const States& states) {
     std::vector<std::vector<std::size_t>> next(states.nodes.size());
     for (const States::Arrow& arrow : states.arrows)
@@ -162,7 +162,7 @@ public:
     }
 
 private:
-    /// Positions along: those of the nodes of a layer, of their rows, and of the channel after the layer.
+    /// Positions in the direction `along`: of the nodes of a layer, of their rows, and of the channel after the layer.
     struct Place {
         int nodes = 0, rows = 0, channel = 0;
     };
@@ -230,7 +230,7 @@ private:
         }
     }
 
-    /// Continues the current line to a point. Points without a turn are omitted.
+    /// Continues the current line to a point. Points at which the line does not turn are omitted.
     void to(int along, int across) {
         const Point next = axes_.point(along, across);
         if (!line_.empty() && line_.back() == next) return;

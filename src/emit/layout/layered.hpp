@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // layered: computes the layout of a graph of states and arrows in one reading direction.
 //
-// A layer contains the nodes with equal distance from the first node. An arrow leads to the next layer, stays in its
-// layer or leads back. It leaves its node on the far side, in a separate row, and its label lies along that row.
-// Between two layers is a channel, in which arrows to one node join in one line. Arrows from the previous layer enter
-// the node on the near side, all other arrows on the far side, above its rows. A backward line has a separate lane in
-// each layer that it passes.
+// A layer contains the nodes with equal distance from the first node. An arrow leads to the next layer, to the same
+// layer or to a previous layer. It leaves its node at the side that faces the next layer, in a separate row, and its
+// label is placed along this row. Between two layers is a channel, in which arrows to one node join in one line. An
+// arrow from the previous layer ends at the side of its target node that faces this layer. All other arrows end at the
+// opposite side, above the rows of the node. A backward arrow has a separate lane in each layer that it crosses.
 //
 // Guarantees: boxes of nodes and labels do not overlap, and no line intersects a box. Lines are horizontal or vertical,
 // and lines of different nets meet only in crossings. The result depends only on the graph.
@@ -30,7 +30,7 @@ struct States {
     std::size_t first = 0;
 };
 
-/// Direction in which the layers follow each other.
+/// The direction from one layer to the next.
 enum class Direction { Across, Down };
 
 struct Layered {
@@ -41,7 +41,7 @@ struct Layered {
     std::vector<Box> nodes = {};
     std::vector<Arrow> arrows = {};
     std::vector<Point> joints = {};  ///< points where arrows to one node join
-    Size size = {};                  ///< the drawing lies between the origin and this point
+    Size size = {};                  ///< size of the drawing, which begins at the origin
 };
 
 Layered layered(const States& states, Direction direction);

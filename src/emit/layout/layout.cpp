@@ -17,7 +17,7 @@ constexpr std::size_t many_links = 300;  // number of links above which links ma
 struct Candidate {
     Box box = {};
     double penalty = 0;
-    bool astray = false;  ///< true if the label is so far away that its element is not obvious
+    bool astray = false;  ///< true if the label is too far away from its element
 };
 
 Box centred(Vector centre, Size size) {
@@ -32,7 +32,8 @@ Box aired(const Box& box) {
 
 bool is_empty(Size size) { return size.width == 0 || size.height == 0; }
 
-/// Returns candidate positions around a node: above, below, at the corners and at the sides, then farther away.
+/// Returns candidate positions around a node: above, below, at the corners and at the sides, followed by positions that
+/// are farther away.
 std::vector<Candidate> around(Vector node, Size size) {
     static constexpr std::array<Vector, 8> sides = {
         {{0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}}};
@@ -80,7 +81,7 @@ std::vector<Candidate> beyond(const Route& route, Size size) {
     return list;
 }
 
-/// A layout at one scale.
+/// An attempted layout at one scale.
 struct Attempt {
     Drawing drawing = {};
     int crossings = 0, astray = 0;
@@ -180,7 +181,7 @@ Drawing draw(const Graph& graph) {
     for (std::size_t i = 0; i < scales.size(); ++i) {
         const Skeleton lines = skeleton(graph, order, scales[i]);
         Attempt attempt;
-        attempt.drawing.nodes.reserve(graph.nodes.size());  // reserved because labels refer to nodes by address
+        attempt.drawing.nodes.reserve(graph.nodes.size());  // labels refer to nodes by address
         attempt.drawing.links.reserve(graph.links.size());
         Placer(graph, lines).place(attempt);
         const auto faults = [](const Attempt& a) { return std::pair(a.homeless.size(), a.crossings + a.astray); };

@@ -3,10 +3,10 @@
 //
 // Nodes are placed on a line if the links form a path, otherwise on an ellipse, in an order that keeps links short.
 // Links between the same two nodes run in parallel lanes. Loops are petals that point into the widest gap around their
-// node. Labels are then placed one by one. Each label is placed at the first of its candidate positions at which it
-// overlaps no other element and intersects no link. If there is no such position for a label, the drawing is stretched
-// and the layout repeated; the best attempt is used. A label that still has no position is placed below the drawing.
-// This does not occur for the charts of the samples.
+// node. Labels are then placed sequentially. Each label is placed at the first of its candidate positions at which it
+// overlaps no other element and intersects no link. If there is no such position for a label, the drawing is enlarged
+// and the layout is repeated; the best attempt is used. A label that still has no position is placed below the drawing.
+// This does not occur for any chart in the samples.
 //
 // Guarantee: boxes of nodes and labels do not overlap. The result depends only on the graph.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plane of a drawing: vectors, and the elements placed so far.
+// The plane of a drawing: vectors, and the elements that have already been placed.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ inline Vector direction(double angle) { return {std::cos(angle), std::sin(angle)
 inline Vector vector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 inline Point point(Vector a) { return {static_cast<int>(std::lround(a.x)), static_cast<int>(std::lround(a.y))}; }
 
-/// Returns the distance from the centre of a box to its border in the direction `along`.
+/// Returns half the extent of a box in the direction of the unit vector `along`.
 inline double reach(Size size, Vector along) {
     return (std::abs(along.x) * size.width + std::abs(along.y) * size.height) / 2;
 }
@@ -34,7 +34,7 @@ struct Segment {
     Vector from = {}, to = {};
 };
 
-/// The boxes and lines placed so far. Boxes are indexed by the squares of a grid that they touch.
+/// The boxes and lines that have already been placed. Boxes are indexed by the grid squares that they touch.
 class Plane {
 public:
     void add(const Box& box);

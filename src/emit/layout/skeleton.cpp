@@ -60,7 +60,7 @@ std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pai
     return order.size() == nodes ? order : std::vector<std::size_t>{};
 }
 
-/// Returns the sum of the squared distances of linked nodes on the ring. Squares penalize long links.
+/// Returns the sum of the squared distances of linked nodes on the ring. The squares penalize long links.
 std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& pairs) {
     std::vector<std::size_t> place(*std::ranges::max_element(order) + 1);
     for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
@@ -73,7 +73,7 @@ std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& 
     return sum;
 }
 
-/// Returns the order of nodes on the ring: the given order, unless another one has shorter links.
+/// Returns the order of nodes on the ring: the given order, unless another order has shorter links.
 std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::set<Pair>& pairs) {
     const std::size_t nodes = best.size();
     if (nodes <= 3) return best;
@@ -158,7 +158,7 @@ std::vector<Vector> on_ring(const Graph& graph, const std::vector<std::size_t>& 
 }
 
 /// Places pendant nodes next to their neighbours, in the direction away from the centre. Several pendants of one
-/// neighbour fan out.
+/// neighbour are arranged as a fan.
 void place_pendants(const Graph& graph, const std::vector<Arrangement::Pendant>& pendants, double scale,
                     std::vector<Vector>& places) {
     constexpr double fan = 0.7;
@@ -194,13 +194,13 @@ bool is_roomy(const std::vector<Vector>& places) {
     return true;
 }
 
-/// The links between two nodes, grouped by the side on which they run.
+/// The links between two nodes, grouped by side.
 struct Bundle {
     std::vector<std::size_t> outer = {}, inner = {};
 };
 
-/// Distributes the links between two nodes: links that are forward in the order of the nodes run outside, backward
-/// links inside. If all have the same direction, they are distributed over both sides.
+/// Distributes the links between two nodes. Links that are forward in the order of the nodes are on the outer side, and
+/// backward links are on the inner side. If all links have the same direction, they are distributed over both sides.
 std::map<Pair, Bundle> bundles(const Graph& graph, const Arrangement& arrangement) {
     std::vector<std::size_t> place(graph.nodes.size());
     for (std::size_t i = 0; i < arrangement.order.size(); ++i) place[arrangement.order[i]] = i;
@@ -257,8 +257,8 @@ public:
     }
 
 private:
-    /// Returns the normal of the straight link of a pair. It points away from the centre, or upwards if the link runs
-    /// through the centre.
+    /// Returns the normal of the straight link of a pair. The normal points away from the centre, or upwards if the
+    /// link intersects the centre.
     Vector outward(const Pair& pair) const {
         const Vector a = skeleton_.nodes[pair.first], b = skeleton_.nodes[pair.second];
         const Vector across = unit(normal(b - a));

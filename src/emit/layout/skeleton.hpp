@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The skeleton of a drawing: positions of nodes and routes of links. It is computed before labels are placed.
+// The skeleton of a drawing: positions of nodes and routes of links. The skeleton is computed before labels are placed.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace grafverif::layout {
 
-/// Arrangement of the nodes, independent of the scale.
+/// The arrangement of the nodes, independent of the scale.
 struct Arrangement {
-    bool line = false;                    ///< true: the nodes are on a horizontal line; false: on an ellipse, clockwise
+    bool line = false;                    ///< true if the nodes are on a horizontal line, false if on an ellipse
     std::vector<std::size_t> order = {};  ///< nodes on the line or ellipse, from first to last
     struct Pendant {
-        std::size_t node = 0, beside = 0;  ///< `node` has links only to `beside`, and is placed outside next to it
+        std::size_t node = 0, beside = 0;  ///< `node` has links only to `beside` and is placed next to it
     };
     std::vector<Pendant> pendants = {};
 };
@@ -23,7 +23,7 @@ Arrangement arrangement(const Graph& graph);
 
 struct Route {
     std::vector<Vector> nails = {};
-    Segment middle = {};  ///< part with the label; for a loop, its tip as both ends
+    Segment middle = {};  ///< segment of the link next to its label; for a loop, both ends are the tip
     Vector outward = {};  ///< unit vector from the middle towards the label
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks formulas for external tools against the model into which they are written. NuSMV would reject the complete
-// model for one unknown name.
+// Checks formulas for external tools against the model into which they are written. This check is necessary, because
+// NuSMV rejects a complete model if one name is unknown.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -21,7 +21,7 @@ namespace {
 using System = TransitionSystem;
 using Type = FormulaName::Type;
 
-/// The names of a model and what they denote.
+/// The names of a model and their meanings.
 class KnownNames {
 public:
     explicit KnownNames(const System& system) : system_(system) {
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// A symbol of main (invalid instance) or of an instance.
+    /// A symbol of main (with an invalid instance) or of an instance.
     using Place = std::pair<Id<System::Instance>, Id<System::Symbol>>;
 
     void add(const std::vector<std::string>& names, const std::string& path, Id<System::Instance> instance) {

@@ -30,13 +30,13 @@ struct ModulePrinter {
     const System::Module& module() const { return system.modules[id]; }
     const std::string& name(Id<System::Symbol> symbol) const { return names.symbols[id.index][symbol.index]; }
     const Exprs& exprs() const { return values.exprs(); }
-    /// Returns `value` in the notation of the model. If values have names, these replace the numbers. `symbol`, if
-    /// given, determines the type.
+    /// Returns `value` in the notation of the model. Names of values replace the numbers. `symbol`, if given,
+    /// determines the type.
     Id<Expr> written(Id<Expr> value, Id<System::Symbol> symbol = {}) const { return values.named(id, value, symbol); }
     void print(Id<Expr> value) const { print_expr(out, exprs(), value, nusmv_spelling, leaf); }
 };
 
-/// Prints the keyword of a part before its first entry, and a comment before each section of entries.
+/// Prints the keyword of a declaration block before its first entry, and a comment before each section of entries.
 struct SectionPrinter {
     std::ostream& out;
     const char* keyword = "";
@@ -51,7 +51,7 @@ struct SectionPrinter {
     }
 };
 
-/// Prints a value of `symbol`. A value with more than two cases is printed as `case`.
+/// Prints a value of `symbol`. A value with more than two cases is printed as a `case` expression.
 void print_value(const ModulePrinter& printer, Id<System::Symbol> symbol, Id<Expr> value) {
     const Exprs& exprs = printer.exprs();
     value = printer.written(value, symbol);
@@ -122,7 +122,7 @@ void print_choices(const ModulePrinter& printer) {
     }
 }
 
-/// Returns the heading in main for each of its instances.
+/// Returns the heading of each instance in main.
 std::vector<std::string_view> headings(const System& system) {
     const char* of_charts = system.controllers.size() > 1 ? "the controllers" : "the controller";
     std::vector<std::string_view> found(system.instances.size(),

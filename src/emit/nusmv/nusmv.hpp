@@ -15,8 +15,8 @@
 //   ctl, ltl     SPEC, LTLSPEC, as written
 // Every specification has the name of its property. The exception is `reachable`, which is negated and named
 // accordingly, because a specification is true if all initial states satisfy it (emit/nusmv/properties). An omitted
-// property is replaced by a comment with the reason. A value by cases is `case ... esac`. Names are made legal once
-// (syntax/print/legal_names); the header of the file contains the map of changed names.
+// property is replaced by a comment with the reason. A value with several cases is `case ... esac`. Names are converted
+// to legal names once (syntax/print/legal_names); the header of the file contains the map of changed names.
 #pragma once
 
 #include <iosfwd>
@@ -25,8 +25,8 @@
 
 namespace grafverif::nusmv {
 
-/// Returns `system` without the formulas (ctl, ltl) that do not fit the model. The reason is that a name is unknown or
-/// is used with a wrong type.
+/// Returns `system` without the formulas (ctl, ltl) that are invalid in the model, because a name is unknown or is used
+/// with a wrong type.
 TransitionSystem sayable(TransitionSystem system);
 
 /// Returns `system` without the properties whose values may exceed 32 bits, for which NuSMV would silently compute

@@ -77,7 +77,7 @@ Specification specification(const Printer& printer, const Property& property) {
     case Pattern::NoTimelock:
     case Pattern::Watched:
     case Pattern::ReachableAllSteps:
-    case Pattern::RawUppaal: break;  // does not occur in a TransitionSystem (verify)
+    case Pattern::RawUppaal: break;  // `verify` excludes this pattern
     }
     unreachable();
 }

@@ -50,8 +50,8 @@ void name_members(Names& result, const System& system) {
     }
 }
 
-/// Chooses one name per named value. The name differs from the symbols of all modules, because NuSMV's constants are
-/// global.
+/// Chooses one name per named value. The name differs from the names of symbols in all modules, because NuSMV's
+/// constants are global.
 void name_values(Names& result, const System& system) {
     std::vector<std::string> wishes;
     for (const System::Module& module : system.modules)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts that the NuSMV emitters share: the names of all elements, and line breaking.
+// Functions that the NuSMV emitters share: the names of all elements, and line breaking.
 #pragma once
 
 #include <iosfwd>
@@ -18,11 +18,11 @@ namespace grafverif::nusmv {
 
 struct Names {
     std::vector<std::string> modules = {};
-    /// Names of the symbols per module; `instance.symbol` for a member.
+    /// Names of the symbols, per module; a member of an instance is named `instance.symbol`.
     std::vector<std::vector<std::string>> symbols = {};
     std::vector<std::string> instances = {};
-    std::vector<std::string> properties = {};  ///< names of the specifications; `never_P` for `reachable` P
-    /// Named values, which are global constants in NuSMV: their names, and the index of each name.
+    std::vector<std::string> properties = {};  ///< names of the specifications; `never_P` for a `reachable` property P
+    /// The names of named values, which are global constants in NuSMV, and the index of each name.
     std::vector<std::string> values = {};
     std::unordered_map<std::string, std::size_t> value_places = {};
     /// Names that were changed, per scope.
@@ -35,15 +35,15 @@ struct Names {
 
 Names names_of(const TransitionSystem& system);
 
-/// The terms of a system in printed form. Numbers that denote named values become leaves whose indices follow those of
-/// the symbols of their module.
+/// The terms of a system in printed form. A number that denotes a named value becomes a leaf. The indices of these
+/// leaves follow the indices of the symbols of the module.
 class NamedValues {
 public:
     NamedValues(const TransitionSystem& system, const Names& names)
         : system_(system), names_(names), exprs_(system.exprs) {}
 
     const Exprs& exprs() const { return exprs_; }
-    /// Returns `term` of `module` in printed form. `symbol` is the symbol whose value it is, if any.
+    /// Returns `term` of `module` in printed form. `symbol` is the symbol that has this value, if any.
     Id<Expr> named(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol = {});
 
 private:

@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t least_slots = 2;  // minimum number of slots for pins2lts-dist
 
-/// C operators. Arithmetic uses functions that detect undefined values; parentheses avoid compiler warnings.
+/// C operators. Arithmetic operators become functions that detect undefined values. Parentheses avoid compiler
+/// warnings.
 Spelling spelling(Op op) {
     switch (op) {
     case Op::Not: return {"!", uppaal_spelling(op).precedence, "(", ")"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The slots of a state: positions of each location, variable and clock of an expanded network. Also determines the
-// slots that terms and edges read and write.
+// The slots of a state: positions of each location, variable and clock of an expanded network. This module also
+// determines the slots that terms and edges read and write.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +26,11 @@ struct Slots {
 
     const Network& network;
     std::vector<ProcessClocks> caps;
-    std::vector<std::string> names = {};  ///< name of each slot of a state: unique, with letters, digits and `_`
+    std::vector<std::string> names = {};  ///< unique name of each slot of a state, with letters, digits and `_`
     std::vector<std::int64_t> initial = {};
     std::uint32_t scratch = 0;                        ///< number of additional slots for temporary values during a move
-    std::vector<std::optional<Slot>> locations = {};  ///< slot of each process; empty if it has only one location
-    std::vector<std::optional<Slot>> variables = {};  ///< slot of each variable; empty if it has only one value
+    std::vector<std::optional<Slot>> locations = {};  ///< slot of each process; empty for a single location
+    std::vector<std::optional<Slot>> variables = {};  ///< slot of each variable; empty for a single value
     /// Slot per process and clock; empty if the clock is never compared.
     std::vector<std::vector<std::optional<Slot>>> clocks = {};
 
@@ -39,10 +39,10 @@ struct Slots {
     }
     /// Returns the slots of the state that a term of the network reads.
     SlotSet read_by(const Exprs& exprs, Id<Expr> term) const;
-    /// Returns the assignments of an edge, followed by those of the procedures that it calls.
+    /// Returns the assignments of an edge, followed by the assignments of the procedures that it calls.
     std::vector<Network::Assignment> effect(Id<Network::Process> process, const Network::Edge& edge) const;
-    /// Returns the bounds of an edge per clock: those of its constraint and, for clocks that it does not reset, those
-    /// of its target's invariant.
+    /// Returns the bounds of an edge per clock: the bounds of its constraint and, for clocks that it does not reset,
+    /// the bounds of the invariant of its target.
     std::vector<ClockInterval> tested(Id<Network::Process> process, const Network::Edge& edge) const;
 };
 

@@ -8,10 +8,10 @@
 //     update the timers                         update the timers
 //
 // Time is constant within a cycle, as in the equations: the output of a timer is sampled once, at the start of the
-// cycle, and then changes only as a consequence of evolutions. A TON whose input becomes FALSE and TRUE again within
+// cycle, and later changes only as a consequence of evolutions. A TON whose input becomes FALSE and TRUE again within
 // one cycle restarts.
 //
-// REPEAT is not used: a published version of MATIEC compiles `UNTIL c` as `while (c)`, without the negation.
+// REPEAT is not used, because a published version of MATIEC compiles `UNTIL c` as `while (c)`, without the negation.
 #include "emit/structured_text/body.hpp"
 
 #include <fmt/format.h>
@@ -86,7 +86,7 @@ private:
         return timer.lasted.empty() ? stored_in(equations_.timers[k].watched) : timer.lasted;
     }
 
-    /// Updates the timer after an evolution within the cycle.
+    /// Prints the update of the timer after an evolution within the cycle.
     void follow(std::size_t k) {
         call_timer(k);
         const std::string& end = stored_in(equations_.timers[k].end);
@@ -139,7 +139,8 @@ private:
         change(&Fault::first, &Kept::first, {});
     }
 
-    /// Prints the faults and values after the evolution, which the member pointers select. `title` precedes the values.
+    /// Prints the assignments of the faults and values after the evolution. The member pointers select the terms, and
+    /// `title` precedes the values.
     void change(Id<Expr> Fault::*condition, Id<Expr> Kept::*value, std::string_view title) {
         for (const Fault& fault : faults(equations_))
             if ((fault.*condition).valid()) refuse(fault.*condition, fault.variable.valid() ? 2 : 4);
@@ -162,14 +163,14 @@ private:
         change(&Fault::condition, &Kept::next, "steps and stored values");
     }
 
-    /// Sets the fault if `condition` holds.
+    /// Prints a statement that sets the fault if `condition` holds.
     void refuse(Id<Expr> condition, int fault) {
         if (!is_false(equations_.exprs, condition))
             line("IF {} THEN {} := {}; END_IF;", text(condition), names_.fault, fault);
     }
 
-    /// Assigns simultaneously: if a later value reads a target, the new value of the target is stored in a temporary
-    /// variable first.
+    /// Prints simultaneous assignments: if a later value reads a target, the new value of the target is first stored in
+    /// a temporary variable.
     void assign_at_once(std::vector<Assignment> updates) {
         std::erase_if(updates, [&](const Assignment& update) {
             const Expr& value = equations_.exprs[update.value];
@@ -192,7 +193,7 @@ private:
         for (const Variable target : waiting) line("{} := {};", stored_in(target), names_.fresh[target.index]);
     }
 
-    /// Assigns a value. A value by cases becomes one statement per case.
+    /// Assigns a value. A value with several cases becomes one statement per case.
     void assign(const std::string& target, Id<Expr> value) {
         const Exprs& exprs = equations_.exprs;
         if (exprs[value].op != Op::Conditional) return line("{} := {};", target, text(value));
@@ -224,7 +225,8 @@ private:
 
     // -- outputs --
 
-    /// Writes no statement if there are no outputs, because compilers reject an empty `IF`.
+    /// Prints the assignments of the outputs. Without outputs, no statement is printed, because compilers reject an
+    /// empty `IF`.
     void write_outputs() {
         std::vector<std::string> lines;
         for (const Equations::Output& output : equations_.outputs)

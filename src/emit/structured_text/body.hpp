@@ -13,7 +13,7 @@ struct Body {
     std::vector<bool> waits = {};  ///< for each variable: true if its new value needs a temporary variable
 };
 
-/// Returns one PLC cycle. Requires verify(equations).empty() and that the equations are expressible.
+/// Returns the statements of one PLC cycle. Requires verify(equations).empty() and that the equations are expressible.
 Body body_of(const Equations& equations, const Names& names, const Options& options);
 
 /// Returns a literal such as `T#3s`.

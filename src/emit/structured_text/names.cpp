@@ -10,11 +10,12 @@ namespace {
 
 using Role = Equations::Role;
 
-/// Names inside a block. All preferred names are collected before any is assigned, so that the total cost is linear in
-/// their number.
+/// The names inside a block. All preferred names are collected before the first name is assigned, so that the total
+/// cost is linear in the number of names.
 class Inner {
 public:
-    /// Requests a name. `place` receives the name when all are collected; its address must remain valid until then.
+    /// Requests a name. `place` receives the name after all names are collected; its address must remain valid until
+    /// then.
     void wish(std::string name, std::string& place) {
         wishes_.push_back(std::move(name));
         places_.push_back(&place);

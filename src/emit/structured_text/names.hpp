@@ -12,18 +12,18 @@
 
 namespace grafverif::structured_text {
 
-/// The names shared by a tester and a controller. They are assigned first, so that no internal name conflicts with
-/// them.
+/// The names that a tester and a controller share. These names are assigned first, so that no internal name conflicts
+/// with them.
 struct InterfaceNames {
     std::string block = {};
-    std::vector<std::string> variables = {};  ///< inputs first, then outputs
+    std::vector<std::string> variables = {};  ///< names of inputs, followed by names of outputs
 };
 InterfaceNames interface_names(const std::string& chart, std::span<const std::string> inputs,
                                std::span<const std::string> outputs);
 
 struct TimerNames {
     std::string on = {};  ///< name of the TON; empty if there is no rise time
-    /// Condition that the rise time has elapsed; only if there are both a rise time and a fall time.
+    /// Name of the condition that the rise time has elapsed; empty unless there are both a rise time and a fall time.
     std::string lasted = {};
     std::string off = {};  ///< name of the TOF; empty if there is no fall time
 };
@@ -31,7 +31,7 @@ struct TimerNames {
 struct Names {
     std::string block = {};
     std::vector<std::string> variables = {};  ///< name of each variable in the interface
-    std::vector<std::string> storage = {};    ///< storage of each variable; outputs with stored actions have an image
+    std::vector<std::string> storage = {};    ///< name of its storage; outputs with stored actions have an image
     std::vector<std::string> fresh = {};      ///< temporary variable for the new value of each variable, if needed
     std::vector<TimerNames> timers = {};
     std::string started = {}, stable = {}, evolutions = {}, limit = {}, fault = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The declarations of the controller around its body.
+// Writes the declarations of the controller and its body.
 #include "emit/structured_text/structured_text.hpp"
 
 #include <fmt/format.h>
@@ -113,8 +113,8 @@ namespace {
 
 constexpr std::int64_t longest_ms = std::numeric_limits<std::int32_t>::max();
 
-/// Determines per term the reason why DINT arithmetic does not compute it exactly; an empty text if it does. One pass
-/// is sufficient, because children precede parents.
+/// For each term: the reason why DINT arithmetic does not compute it exactly, or an empty text if it does. One pass
+/// over the table is sufficient, because children precede parents.
 class Obstacles {
 public:
     explicit Obstacles(const Equations& equations) : exprs_(equations.exprs), reasons_(equations.exprs.size()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes Equations as a controller in Structured Text (IEC 61131-3): a function block with the inputs and outputs of
-// the chart, which executes one PLC cycle per call. It implements the same equations that are verified.
+// the chart, which executes one PLC cycle per call. The block implements the same equations that are verified.
 //
 // Mapping:
 //   input, output          VAR_INPUT, VAR_OUTPUT of the same name; outputs are written at the end of the cycle
@@ -12,12 +12,12 @@
 //   faults                 output FAULT: 1 no stable situation within the bound (total instability), 2 a race of stored
 //                          actions, 3 a value outside its range, 4 contradictory forcing orders. After a fault the
 //                          block keeps its outputs and has no further effect.
-// New values are computed from old ones. If an assignment would change the operand of a later one, the new value is
-// stored in a temporary variable (N_...). Names are made legal once (syntax/print/legal_names); changed names are
-// listed in the header.
+// New values are computed from old values. If an assignment would change an operand of a later assignment, the new
+// value is stored in a temporary variable (N_...). Names are converted to legal names once (syntax/print/legal_names);
+// changed names are listed in the header.
 //
-// Also writes a TestSequence as a program that runs the test on an instance of such a block, or of any other block with
-// the same inputs and outputs. Each call performs one scan and compares the outputs.
+// A second function writes a TestSequence as a program. This program runs the test on an instance of such a block, or
+// of any other block with the same inputs and outputs. Each call performs one scan and compares the outputs.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@
 
 namespace grafverif::structured_text {
 
-enum class Form { Text, PlcopenXml };  ///< a textual unit, or a project in PLCopen TC6 XML 2.01
+enum class Form { Text, PlcopenXml };  ///< textual unit, or project in PLCopen TC6 XML 2.01
 
 struct Options {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
@@ -39,8 +39,8 @@ struct Options {
 };
 
 /// True if the block can compute `equations`. Otherwise reports each division by a divisor that is not constant, each
-/// value beyond 32 bits, and each duration beyond the range of TIME. A division is reported even if an operand before
-/// it excludes a zero divisor, because `and` and `or` need not stop at the first operand that determines the result.
+/// value beyond 32 bits, and each duration beyond the range of TIME. A division is reported even if a previous operand
+/// excludes a zero divisor, because `and` and `or` in Structured Text may evaluate all operands.
 bool expressible(const Equations& equations, Diagnostics& diagnostics);
 
 /// Writes the block. Requires verify(equations).empty() and that the equations are expressible.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Writes a TestSequence as a test program. Each call is one scan of the controller under test.
 //
-// Each row of the test is one case of CASE, with inputs, expected outputs, scans and waiting time. During a wait the
-// controller is not called: its timers continue, and the elapsed time is visible at the next scan. The timers of the
-// controller are started before that of the wait, so that they have expired when the wait ends. Power-on is represented
-// by a separate instance for each sequence.
+// Each row of the test is one branch of a CASE statement, with inputs, expected outputs, number of scans and waiting
+// time. During a wait, the controller is not called: its timers continue, and the elapsed time is visible at the next
+// scan. The timers of the controller start before the timer of the wait, so that they have expired when the wait ends.
+// Power-on is represented by a separate instance for each sequence.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::string value_text(const TestSequence::Variable& variable, std::int64_t valu
     return std::to_string(value);
 }
 
-/// Names of the program's variables. For example, `E_V1` is the expected value of output V1.
+/// Names of the variables of the test program. For example, `E_V1` is the expected value of output V1.
 struct TestNames {
     InterfaceNames interface = {};
     std::vector<std::string> inputs = {}, expected = {};

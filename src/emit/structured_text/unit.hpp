@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program organization unit of IEC 61131-3 (a program or a function block), and its two forms.
+// A program organization unit of IEC 61131-3 (a program or a function block), with functions that print it as text and
+// as XML.
 #pragma once
 
 #include <iosfwd>
@@ -17,7 +18,7 @@ struct UnitVariable {
     std::string name = {};
     std::string type = {};     ///< type: `BOOL`, `DINT`, `INT`, `UDINT`, `TON`, `TOF`, or the name of a block
     bool derived = false;      ///< true if the type is a function block
-    std::string initial = {};  ///< literal; may be empty
+    std::string initial = {};  ///< initial value as a literal; may be empty
     std::string comment = {};
 };
 
@@ -29,7 +30,7 @@ struct Unit {
     std::string body = {};
 };
 
-/// Returns `text` for use inside a comment: `(*` and `*)` are separated by a blank.
+/// Returns `text` for use inside a comment: a blank is inserted between the characters of `(*` and `*)`.
 std::string comment_text(std::string text);
 
 void print(const Unit& unit, Form form, std::ostream& out);

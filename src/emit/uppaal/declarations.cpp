@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The three programs of a UPPAAL project: global declarations with the model's header, the declarations of a template,
-// and the system definition.
+// Writes the three programs of a UPPAAL project: global declarations with the header of the model, the declarations of
+// a template, and the system definition.
 #include <algorithm>
 #include <array>
 #include <ostream>
@@ -150,7 +150,8 @@ std::string argument_text(const Names& names, const Type& type, const Network::A
                       argument);
 }
 
-/// Returns, per process, the controller to which the timer belongs, if there are several controllers; otherwise empty.
+/// Returns, for each process that is a timer, the name of its controller. The name is empty for all other processes,
+/// and for all processes if there is only one controller.
 std::vector<std::string_view> timer_owners(const Network& network) {
     std::vector<std::string_view> owners(network.processes.size());
     if (network.controllers.size() < 2) return owners;

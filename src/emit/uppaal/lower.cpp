@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replaces constructs that UPPAAL templates do not support, before the project is written (see lower).
+// Replaces constructs that UPPAAL templates do not support (see `lower`). The replacement takes place before the
+// project is written.
 #include <algorithm>
 
 #include "emit/uppaal/uppaal.hpp"
@@ -21,8 +22,8 @@ std::vector<std::vector<Id<Location>>> starts(const Network& network) {
     return used;
 }
 
-/// Creates one template per initial location. The template with its own initial location, or otherwise the first used
-/// one, keeps the name.
+/// Creates one template per initial location. The copy that starts in the initial location of the template keeps the
+/// name. If no process starts in this location, the copy for the first used location keeps the name.
 void split_by_start(Network& network) {
     const std::vector<std::vector<Id<Location>>> used = starts(network);
     UniqueNames names;

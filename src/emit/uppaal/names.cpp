@@ -8,7 +8,7 @@
 namespace grafverif::uppaal {
 namespace {
 
-/// Makes the names of several tables legal in one scope, and returns them table by table.
+/// Converts the names of several tables to legal names in one scope, and returns them for one table at a time.
 class Scope {
 public:
     template <class Entities>
@@ -83,8 +83,8 @@ std::string_view stem(std::string_view name) {
     return name;
 }
 
-/// Returns the global variables whose names may conflict with a local name or function of a template. There may be many
-/// globals, but there are few local names.
+/// Returns the global variables whose names may conflict with a local name or function of a template. The result is
+/// small even if there are many global variables, because there are few local names.
 std::unordered_set<std::string> rivals(const Network& network, const std::vector<std::string>& variables) {
     std::unordered_set<std::string> locals = {std::string(stem(guard_prefix))};
     const auto add = [&](const auto& entities) {
@@ -103,7 +103,7 @@ std::unordered_set<std::string> rivals(const Network& network, const std::vector
     return found;
 }
 
-/// Names parameters, clocks and procedures first, and then locations: only locations are named in queries.
+/// Names parameters, clocks and procedures first, and then locations, because queries can refer only to locations.
 LocalNames local_names(const Network& network, const Network::Template& automaton, Names& names,
                        const std::unordered_set<std::string>& rivals) {
     Scope inner, places;

@@ -19,7 +19,7 @@ inline constexpr std::string_view guard_prefix = "guard_";
 
 struct LocalNames {
     std::vector<std::string> parameters = {}, clocks = {}, locations = {}, procedures = {};
-    /// All of these names, and further names that additional names must avoid.
+    /// All names that additional names must avoid. They include the names above.
     std::unordered_set<std::string> taken = {};
 };
 
@@ -27,7 +27,7 @@ struct Names {
     std::vector<std::string> variables = {}, processes = {}, templates = {};
     std::string channel = {};             ///< channel on which every urgent edge emits
     std::vector<LocalNames> locals = {};  ///< local names of each template
-    /// Names that differ from those of the network; a local one is listed as `template.name`.
+    /// Names that differ from the names in the network; a local name is listed as `template.name`.
     std::vector<Renaming> changed = {};
 };
 

@@ -17,7 +17,7 @@
 namespace grafverif::uppaal {
 namespace {
 
-/// Returns the reason why UPPAAL has no formula for the pattern, or an empty string if it has one.
+/// Returns the reason why UPPAAL has no formula for the pattern, or an empty string if UPPAAL has a formula.
 std::string_view reason(Pattern pattern) {
     switch (pattern) {
     case Pattern::Always:
@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// Returns the steps that the property names, otherwise those of every controller.
+    /// Returns the steps that the property names. If it names none, returns the steps of all controllers.
     std::vector<Id<Network::Variable>> steps(const Property& property) const {
         std::vector<Id<Network::Variable>> found;
         for (const Id<Expr> operand : property.operands)
@@ -169,7 +169,7 @@ private:
     Terms terms_;
     const Names& names_;
     std::vector<bool> wide_;
-    std::unordered_set<std::string> known_ = {};  ///< names that formulas may use; determined on first use
+    std::unordered_set<std::string> known_ = {};  ///< names that formulas may use; computed on first use
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textual parts of a UPPAAL project. These are terms, constraints and assignments with the names of one template, and
+// Prints the textual parts of a UPPAAL project: terms, constraints and assignments with the names of one template, and
 // the three programs of a project (global declarations, declarations of a template, system definition).
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace grafverif::uppaal {
 
-/// Prints terms in UPPAAL syntax. Parameters are those of `automaton`. Without a template, as in queries, a term may
-/// contain location tests.
+/// Prints terms in UPPAAL syntax. Parameters belong to the template `automaton`. Without a template, as in queries, a
+/// term may contain location tests.
 class Terms {
 public:
     Terms(const Network& network, const Names& names, Id<Network::Template> automaton = {});
@@ -23,11 +23,11 @@ public:
     std::string text(Id<Expr> root) const;
     /// Returns the term in parentheses, unless it binds as tightly as a name.
     std::string bracketed(Id<Expr> root) const;
-    /// Returns text such as `t <= STEP && u <= 3`.
+    /// Returns clock constraints as text, such as `t <= STEP && u <= 3`.
     std::string text(const std::vector<Network::ClockConstraint>& constraints) const;
-    /// Returns text such as `x = a || b`.
+    /// Returns an assignment as text, such as `x = a || b`.
     std::string text(const Network::Assignment& assignment) const;
-    /// Prints the assignment as a statement, with a condition written as `if`.
+    /// Prints the assignment as a statement. A conditional value becomes an `if` statement.
     void write_statement(std::ostream& out, const Network::Assignment& assignment) const;
 
 private:
@@ -46,7 +46,7 @@ struct GuardFunction {
 void write_global_declarations(std::ostream& out, const Network& network, const Names& names);
 void write_template_declarations(std::ostream& out, const Network& network, const Names& names,
                                  Id<Network::Template> automaton, const std::vector<GuardFunction>& guards);
-/// Returns text such as `bool &G_IN, int[0,20] &X, const int D`.
+/// Returns the parameters of a template as text, such as `bool &G_IN, int[0,20] &X, const int D`.
 std::string parameter_list(const Network::Template& automaton, const LocalNames& names);
 void write_system(std::ostream& out, const Network& network, const Names& names);
 

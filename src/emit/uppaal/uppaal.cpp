@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Writes the project as XML: declarations, templates as drawn by emit/layout, system, queries. The text is written into
-// one buffer, because a large chart is one long declaration.
+// one buffer, because a large chart results in one long declaration.
 //
 // UPPAAL's parser is stricter than XML: text must not be split by comments, and a comment must not be the last node in
-// `queries`. Therefore the comment of a property without a formula is placed before the next query, otherwise before
-// the last one.
+// `queries`. Therefore, the comment of a property without a formula is placed before the next query, or before the last
+// query if there is no next one.
 #include "emit/uppaal/uppaal.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ constexpr std::size_t label_width = 34;  // width of a label in columns
 // Maximum number of characters in a guard; a longer guard becomes a function.
 constexpr std::size_t longest_guard = 160;
 
-/// One label of a location or an edge. Several labels are stacked.
+/// One label of a location or an edge. Several labels are placed below each other.
 struct Label {
     std::string_view kind = {};
     std::vector<std::string> lines = {};

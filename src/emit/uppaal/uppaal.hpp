@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Writes a Network as a UPPAAL project in a form that engineers can read. It has one template per component and one
-// process per instance. The equations of each PLC are functions of its template, and the properties are queries.
+// Writes a Network as a UPPAAL project in a form that engineers can read. The project has one template per component
+// and one process per instance. The equations of each PLC are functions of its template, and the properties are
+// queries.
 //
 // Mapping:
 //   variable, clock      `bool x;`, `int[lo,hi] n;`, `clock t;`; globals grouped by role, scratch variables `meta`
@@ -10,9 +11,10 @@
 //                        UPPAAL then lets no time pass while its guard holds
 //   procedure            `void evolve() { ... }` of the template, one assignment per line; edges call it
 //   property             a query: formula, a comment that begins with the property's name, the expected outcome
-// A long guard becomes a Boolean function. Names are made legal once (syntax/print/legal_names); the header of the file
-// contains the map of changed names. A process with an initial location different from that of its template needs a
-// separate template (`lower`). Locations, edges and labels are laid out by emit/layout.
+// A long guard becomes a Boolean function. Names are converted to legal names once (syntax/print/legal_names); the
+// header of the file contains the map of changed names. A process whose initial location differs from the initial
+// location of its template needs a separate template (see `lower`). Locations, edges and labels are laid out by
+// emit/layout.
 #pragma once
 
 #include <iosfwd>
@@ -23,7 +25,7 @@
 
 namespace grafverif::uppaal {
 
-/// Returns the network in a form in which each process starts in the initial location of its template. If the processes
+/// Returns an equivalent network in which each process starts in the initial location of its template. If the processes
 /// of a template start in several locations, the template is copied for each of them, and the copy is named after the
 /// location (`sensors`, `sensors_out`). Location indices, and therefore properties, are unchanged. A constant that
 /// exceeds UPPAAL's default integers gets the range of its arguments.
@@ -32,11 +34,11 @@ Network lower(Network network);
 /// Writes the project as `.xml`. Requires verify(network).empty() and a lowered network.
 void emit(const Network& network, std::ostream& out);
 
-/// Writes only the queries, as `.q`. The formulas are the same, with comments in `/* */`. The requirements are those of
-/// emit.
+/// Writes only the queries, as `.q`. The formulas are the same, with comments in `/* */`. The requirements are the same
+/// as for `emit`.
 void emit_queries(const Network& network, std::ostream& out);
 
-/// A property that UPPAAL's query language cannot express. It is replaced by a comment.
+/// A property that UPPAAL's query language cannot express. A comment replaces the property.
 struct Inexpressible {
     Id<Property> property = {};
     std::string reason = {};
@@ -47,11 +49,11 @@ std::vector<Inexpressible> inexpressible(const Network& network);
 /// A query without its comment, for external programs that check a single query.
 struct Formula {
     Id<Property> property = {};
-    std::string name = {};  ///< name of the property; `S.X7` for one that is checked per step
+    std::string name = {};  ///< name of the property; `S.X7` for one step of a property that is checked per step
     std::string text = {};  ///< formula in one line; empty if the property is inexpressible
     bool operator==(const Formula&) const = default;
 };
-/// Returns the formulas in the order of emit_queries. The requirements are those of emit.
+/// Returns the formulas in the order of emit_queries. The requirements are the same as for `emit`.
 std::vector<Formula> formulas(const Network& network);
 
 }  // namespace grafverif::uppaal

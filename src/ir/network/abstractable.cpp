@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The processes that an input abstraction can reduce, and the output values that each can reach.
+// Determines the processes that an input abstraction can reduce, and the output values that each of them can reach.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -15,9 +15,9 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_valuations = 32;
-constexpr std::size_t most_states = 4096;  // limit of states of an instance without clocks
+constexpr std::size_t most_states = 4096;  // maximum number of combinations of location and outputs
 
-/// The processes that write and read each variable.
+/// The writing processes and the reading processes of each variable.
 struct Users {
     std::vector<std::set<Id<Network::Process>>> writers, readers;
 
@@ -42,7 +42,7 @@ public:
         if (kind == Network::ProcessKind::Controller || kind == Network::ProcessKind::Observer) return {};
         AbstractableProcess made{.process = id};
         const Slots slots(network_, id);
-        bool alone = kind != Network::ProcessKind::Timer;  // true if no other process writes its variables
+        bool alone = kind != Network::ProcessKind::Timer;  // true if no other process writes the variables
         for (const Id<Network::Variable> variable : slots.written()) {
             if (is_flag(variable)) continue;
             if (network_.variables[variable].scratch || users_.writers[variable.index].size() > 1) alone = false;
@@ -106,7 +106,7 @@ private:
         });
     }
 
-    /// Adds each PLC that reads an output in a guard. Guards are evaluated outside of the sampling.
+    /// Adds each PLC that reads an output in a guard. Guards are evaluated separately from the sampling.
     void add_guards_of_plcs(const std::vector<Id<Network::Variable>>& outputs,
                             std::set<Id<Network::Process>>& readers) const {
         for (const Id<Network::Process> plc : plcs_)
@@ -116,8 +116,8 @@ private:
                 });
     }
 
-    /// Returns the conjuncts of a guard that read only `outputs`; the other conjuncts can be true. The result is empty
-    /// if one of the others can be undefined.
+    /// Returns the conjuncts of a guard that read only `outputs`; the other conjuncts are assumed to be satisfiable.
+    /// The result is empty if one of the other conjuncts can be undefined.
     std::optional<std::vector<Id<Expr>>> own_conjuncts(Id<Expr> guard,
                                                        const std::vector<Id<Network::Variable>>& outputs) const {
         std::vector<Id<Expr>> own;

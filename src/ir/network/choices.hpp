@@ -18,24 +18,25 @@ public:
     Choices(const Network& whole, Exprs& to) : whole_(whole), to_(to) {}
 
     void clear() { choices_.clear(); }
-    /// The choice of the value of `terms`, connected by `op`, as a leaf Parameter. `writes` is the number of the last
-    /// write of the edge to the variables that they read. A choice made before that write may have another value.
+    /// Returns a Parameter leaf that represents the choice of the value of `terms`, connected by `op`. `writes` is the
+    /// number of the last write of the edge to the variables that `terms` read. A choice of the same terms before this
+    /// write may have another value.
     Id<Expr> leaf(std::vector<Id<Expr>> terms, Op op, std::size_t writes);
     /// True if the value combinations of all choices are few enough to enumerate.
     bool few() const;
 
-    /// Selects the first combination of values, or the next one; `next` returns false after the last.
+    /// `begin` selects the first combination of values; `next` selects the next one, or returns false after the last.
     void begin();
     bool next();
     /// Substitutes the current values of the choices in a term.
     Id<Expr> chosen(Id<Expr> term) const;
     using Values = std::map<Id<Network::Variable>, std::int64_t>;
-    /// True if some choice reads only these variables, before the edge changes their values.
+    /// True if some choice reads only `variables`, before the edge changes their values.
     bool report_of(const std::vector<Id<Network::Variable>>& variables) const;
     /// Returns all values that `variables` can have before the edge, given the current values of the choices. The
     /// result is empty if the choices do not constrain the variables or there are too many values.
     std::optional<std::vector<Values>> possible_before(const std::vector<Id<Network::Variable>>& variables) const;
-    /// True if the current values are those of the initial state.
+    /// True if the current values of the choices are the values of their terms in the initial state.
     bool as_at_first() const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // expand: gives each process a separate template in which the arguments are substituted for the parameters. The engines
-// use the result, and the tests of the emitters compare with it.
+// use the expanded network, and the tests of the emitters compare their models with it.
 #include "grafverif/ir/network.hpp"
 #include "ir/network_terms.hpp"
 #include "ir/slots.hpp"

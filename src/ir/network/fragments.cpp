@@ -35,8 +35,8 @@ public:
 
     const std::vector<Id<Network::Variable>>& read() const { return read_; }
 
-    /// True if, while `variable` has this value, each location has an enabled urgent edge for all values of the other
-    /// variables.
+    /// True if each location has an enabled urgent edge for all values of the other variables while `variable` has the
+    /// value `value`.
     bool while_it_is(Id<Network::Variable> variable, bool value) const {
         const auto at = std::ranges::find(read_, variable) - read_.begin();
         for (std::size_t values = 0; values < (std::size_t{1} << read_.size()); ++values) {
@@ -63,9 +63,11 @@ private:
     std::vector<Id<Network::Variable>> read_ = {};
 };
 
-/// Computes the fragments: first the charts, with their steps and all variables that are computed from or for them;
-/// then the instances. An instance that communicates with exactly one chart is added to the fragment of that chart.
-/// Other instances are added to the fragment of a neighbour.
+/// Computes the fragments. First, each chart forms a fragment with its steps, the variables that are computed from the
+/// steps, and the variables from which the steps are computed. Then the instances are assigned. An instance that
+/// communicates with exactly one chart is added to the fragment of that chart; an instance that communicates with
+/// several charts forms a separate fragment. An instance that communicates only with other instances is added to the
+/// fragment of one of them.
 class FragmentFinder {
 public:
     explicit FragmentFinder(const Network& network)
@@ -108,8 +110,8 @@ private:
                controls_[writers.front()];
     }
 
-    /// Maps each variable that only a PLC writes, or a PLC and the timer that it controls, to the variables from which
-    /// its values are computed. Flags are excluded.
+    /// Maps each variable that only a PLC writes, or only a PLC and the timer that it controls, to the variables from
+    /// which its values are computed. Flags are excluded.
     using Sources = std::map<Id<Network::Variable>, std::set<Id<Network::Variable>>>;
     Sources sources(Id<Network::Process> controller) const {
         Sources found;
@@ -170,7 +172,7 @@ private:
         talks_to_.resize(network_.processes.size());
         neighbours_.resize(network_.processes.size());
         std::vector<std::set<std::uint32_t>> readers(network_.variables.size());  // instances per variable
-        // Charts that read or write each variable.
+        // For each variable: the charts that read or write it.
         std::vector<std::set<std::uint32_t>> chart_of(network_.variables.size());
         for (const Id<Network::Process> id : network_.processes.ids()) {
             if (!controls_[id.index]) {
@@ -192,8 +194,8 @@ private:
         }
     }
 
-    /// Places the instances that do not communicate with a chart: each is added to the fragment of its first neighbour
-    /// that has one. The remaining instances form separate fragments.
+    /// Assigns the instances that do not communicate with a chart: each is added to the fragment of the first instance
+    /// that has a fragment and communicates with it. The remaining instances form separate fragments.
     void place_the_rest() {
         for (bool more = !network_.controllers.empty(); more;) {
             more = false;
@@ -209,7 +211,7 @@ private:
                 cells_.of_process[id.index] = add(network_.processes[id].name);
     }
 
-    /// Finds the variables whose value is fixed whenever time can pass.
+    /// Finds the variables that have a fixed value in all states in which time can pass.
     void find_resting() {
         cells_.resting.resize(network_.variables.size());
         for (const Id<Network::Process> id : network_.processes.ids()) {

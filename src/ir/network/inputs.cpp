@@ -63,7 +63,7 @@ private:
         for (const Id<Network::Variable> variable : instances_[instance].outputs) chosen_.emplace(variable, instance);
     }
 
-    /// Removes the conjuncts of the condition that read Chosen instances.
+    /// Removes the conjuncts that read Chosen instances from the condition of quiescence.
     void weaken_quiescence() {
         if (!made_.network.settled.valid()) return;
         const auto is_chosen = [&](Id<Expr> leaf) {
@@ -84,7 +84,7 @@ private:
         Network::Template& plc = automaton(controller.process);
         read_inputs_for_samples(plc);
         const std::size_t first = made_.choices.size();
-        std::set<std::size_t> read;  // instances that the conjunct reads
+        std::set<std::size_t> read;  // instances that the edges of the PLC read
         for (const Network::Edge& edge : plc.edges)
             each_read(controller.process, edge, [&](std::size_t instance) {
                 if (!read.insert(instance).second) return;
@@ -113,8 +113,8 @@ private:
             });
     }
 
-    /// The set of possible valuations exists as long as a sample. Edges that read the sample therefore read the input
-    /// instead.
+    /// In edges that read a sample, replaces the sample by the input. This is equivalent, because the set of possible
+    /// valuations has the same lifetime as the sample.
     void read_inputs_for_samples(Network::Template& plc) {
         std::map<Id<Network::Variable>, Id<Network::Variable>> input_of;
         const Exprs& exprs = made_.network.exprs;
@@ -185,7 +185,7 @@ private:
             if (!live[plc.edges[id].to.index]) choice.widened.push_back(id);
     }
 
-    /// An instance may move at any time. Therefore all valuations are possible again between two cycles.
+    /// Makes all valuations possible again between two cycles, because an instance may move at any time.
     void move_instances(const Network::Controller& controller, Network::Template& plc) {
         for (const Id<Network::Location> location : plc.locations.ids()) {
             std::vector<InputChoice*> free;
@@ -199,8 +199,8 @@ private:
         }
     }
 
-    /// Events that set EVOL_PL may occur at any time. Therefore a cycle may begin in W even if the rest of the loop
-    /// does not request it.
+    /// Allows a cycle to begin in W even if the rest of the loop does not request it, because events that set EVOL_PL
+    /// may occur at any time.
     void begin_cycles(const Network::Controller& controller, Network::Template& plc) {
         Exprs& exprs = made_.network.exprs;
         std::vector<Network::Edge> more;
@@ -234,10 +234,10 @@ private:
     const InputAblations& ablations_;
     const ChoiceLifetime lifetime_;
     std::vector<Id<Network::Process>> removed_ = {};
-    std::set<Id<Network::Variable>> woken_ = {};  // flags that removed instances set
-    // Outputs of removed instances, with the index of their choice.
+    std::set<Id<Network::Variable>> woken_ = {};  // flags that Chosen instances set
+    // Outputs of Chosen instances, with the index of their choice.
     std::map<Id<Network::Variable>, std::size_t> chosen_ = {};
-    // Per choice and location of its PLC: true if the cycle reads the set afterwards.
+    // Per choice and per location of its PLC: true if the cycle reads the set after this location.
     std::vector<std::vector<bool>> live_ = {};
     InputAbstraction made_ = {};
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds a localized network. A term that reads free variables becomes a term over *choices*, which are Parameter
-// leaves while an edge is built. Each maximal subterm that reads only free variables is one choice; the free operands
-// of an And or Or together are one choice. The edge is then instantiated for each combination of values of its choices.
+// leaves while an edge is built. Each maximal subterm that reads only free variables is one choice. The operands of an
+// And or Or that read only free variables form one joint choice. The edge is then instantiated for each combination of
+// values of its choices.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -19,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-/// Types of variables that a term reads.
+/// The types of variables that a term reads, as bit flags.
 enum : std::uint8_t { Kept = 1, Free = 2 };
 
 class LocalBuilder {
@@ -102,26 +103,27 @@ private:
     LocalAblations ablations_;
     LocalNetwork made_ = {};
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the result
-    std::vector<std::uint32_t> variable_ = {};  // maps variables in the same way
+    std::vector<std::uint32_t> variable_ = {};  // the same map for variables
     std::vector<std::uint8_t> reads_ = {};      // types of variables read, per term of the complete network
-    // As `reads_` for states in which time passes: variables with a fixed value are not free.
+    // The same data for states in which time passes: variables with a fixed value are not free.
     std::vector<std::uint8_t> reads_resting_ = {};
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
     std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // free variables per invariant
     std::set<std::size_t> known_ = {};
     TermCopier copy_;
 
-    // State of the construction of the current edge.
+    // The state of the construction of the current edge.
     Choices choices_{whole_, made_.network.exprs};
     std::map<Id<Network::Variable>, std::size_t> written_ = {};  // number of the last write to each free variable
-    std::size_t writes_ = 0;                                     // number of writes to free variables so far
+    std::size_t writes_ = 0;                                     // current number of writes to free variables
     bool loose_ = false;    // true if the current term is the value of a flag or belongs to `rest`
     bool at_rest_ = false;  // true if the current term is evaluated in states in which time passes
     using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
     std::set<Copy> copies_ = {};  // copies of the edge that were already added
 };
 
-/// Keeps the processes of the chosen fragments, and each PLC that has a part in a chosen fragment.
+/// Selects the processes to keep: the processes of the chosen fragments, and each PLC with variables in a chosen
+/// fragment.
 void LocalBuilder::choose_processes() {
     std::uint32_t count = 0;
     for (const Id<Network::Process> id : whole_.processes.ids()) {
@@ -134,9 +136,9 @@ void LocalBuilder::choose_processes() {
     }
 }
 
-/// Selects the variables to keep. Candidates are the variables of the chosen fragments and those without a fragment. A
-/// candidate is kept if a kept process or a property reads it, if it is an integer (it may leave its range), or if it
-/// is `race`.
+/// Selects the variables to keep. Candidates are the variables of the chosen fragments and the variables without a
+/// fragment. A candidate is kept if a kept process or a property reads it, if it is an integer (it may leave its
+/// range), or if it is `race`.
 void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
     std::vector<std::vector<Id<Expr>>> values(whole_.variables.size());  // values assigned by kept processes
     std::vector<Id<Network::Variable>> todo;
@@ -178,7 +180,7 @@ void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
         if (needed[id.index]) variable_[id.index] = made_.network.variables.add(whole_.variables[id]).index;
 }
 
-/// Relies on the order of terms, in which operands precede their terms.
+/// Returns the types of variables that each term reads. Requires that operands precede their terms.
 std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
     std::vector<std::uint8_t> all(whole_.exprs.size(), 0);
     for (std::uint32_t index = 0; index < all.size(); ++index) {
@@ -191,7 +193,7 @@ std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
     return all;
 }
 
-/// Translates a leaf that reads no free variable, or only variables with a fixed value.
+/// Translates a leaf that refers to a kept process or a kept variable.
 Id<Expr> LocalBuilder::leaf(const Expr& node) {
     Exprs& exprs = made_.network.exprs;
     if (node.op == Op::At) return exprs.at(process_[at_process(node)], at_location(node));
@@ -246,8 +248,8 @@ Id<Expr> LocalBuilder::choice(std::vector<Id<Expr>> terms, Op op) {
     return choices_.leaf(std::move(terms), op, writes);
 }
 
-/// The result is empty if the assignment does not write a kept variable. Races of omitted variables may be assumed not
-/// to occur, because a race ends the run.
+/// Translates an assignment. The result is empty if the assignment does not write a kept variable. Races on omitted
+/// variables may be assumed not to occur, because a race ends the run.
 std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assignment& written) {
     const Id<Network::Variable> target = variable_of(written.target);
     if (!kept(target)) {
@@ -344,8 +346,8 @@ std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) con
     return free;
 }
 
-/// Returns the constraints of these invariants on kept variables before the edge, under the current values of the
-/// choices.
+/// Returns the constraints that the given invariants impose on kept variables before the edge, under the current values
+/// of the choices.
 Id<Expr> LocalBuilder::known_of_choices(const std::vector<std::size_t>& telling) {
     Exprs& exprs = made_.network.exprs;
     std::vector<Id<Expr>> all;
@@ -383,8 +385,8 @@ void LocalBuilder::add_process(Id<Network::Process> id) {
     made_.network.processes.add(std::move(process));
 }
 
-/// Adds the process `rest` for the writes of omitted processes to kept variables. They can occur at any time, because
-/// the clocks and locations of omitted processes are ignored.
+/// Adds the process `rest` for the writes of omitted processes to kept variables. The writes can occur at any time,
+/// because the clocks and locations of omitted processes are ignored.
 void LocalBuilder::add_rest() {
     Network::Template rest{.name = "rest", .initial = {0}};
     rest.locations.add({.name = "any"});
@@ -399,7 +401,7 @@ void LocalBuilder::add_rest() {
     made_.network.processes.add({.name = "rest", .automaton = automaton, .initial = {0}});
 }
 
-/// Adds the data of the controller that state statistics need for its name.
+/// Adds the data of the controller that are necessary for its name in state statistics.
 void LocalBuilder::add_controller(const Network::Controller& controller) {
     if (!kept(controller.stable)) return;
     Network::Controller made{.process = {process_[controller.process.index]},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Invariants of a Network. Each check adds one sentence per fault; the sorts of terms are computed once per template.
+// Invariants of a Network. Each check adds one message per fault. The sorts of terms are computed once per template.
 #include "grafverif/ir/network.hpp"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace {
 
 bool in_range(const Type& type, std::int64_t value) { return type.low <= value && value <= type.high; }
 
-/// True if `constraint` excludes no clock value that `other` admits. Both constraints are upper bounds on one clock.
+/// True if the first constraint excludes no clock value that the other one admits. Both constraints are upper bounds on
+/// one clock.
 bool implied(Op relation, std::int64_t bound, Op other_relation, std::int64_t other_bound) {
     if (other_bound != bound) return other_bound < bound;
     return relation == Op::LessEqual || other_relation == Op::Less;
@@ -232,7 +233,7 @@ private:
     }
 
     const Network& network_;
-    const Network::Template* here_ = nullptr;  // template whose parameters the terms read
+    const Network::Template* here_ = nullptr;  // template of the parameters that the current terms read
     Sorts sorts_{network_.exprs, [this](const Expr& leaf) { return leaf_sort(leaf); }};
     std::vector<std::string> faults_ = {};
 };

@@ -21,7 +21,7 @@ public:
         while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
         return one;
     }
-    /// Merges two classes. The least member represents the merged class.
+    /// Merges two classes. The member with the least index represents the merged class.
     void join(std::uint32_t one, std::uint32_t other) {
         const auto [least, greatest] = std::minmax({of(one), of(other)});
         parent_[greatest] = least;

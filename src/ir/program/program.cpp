@@ -11,7 +11,7 @@ struct Walk {
     const Program& program;
     ProgramLayout layout = {};
 
-    /// The variable that contains the cells gives those of its parts their properties.
+    /// The properties of a variable, which also apply to all its cells.
     struct Owner {
         bool input = false, output = false, temporary = false, constant = false;
     };

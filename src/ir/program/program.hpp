@@ -3,16 +3,18 @@
 //
 // Semantics of one scan, which `run/program` executes literally and `derive/program` as equations:
 //   - the inputs take new values, the elapsed times of timers advance, and the body of `main` is executed once;
-//   - statements execute in order; function blocks and functions execute at each call; a function block keeps
-//     its cells between calls, a function and the section VAR_TEMP begin each call with their initial values;
-//   - integers wrap around within the range of their type; a comparison, a quotient or a remainder has the value of the
-//     operands as numbers; a division by zero, an index outside of its array, and a duration or a value of a subrange
-//     outside of its type are run-time faults, after which nothing is stated about the program, and so is a Sequential
-//     Function Chart that activates an active step or gives an action two durations;
-//   - AND and OR evaluate all operands, AND_THEN and OR_ELSE only those that determine the value.
+//   - statements execute in order; function blocks and functions execute at each call; a function block keeps its cells
+//     between calls; the cells of a function and of the section VAR_TEMP have their initial values at the beginning of
+//     each call;
+//   - integers wrap around within the range of their type; comparisons, quotients and remainders are computed on the
+//     operands as mathematical integers; the following are run-time faults, after which the behaviour of the program is
+//     unspecified: a division by zero, an index outside of its array, a duration or a value of a subrange outside of
+//     its type, and a Sequential Function Chart that activates an active step or executes an action with two durations;
+//   - AND and OR evaluate all operands; AND_THEN and OR_ELSE evaluate the second operand only if the first one does not
+//     determine the value.
 //
 // Every unit has a frame of cells. The frame of an instance of a function block is part of the frame of its owner.
-// Therefore the cells of the program are those of `globals` followed by those of `main`.
+// Therefore, the cells of the program are the cells of `globals` followed by the cells of `main`.
 #pragma once
 
 #include <cstdint>
@@ -34,26 +36,27 @@ struct Program {
         enum class Kind : std::uint8_t { Boolean, Integer, Bits, Time, Enumeration, Block, Array, Unsupported };
         Kind kind = Kind::Boolean;
         std::string name = {};
-        std::int64_t low = 0, high = 1;        ///< of an array: its first and last index
-        std::vector<std::string> values = {};  ///< of an enumeration, from 0
-        Id<Unit> unit = {};                    ///< of a block or structure
-        Id<Type> element = {};                 ///< of an array: the type of its elements; of a subrange: its base type
+        std::int64_t low = 0, high = 1;        ///< range of values; for an array: first and last index
+        std::vector<std::string> values = {};  ///< names of the values of an enumeration, from 0
+        Id<Unit> unit = {};                    ///< unit of a block or structure
+        Id<Type> element = {};                 ///< for an array: type of its elements; for a subrange: base type
         bool operator==(const Type&) const = default;
     };
 
-    /// The index of an array element, whose cells begin `stride * (value - low)` after those of the first one.
+    /// The index of an array element. The cells of the element begin `stride * (value - low)` cells after the cells of
+    /// the first element.
     struct Index {
         Id<Node> value = {};
-        std::int64_t low = 0, high = 0;  ///< outside of them: a run-time fault
+        std::int64_t low = 0, high = 0;  ///< a value outside of these bounds is a run-time fault
         std::uint32_t stride = 1;
         bool operator==(const Index&) const = default;
     };
-    /// A cell, relative to the frame of the unit, or of the globals. The frame of `main` follows that of the globals,
-    /// so that other units name its cells as global ones.
+    /// A cell, relative to the frame of the unit or to the frame of the globals. The frame of `main` follows the frame
+    /// of the globals, so that other units access its cells as global cells.
     struct Place {
         bool global = false;
         std::uint32_t offset = 0;
-        std::vector<Index> indices = {};  ///< those that are not constant
+        std::vector<Index> indices = {};  ///< indices that are not constant
         bool operator==(const Place&) const = default;
     };
 
@@ -65,7 +68,7 @@ struct Program {
         Or,
         Xor,  // Boolean or bit strings, any number of operands
         AndThen,
-        OrElse,  // Boolean, two operands; the second is evaluated only if it determines the value
+        OrElse,  // Boolean, two operands; the second is evaluated only if the first does not determine the value
         ShiftLeft,
         ShiftRight,
         RotateLeft,
@@ -88,7 +91,7 @@ struct Program {
         Limit,    // least value, value, greatest value
         Select,   // condition, value if false, value if true
         Convert,  // wraps a number to `type`; a Boolean is 0 or 1
-        Narrow,   // to a subrange; a value outside of it is a fault
+        Narrow,   // converts to a subrange; a value outside of it is a fault
         IsNonzero,
         Call,  // call of a function, with one operand for each input
     };
@@ -104,7 +107,7 @@ struct Program {
     };
 
     using Body = std::vector<Id<Statement>>;
-    /// One branch of IF or CASE. A branch without condition and labels is ELSE.
+    /// One branch of IF or CASE. A branch without condition and labels is an ELSE branch.
     struct Arm {
         Id<Node> condition = {};
         std::vector<std::pair<std::int64_t, std::int64_t>> labels = {};
@@ -114,7 +117,7 @@ struct Program {
     struct Statement {
         enum class Kind : std::uint8_t {
             Assign,
-            Invoke,  // the function block or action `unit` at `place`, its frame
+            Invoke,  // calls the function block or action `unit`, whose frame is at `place`
             If,
             Case,
             For,
@@ -122,16 +125,16 @@ struct Program {
             Repeat,
             Exit,
             Return,
-            Check,  // `value` is true: a fault of a chart
+            Check,  // causes a fault of a chart if `value` is true
         };
         Kind kind = Kind::Return;
         Place place = {};
-        Id<Type> type = {};     ///< of the cell
-        Id<Node> value = {};    ///< assigned; selector; condition of a loop or fault; first value of FOR
-        Id<Node> last = {};     ///< of FOR, evaluated once
-        std::int64_t step = 1;  ///< of FOR
+        Id<Type> type = {};     ///< type of the cell
+        Id<Node> value = {};    ///< assigned value, selector, condition of a loop or fault, or first value of FOR
+        Id<Node> last = {};     ///< last value of FOR, evaluated once
+        std::int64_t step = 1;  ///< step of FOR
         Id<Unit> unit = {};
-        std::vector<Arm> arms = {};  ///< branches; the body of a loop is the only one
+        std::vector<Arm> arms = {};  ///< branches; for a loop, its body is the only branch
         Span origin = {};
         bool operator==(const Statement&) const = default;
     };
@@ -142,7 +145,7 @@ struct Program {
         Section section = Section::Local;
         Id<Type> type = {};
         std::uint32_t offset = 0;
-        std::int64_t initial = 0;  ///< not of a block; of an array: of each element
+        std::int64_t initial = 0;  ///< not for a block; for an array: value of each element
         bool constant = false;
         bool input = false;        ///< true for a free input of the program: VAR_INPUT of the program, or `AT %I`
         bool output = false;       ///< true for VAR_OUTPUT of the program, or `AT %Q`
@@ -151,7 +154,7 @@ struct Program {
         bool operator==(const Variable&) const = default;
     };
     struct Unit {
-        /// The body of an action works on the frame of its owner; a structure has no body.
+        /// The body of an action uses the frame of its owner. A structure has no body.
         enum class Kind : std::uint8_t { Program, FunctionBlock, Function, Globals, Action, Structure };
         Kind kind = Kind::Program;
         std::string name = {};
@@ -180,7 +183,7 @@ struct Program {
 /// A run-time fault.
 enum class ProgramFault : std::uint8_t { DivisionByZero, ArrayBounds, Range, Chart };
 
-/// A cell of the program, by its address: those of `globals`, then those of `main`.
+/// A cell of the program. Cells are ordered by address: first the cells of `globals`, then the cells of `main`.
 struct ProgramCell {
     std::string name = {};  ///< name such as `Motor` or `T1.Q`
     Id<Program::Type> type = {};
@@ -200,11 +203,11 @@ struct ProgramLayout {
 };
 ProgramLayout layout_of(const Program& program);
 
-/// The number of cells of a variable.
+/// Returns the number of cells of a variable of this type.
 std::uint32_t size_of(const Program& program, Id<Program::Type> type);
-/// The initial values of the cells of a variable.
+/// Returns the initial values of the cells of a variable.
 std::vector<std::int64_t> initial_cells(const Program& program, const Program::Variable& variable);
-/// The value of the cells of a new frame of `unit`.
+/// Returns the values of the cells in a new frame of `unit`.
 std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit> unit);
 
 /// Returns `value` wrapped to the range of the type: modulo the number of values of the type.

@@ -11,21 +11,23 @@
 namespace grafverif {
 
 struct Scan {
-    /// Every input is an input of the equations; every other cell is an internal variable or an output. There are no
-    /// steps, no outputs by equation (13), no timers and no stability: one cycle is one scan.
+    /// Every input cell is an input of the equations. Every other cell, except constants and temporary variables, is an
+    /// internal variable or an output. The equations have no steps, no outputs by equation (13), no timers and no
+    /// stability condition: one cycle is one scan.
     Equations equations = {};
     ProgramLayout layout = {};
     /// Variable per cell; invalid for constants and temporary variables.
     std::vector<Id<Equations::Variable>> variables = {};
     std::vector<Id<Expr>> after = {};  ///< value per cell at the end of the scan
-    /// Free input: time since the previous scan; invalid if it is constant or not read.
+    /// The free input for the time since the previous scan; invalid if the time is constant or not read.
     Id<Equations::Variable> elapsed = {};
     struct Event {
         Id<Expr> condition = {};
         Span origin = {};
-        ProgramFault fault = ProgramFault::DivisionByZero;  ///< of `faults`
+        ProgramFault fault = ProgramFault::DivisionByZero;  ///< only for `faults`
     };
-    /// Run-time faults, in the order of execution: nothing is stated about the scan in which one occurs.
+    /// Run-time faults, in the order of execution. If a fault occurs in a scan, the values after the scan are
+    /// unspecified.
     std::vector<Event> faults = {};
     std::vector<Event> overflows = {};  ///< results that wrap around
 };

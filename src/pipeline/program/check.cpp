@@ -100,14 +100,16 @@ private:
             }
             return two;
         }
-        if (property.kind == Kind::Termination) return exprs.constant(true);  // true because all loops were unrolled
+        // All loops were unrolled, so every scan terminates.
+        if (property.kind == Kind::Termination) return exprs.constant(true);
         if (property.kind != Kind::Absence) return terms.front();
         std::vector<Id<Expr>> events;
         if (!property.is_about_fault()) {
             for (const Scan::Event& event : scan_.overflows) events.push_back(event.condition);
             return exprs.disjunction(events);
         }
-        Id<Expr> earlier = exprs.constant(false);  // only the first fault of a scan is one of the program
+        // A scan ends at its first fault, so faults after it in the same scan do not occur.
+        Id<Expr> earlier = exprs.constant(false);
         for (const Scan::Event& event : scan_.faults) {
             if (event.fault == property.fault())
                 events.push_back(exprs.conjunction(event.condition, exprs.negation(earlier)));
@@ -116,7 +118,7 @@ private:
         return exprs.disjunction(events);
     }
 
-    /// The verdict on run-time faults, which are model errors if no property is about them.
+    /// Returns the outcome for run-time faults. A fault is a model error if no property concerns it.
     Outcome fault(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (verdict.outcome != Outcome::Violated || !run) return verdict.outcome;
         ProgramReplay replay = replay_program(program_, scan_, system_, *run, nullptr);

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = ProgramProperty::Kind;
 
-/// True if the values after the last scan are those that the run must show.
+/// True if the last scan violates `property` or, if the property states that a condition is reachable, satisfies it.
 bool shows(const ProgramProperty& property, ProgramRun& run) {
     const auto holds = [&](Id<Program::Node> node) { return run.value(node) != 0; };
     switch (property.kind) {
@@ -82,7 +82,7 @@ private:
         return id.valid() ? system_.symbols[id.index] : Id<TransitionSystem::Symbol>{};
     }
 
-    /// Compares the cells before scan `k` with those of the state.
+    /// Compares the values of the cells before scan `k` with the values in state `k` of the run.
     std::string compare(std::size_t k) {
         for (std::size_t i = 0; i < scan_.layout.cells.size(); ++i) {
             if (scan_.layout.cells[i].input || !symbol(i).valid()) continue;
@@ -146,7 +146,7 @@ private:
     const ProgramSystem& system_;
     const SystemRun& run_;
     ProgramRun interpreter_;
-    std::vector<std::size_t> shown_ = {};  ///< cell of each signal
+    std::vector<std::size_t> shown_ = {};  ///< index of the cell of each signal
     ChartRun trace_ = {};
 };
 

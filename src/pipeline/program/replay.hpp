@@ -16,10 +16,11 @@ namespace grafverif {
 struct ProgramReplay {
     std::string disagreement = {};  ///< difference from the run of the system; empty if the run is confirmed
     ChartRun trace = {};
-    std::optional<ProgramFault> fault = {};  ///< that ends the run
+    std::optional<ProgramFault> fault = {};  ///< the fault that ends the run, if any
 };
 
-/// `property`: the last scan has to violate it, or for `reachable` to reach it; nullptr: it has to have a fault.
+/// Replays `run`. The last scan must violate `property` or, for `reachable`, satisfy it. If `property` is null, the
+/// last scan must have a fault.
 ProgramReplay replay_program(const Program& program, const Scan& scan, const ProgramSystem& system,
                              const SystemRun& run, const ProgramProperty* property);
 

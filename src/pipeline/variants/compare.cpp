@@ -28,11 +28,10 @@ namespace grafverif {
 
 namespace {
 
-// -- preconditions
-// -------------------------------------------------------------------------------------------------------
+// -- preconditions ----------------------------------------------------------------------------------------------------
 
-/// Returns `chart` with `steps` as its initial steps, or nothing after an error. Forcing orders to {INIT} would have
-/// another meaning.
+/// Returns `chart` with `steps` as its initial steps. Returns nothing after an error: the chart contains a forcing
+/// order to {INIT}, whose meaning would change, or its situation at power-on differs from `steps`.
 std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Step>>& steps, Diagnostics& diagnostics) {
     for (const Chart::ForcingOrder& order : chart.forcing)
         if (order.to == Chart::ForcedTo::Initial) {
@@ -60,7 +59,7 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-/// Returns all durations of the charts, increasing.
+/// Returns all durations of both sides in increasing order.
 std::vector<std::int64_t> durations(const std::array<CompareSide, 2>& sides) {
     std::vector<std::int64_t> found;
     for (const CompareSide& side : sides)
@@ -79,8 +78,8 @@ std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
                            [](std::int64_t one, std::int64_t other) { return std::gcd(one, other); });
 }
 
-/// Returns the time unit, which divides all durations; 0 if no condition depends on time. If this is possible with
-/// whole milliseconds, the number of scans is sufficient to separate the starts of all timers. No timer counts beyond
+/// Returns the time unit, which divides all durations; 0 if no condition depends on time. The unit is small enough to
+/// start each timer in a different scan, unless this requires fractions of a millisecond or a timer that counts beyond
 /// 30000.
 std::int64_t unit_of(const std::array<CompareSide, 2>& sides) {
     const std::vector<std::int64_t> times = durations(sides);
@@ -152,8 +151,7 @@ bool surely_stable(const CompareSide& side, bool settles, const Limits& limits) 
     return found.findings.empty() && found.obstacle.empty() && found.failures.empty();
 }
 
-// -- comparison
-// ----------------------------------------------------------------------------------------------------------
+// -- comparison -------------------------------------------------------------------------------------------------------
 
 class SideComparison {
 public:
@@ -289,7 +287,8 @@ private:
         return {Comparison::Outcome::Unknown, "no inputs satisfy the constraints of both charts", {}};
     }
 
-    /// `possible` represents the constraints. If they permit no inputs, the result would be vacuous.
+    /// Returns the result for the verdicts. The property `possible` states that some inputs satisfy the constraints; if
+    /// it is violated, equality would hold vacuously.
     Answered answered(const ProductMachine& both, const PdrResult& found) const {
         if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
         if (found.fault)
@@ -311,7 +310,8 @@ private:
         return answer;
     }
 
-    /// Returns the scans. A scan begins at power-on, and whenever both charts have waited.
+    /// Returns the scans of the run. The first scan begins at power-on. Each further scan begins after a step in which
+    /// both charts wait.
     std::vector<Comparison::Scan> scans_of(const ProductMachine& both, const SystemRun& run) const {
         std::vector<Comparison::Scan> scans;
         for (std::size_t k = 0; k < run.states.size(); ++k) {
@@ -345,7 +345,7 @@ private:
         result_.answers = rules.answers(result_.scans);
     }
 
-    /// If a chart may not become stable, searches for an earlier difference in stability.
+    /// If a chart may not become stable, searches for an earlier scan in which only one of the charts becomes stable.
     void shorten() {
         if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
         while (result_.scans.size() > 1) {

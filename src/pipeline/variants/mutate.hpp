@@ -14,37 +14,38 @@ namespace grafverif {
 /// Checks mutants of a chart against its properties and its test sequence. Thread-safe.
 class MutantChecker {
 public:
-    /// `main`: the source that `model` was parsed from, with its includes in `sources`. All arguments must outlive the
-    /// checker.
+    /// `main` is the source from which `model` was parsed; `sources` also contains its includes. All arguments must
+    /// outlive the checker.
     MutantChecker(const Model& model, Id<Chart> chart, Id<Source> main, const Sources& sources, const ReadOptions& read,
                   std::optional<ExecutionMode> mode);
 
-    /// Decides the properties of the original in a quarter of the time at most, and generates its test sequence. False:
-    /// stopped at a limit before any property was decided.
+    /// Decides the properties of the original in at most a quarter of the time limit, and generates its test sequence.
+    /// Returns false if a limit was reached before any property was decided.
     bool prepare(const Limits& limits);
     /// Returns the properties of the original with expected verdicts, qualified by their loops: `loop.P1`, or `P1` if
     /// there is a single loop.
     const std::vector<std::string>& properties() const { return properties_; }
-    /// Returns those of them that hold vacuously.
+    /// Returns the elements of `properties()` that hold vacuously.
     const std::vector<std::string>& vacuous() const { return vacuous_; }
-    /// Those that are unknown for the original: mutants are not checked for them.
+    /// Returns the properties that are unknown for the original. Mutants are not checked against these properties.
     const std::vector<std::string>& undecided() const { return undecided_; }
-    /// Steps of the test sequence; empty if there is none, for the reason in no_test().
+    /// Returns the number of steps of the test sequence. If there is no test sequence, the result is empty, and
+    /// `no_test()` returns the reason.
     std::optional<std::size_t> test_steps() const;
     const std::string& no_test() const { return no_test_; }
 
     MutantFate fate_of(const Mutant& mutant, const Limits& limits) const;
 
-    /// The model with the mutant in place of the file that declares the chart; nothing after an error.
+    /// Returns the model in which the mutant replaces the file that declares the chart, or nothing after an error.
     std::optional<Model> model_of(const Mutant& mutant, Diagnostics& diagnostics) const;
 
 private:
     struct OriginalVerdicts {
         Id<ClosedLoop> loop = {};
         std::vector<std::string> properties = {};  ///< properties with expected verdicts for the original
-        std::vector<std::string> vacuous = {};     ///< those of them that hold vacuously
+        std::vector<std::string> vacuous = {};     ///< the properties that hold vacuously
         std::vector<std::string> undecided = {};
-        bool whole = true;  ///< the original has no model error
+        bool whole = true;  ///< true if the original has no model error
     };
     std::string shown(const OriginalVerdicts& requested, const std::string& property) const;
     void ask(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits, MutantFate& fate) const;

@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// Parses `main` with its includes, with other texts in place of some files. Adds the sources to `to`.
+/// Parses `main` and its includes. `texts` replaces the contents of some files. Adds the sources to `to`.
 std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std::string>& texts, const Sources& from,
                                 Sources& to, const ReadOptions& read, Diagnostics& diagnostics);
 

@@ -25,7 +25,8 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Maximum number of states in the second proof by the timed engine. Above it, another engine is used.
+/// Maximum number of states that the timed engine explores in the second proof. If it is not sufficient, another engine
+/// is used.
 constexpr std::uint64_t most_timed_states = 2'000'000;
 
 /// The game on one loop, and its result.
@@ -58,7 +59,8 @@ public:
         }
         if (made_.kept.empty()) {
             made_.reason =
-                "every property of states is expected violated; select the properties to enforce with `--property`";
+                "all properties of states are expected to be violated; select the properties to enforce with "
+                "`--property`";
             return std::move(made_);
         }
         const Supervision requested = supervision(*system, *marked, loop, *properties);
@@ -93,14 +95,16 @@ private:
                                               : "not a property of all states";
     }
 
-    /// Name of an element of the chart of the controller, prefixed by the chart if there are several.
+    /// Returns the name of an element of the chart of the controller. If there are several charts, the name is prefixed
+    /// by the chart.
     std::string shown(std::size_t controller, const std::string& name) const {
         const auto& controllers = model_.loops[loop_].controllers;
         const Id<ClosedLoop::Controller> id{static_cast<std::uint32_t>(controller)};
         return controllers.size() > 1 ? model_.charts[controllers[id].chart].name + "." + name : name;
     }
 
-    /// Checks the properties that the untimed model violates without conditions in the timed loop without conditions.
+    /// Checks, in the timed loop without conditions, the properties that the untimed model without conditions violates.
+    /// These are the elements of `made_.kept` for which `violated` is true.
     void check_timed_without(const std::vector<bool>& violated) {
         std::vector<std::string> names;
         for (std::size_t index = 0; index < violated.size(); ++index)
@@ -140,7 +144,7 @@ private:
                           diagnostics_);
     }
 
-    /// Adds permissions to the charts. Returns false if the charts cannot be restricted.
+    /// Adds an input for each permission to the charts. Returns false if the charts cannot be restricted.
     bool held_back(Model& model) {
         ClosedLoop& loop = model.loops[loop_];
         UniqueNames names;
@@ -204,7 +208,8 @@ private:
         return requested;
     }
 
-    /// Reports a run that violates a property without refused permissions, so that it is a run of the original loop.
+    /// Reports a run that violates a property. No permission is refused in the run, so it is also a run of the original
+    /// loop.
     void report_run(const Model& plain, const Supervisor& found) {
         const auto system = transition_system_of(plain, loop_, untimed(ask_), diagnostics_);
         if (!system) return;
@@ -332,8 +337,8 @@ private:
         return names;
     }
 
-    /// Returns those of `names` that the report does not prove, in which case the outcome is unknown. A violated
-    /// property is an internal failure.
+    /// Returns the properties in `names` that the report does not prove. If there are any, the outcome is unknown. A
+    /// violated property is an internal failure.
     std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const ModelErrorTrace& breakdown : report.error_traces) made_.failures.push_back(breakdown.message);

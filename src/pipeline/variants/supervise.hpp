@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Supervisory control: conditions on the charts of a closed loop that enforce its properties. They are found by a game
-// on the untimed model in grain atomic and written into the text of the charts. Before they are reported, the modified
-// text is parsed, and two engines prove the properties again.
+// Supervisory control: conditions on the charts of a closed loop that enforce its properties. The conditions are
+// computed by solving a game on the untimed model with grain atomic, and are inserted into the text of the charts.
+// Before the result is reported, the modified text is parsed, and two engines prove the properties again.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 namespace grafverif {
 
 struct SuperviseRequest {
-    /// Names of the properties to enforce. If empty, these are all properties of single states, except those expected
-    /// to be violated.
+    /// Names of the properties to enforce. If empty, all properties of single states are enforced, except properties
+    /// that are expected to be violated.
     std::vector<std::string> properties = {};
     std::string marked = {};  ///< term of the loop that marked states satisfy; the initial situation if empty
     bool transitions = true, outputs = true;  ///< elements to which conditions may be added
@@ -48,13 +48,15 @@ struct Supervised {
     Supervisor::Permissiveness claim = Supervisor::Permissiveness::Least;
     std::vector<std::string> hidden = {}, traded = {};  ///< names of elements; see Supervisor
     std::vector<ChartCondition> conditions = {};
-    /// Transitions that are never cleared and outputs that are never set because the conditions refuse it. If there are
-    /// any, the conditions are valid but not useful.
+    /// Transitions that are never cleared and outputs that are never set because the conditions are never true. If
+    /// there are any, the conditions are valid but not useful.
     std::vector<std::string> disabled_transitions = {}, disabled_outputs = {};
-    /// Step variables: active in some reachable state without the conditions, in none with them.
+    /// Variables of steps that are active in some reachable state without the conditions, but in no reachable state
+    /// with the conditions.
     std::vector<std::string> lost_steps = {};
-    /// A property that the untimed model violates without conditions: its verdict in the timed loop, grain atomic,
-    /// without conditions. If it holds there, it depends on durations, which the untimed model omits.
+    /// The verdict in the timed loop with grain atomic, without conditions, on a property that the untimed model
+    /// violates without conditions. If the property holds in the timed loop, it depends on durations, which the untimed
+    /// model omits.
     struct Timed {
         std::string property = {};
         Outcome outcome = Outcome::Unknown;
@@ -69,8 +71,9 @@ struct Supervised {
     std::vector<std::string> failures = {};  ///< internal failures; if there is one, all other results are invalid
 };
 
-/// `main` is the source from which `model` was read; `sources` also contains its includes. The result is empty after an
-/// error: unknown properties, properties that concern more than single states, or an invalid term.
+/// Synthesizes the conditions. `main` is the source from which `model` was read; `sources` also contains its includes.
+/// The result is empty after an error: a property does not exist or does not concern single states, or the term is
+/// invalid.
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
                                      const SuperviseRequest& ask, Diagnostics& diagnostics);
 

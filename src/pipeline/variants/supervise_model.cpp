@@ -28,7 +28,8 @@ ModelOptions untimed(const SuperviseRequest& ask) {
 
 namespace {
 
-/// Marks the outputs that the chart itself reads. Their current values depend on its previous conditions.
+/// Marks the outputs that the chart itself reads. These outputs are not restricted, because their values depend on
+/// earlier conditions.
 std::vector<bool> read_outputs(const Chart& chart) {
     std::vector<bool> read(chart.variables.size());
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
@@ -60,7 +61,7 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
         held.back().places = {written.transitions[id].origin};
     }
     std::map<std::uint32_t, Id<Expr>> of_output;
-    // Last component: index in `held`.
+    // The action, the index of its element in `held`, and its index in `sets` of this element.
     std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;
     for (const Chart::ContinuousAction& action : chart.continuous)
         if (ask.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
@@ -79,7 +80,8 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
             held.back().places.push_back(written.continuous[id].origin);
             held.back().steps.push_back(action.step);
         }
-        if (held.back().steps.size() == 1 && conditional > 0) unrestricted.pop_back();  // the output itself shows this
+        // The only action of an output needs no additional output.
+        if (held.back().steps.size() == 1 && conditional > 0) unrestricted.pop_back();
     }
     for (auto& [action, subject, site] : unrestricted) {
         const std::string name = held[subject].sets[site] = names.fresh("set_" + held[subject].subject);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed loop with charts that can be restricted, from which `supervised` builds the game.
+// Derives the closed loop with charts that can be restricted. `supervised` builds the game from this loop.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// Returns the options of the model of the game and its proof: untimed, plant automata interleaved, grain atomic.
+/// Returns the options of the model for the game and for the proof: untimed, interleaved plant automata, grain atomic.
 ModelOptions untimed(const SuperviseRequest& ask);
 
 /// A transition or output of a chart, with its permission.
@@ -35,7 +35,7 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
 struct ObservableVariables {
     std::vector<std::string> names = {};
     std::vector<Id<Expr>> terms = {};
-    std::size_t first_step = 0;  ///< the step variables begin here
+    std::size_t first_step = 0;  ///< index of the first step variable in `names`
 };
 
 ObservableVariables sight_of(TransitionSystem& system, const TransitionSystem::Controller& controller,
@@ -44,7 +44,7 @@ ObservableVariables sight_of(TransitionSystem& system, const TransitionSystem::C
 /// Returns a term that is true if exactly the initial steps of every chart are active.
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop);
 
-/// Returns the properties of the system to enforce, or nothing after an error.
+/// Returns the properties of the system that are to be enforced, or nothing after an error.
 std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseRequest& ask,
                                               const std::string& marked, Diagnostics& diagnostics);
 

@@ -56,7 +56,7 @@ private:
         append(file_.exprs, made, operand);
         return made;
     }
-    /// Connects the operands, which are referenced and not copied.
+    /// Returns the conjunction or disjunction of the operands, which are not copied.
     Id<tree::Expr> joined(tree::Op op, const std::vector<Id<tree::Expr>>& operands) {
         if (operands.empty()) return add(op == tree::Op::And ? tree::Op::True : tree::Op::False);
         if (operands.size() == 1) return operands.front();

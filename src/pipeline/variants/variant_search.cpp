@@ -14,10 +14,10 @@ namespace grafverif {
 
 namespace {
 
-/// Bounds of the searches of a variant, if the check is repeated completely: at least; the same in passes.
+/// Lower limits of the bound on states of a search: for a check that is repeated completely, and for a check in passes.
 constexpr std::uint64_t least_bound = 100'000, least_bound_in_passes = std::uint64_t{1} << 20U;
 
-/// Returns `network` with the observer of `property`, which is then its only property.
+/// Returns `network` with the observer of `property`. The result has no other property.
 Network with_observer(const Network& network, Id<Property> property) {
     Network made = observed(network, {property});
     const Property decided = element_of(made.properties, network.properties[property].name, &Property::name);
@@ -43,8 +43,8 @@ VariantSearch::VariantSearch(const CheckOptions& options, const Report& report, 
             known_.emplace(answer.verdict.property, *answer.verdict.abstraction);
             abstract_states = std::max(abstract_states, 2 * own);
         }
-        // In most cases localization decides these properties again. Therefore the complete network is searched only
-        // briefly before.
+        // In most variants, localization also decides the properties that it decided in the original. Therefore the
+        // complete network is searched only briefly before localization.
         if (answer.verdict.scope.cells) last.begin.whole = bounds.brief;
     }
     const bool in_passes = (states > bounds.few_states || !known_.empty()) && !options.whole;

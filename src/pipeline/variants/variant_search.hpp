@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Checks properties of variants of a closed loop whose check is known: the steps of that check, with bounds.
+// Checks properties of variants of a closed loop. The results for the original loop determine the steps and the bounds
+// of these checks.
 //
-// A check that needs few states is repeated for each variant. Otherwise the variants are searched in passes with growing
-// bounds. So a variant that a small search decides does not wait for one that needs a large search. The first pass
-// begins with the abstraction that decided the property in the original: most changes do not affect it.
+// A check that needs few states is repeated for each variant. Otherwise the variants are searched in passes with
+// increasing bounds, so that variants that need a small search are decided first. The first pass begins with the
+// abstraction that decided the property in the original, because most changes do not affect it.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +22,22 @@ namespace grafverif {
 
 /// Bounds of one pass.
 struct SearchEffort {
-    LocalizationLimits begin = {};           ///< of the first search of the complete loop, and of localization
-    std::vector<std::uint64_t> rounds = {};  ///< states of each search of an input abstraction
-    bool complete = true;                    ///< the complete loop is searched for what is still open
-    bool known = false;  ///< only properties that an abstraction decided in the original, beginning with it
+    LocalizationLimits begin = {};           ///< limits of the first search of the complete loop, and of localization
+    std::vector<std::uint64_t> rounds = {};  ///< maximum number of states of each search of an input abstraction
+    bool complete = true;                    ///< true: search the complete loop for undecided properties
+    /// True: check only properties that an abstraction decided in the original, beginning with this abstraction.
+    bool known = false;
 };
 
 struct VariantBounds {
-    std::uint64_t few_states = std::uint64_t{1} << 14U;  ///< a check of more states is repeated in passes
-    /// States of a first search of the complete loop that most often decides nothing.
+    std::uint64_t few_states = std::uint64_t{1} << 14U;  ///< a check with more states is repeated in passes
+    /// Maximum number of states of a first search of the complete loop that is not expected to decide any property.
     std::uint64_t brief = std::uint64_t{1} << 12U;
 };
 
 class VariantSearch {
 public:
-    /// `report`: of the original loop, by a check with `options`, which outlive the search.
+    /// `report` is the result of checking the original loop with `options`. `options` must outlive the search.
     VariantSearch(const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});
 
     /// The passes, in order. The last one uses the complete bounds.
@@ -48,7 +50,7 @@ public:
 
     std::size_t searches() const { return searches_; }
     bool stopped() const { return is_over(options_.limits.deadline, options_.limits.stop); }
-    /// `time limit reached` or `stopped`.
+    /// Returns `time limit reached` or `stopped`.
     std::string_view reason() const;
 
 private:

@@ -107,8 +107,8 @@ void name_steps(AgrafeReader& reader) {
     }
 }
 
-/// Names transitions after their id, such as `t7`. The name is qualified by the partial chart if another one also has a
-/// transition `t7`.
+/// Names transitions after their id, such as `t7`. The name is qualified by the name of the partial chart if another
+/// partial chart also has a transition `t7`.
 void name_transitions(AgrafeReader& reader) {
     std::unordered_map<std::string, std::size_t> taken;
     LegalNames names(LegalNames::Kind::Chart, reader.draft);
@@ -199,7 +199,7 @@ tree::Step step_of(AgrafeReader& reader, std::size_t entity, std::vector<tree::A
     return step;
 }
 
-/// Returns a transition, or nothing if it has no links and therefore no effect.
+/// Returns a transition, or nothing if the transition has no links and therefore no effect.
 std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& one = reader.index[entity];
     tree::Transition transition;

@@ -2,7 +2,7 @@
 // Reads AGRAFE GRAFCET (EMF, XMI 2.0) to a tree. The complete meta-model is supported: partial grafcets, expansions of
 // macro-steps, enclosing steps with activation links, forcing orders, timed transitions, all types of actions, terms.
 //
-// EMF omits default values. A declaration without a type is an input; a stored action without one is executed on
+// EMF omits default values. A declaration without a type is an input; a stored action without a type is executed on
 // activation. A missing value is false or 0, and a missing unit is s. References are paths
 // (`//@partialGrafcets.0/@steps.1`).
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// AgrafeReader: context for the conversion of an AGRAFE document. It contains the names of the document's elements, and
-// converts parts of the document to the tree.
+// AgrafeReader: context for the conversion of an AGRAFE document. The context contains the names of the elements of the
+// document, and its functions convert the document to the tree.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ struct AgrafeEntity {
     };
     Kind kind = Kind::Main;
     pugi::xml_node node = {};
-    std::size_t partial = 0;  ///< the partial chart that contains it; a partial chart contains itself
+    std::size_t partial = 0;  ///< the partial chart that contains the element; a partial chart contains itself
     std::string name = {};    ///< name in the input language; set by the reader
     std::vector<std::size_t> in = {}, out = {};  ///< predecessors and successors through arcs
 };
@@ -81,7 +81,7 @@ struct AgrafeReader {
     /// Returns all elements in a list of references.
     std::vector<std::size_t> references(pugi::xml_node node, std::string_view attribute, std::string_view what,
                                         bool (*accepts)(AgrafeEntity::Kind));
-    /// Returns an integer; `otherwise` if it is missing, or if it is invalid, which is reported.
+    /// Returns the integer value of an attribute, or `otherwise` if it is missing or invalid. Reports an invalid value.
     std::int64_t number(pugi::xml_node node, std::string_view attribute, std::int64_t otherwise);
     bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
 };
@@ -89,7 +89,7 @@ struct AgrafeReader {
 // -- terms.cpp
 /// Converts a term; invalid after an error.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term);
-/// Times of a transition or action; only the type timeDependent has `t1/term/t2`.
+/// The times of a transition or an action. Only the type timeDependent has the form `t1/term/t2`.
 struct AgrafeTime {
     enum class Kind { None, Dependent, Delayed, Limited };
     Kind kind = Kind::None;

@@ -19,7 +19,8 @@ Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     return reader.file.statements[block.front()].value;
 }
 
-/// Reads a body: Structured Text, or an LD or FBD network that ends in one coil or variable, which is the condition.
+/// Reads a body: Structured Text, or an LD or FBD network that ends in one coil or variable, whose value is the
+/// condition.
 Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span where) {
     if (const pugi::xml_node text = child(body, "ST")) return structured(reader, text);
     for (const std::string_view language : {"LD", "FBD"}) {
@@ -59,7 +60,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
         found = body_condition(reader, inner, reader.xml.where(inner));
     } else if (child(condition, "connectionPointIn")) {
         found = PlcopenValues(reader, network).at(condition);
-    } else if (!children(condition, "connection").empty()) {  // this is the form of version 1.01
+    } else if (!children(condition, "connection").empty()) {  // form of a condition in version 1.01
         for (const pugi::xml_node& connection : children(condition, "connection")) {
             const pugi::xml_node source = network.find(value(connection, "refLocalId"));
             if (!source)

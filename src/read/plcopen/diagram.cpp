@@ -17,7 +17,7 @@ namespace grafverif {
 
 namespace {
 
-/// Formal parameters of standard functions whose inputs have different meanings.
+/// The formal parameters of a standard function that interprets each input differently.
 struct Signature {
     std::string_view function = {};
     std::array<std::string_view, 3> inputs = {};
@@ -73,7 +73,7 @@ private:
     static std::pair<double, double> position(pugi::xml_node node) {
         const auto number = [at = child(node, "position")](std::string_view name) {
             const double value = attribute(at, name).as_double();
-            return std::isfinite(value) ? value : 0;  // `nan` is not ordered
+            return std::isfinite(value) ? value : 0;  // NaN cannot be ordered
         };
         return {number("x"), number("y")};
     }
@@ -123,7 +123,7 @@ private:
 
     // -- elements -----------------------------------------------------------------------------------------------------
 
-    /// Returns false for elements without effect. Reports elements that are not supported.
+    /// Returns false if the element has no effect. Reports unsupported elements.
     bool is_accepted(pugi::xml_node node) {
         const std::string_view kind = local_name(node.name());
         for (const std::string_view known : {"inVariable", "outVariable", "inOutVariable", "contact", "coil", "block",
@@ -230,7 +230,7 @@ private:
         Id<st::Expr> enable;
         bool complete = true;
         for (const pugi::xml_node& each : children(child(node, "inputVariables"), "variable")) {
-            if (!is_connected(each)) continue;  // the input keeps its value
+            if (!is_connected(each)) continue;  // an unconnected input keeps its value
             const std::string formal = value(each, "formalParameter");
             const Id<st::Expr> one = pin(each, 0);
             if (!one.valid()) complete = false;
@@ -279,7 +279,7 @@ private:
     }
 
     Id<st::Expr> other_element(pugi::xml_node node, std::size_t depth) override {
-        if (is(node, "coil")) return wired(node, depth, "this coil");  // its value is that of the line that leads to it
+        if (is(node, "coil")) return wired(node, depth, "this coil");  // a coil has the value of its incoming line
         if (is(node, "outVariable")) return wired(node, depth, "this variable");
         if (is(node, "contact") && !is_marked(node, "storage")) return edge_contact(node, depth);
         reader_.refuse(reader_.xml.where(node), "a `" + std::string(local_name(node.name())) + "` as a source",
@@ -401,13 +401,13 @@ private:
 
     st::Unit& unit_;
     const std::unordered_set<std::string>& functions_;
-    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // index of each element
-    // Type of each variable, whose name is in capital letters.
+    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // index by element
+    // Type of each variable, by name in capital letters.
     std::unordered_map<std::string, std::string> types_ = {};
     std::vector<Mark> marks_ = {};
     std::vector<std::size_t> rungs_ = {};  // network of each element
     std::vector<Top> tops_ = {};
-    // Variables written so far, per network.
+    // For each network: the variables that its already processed elements write.
     std::unordered_map<std::size_t, std::unordered_set<std::string>> written_ = {};
     std::unordered_map<std::size_t, std::string> edges_ = {};  // instances of contacts and coils with edges
     bool ordered_ = false;

@@ -17,12 +17,14 @@ bool is_step(pugi::xml_node node) { return is(node, "step") || is(node, "macroSt
 // -- connections ------------------------------------------------------------------------------------------------------
 
 /// Returns the steps upstream of a transition, or the transitions upstream of a step, through divergences and
-/// convergences. `wanted` is true for an element at which a path may end; other ends are reported.
+/// convergences. `wanted` returns true for an element at which a path may end. Reports paths that end at other
+/// elements.
 std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node start,
                                      bool (*wanted)(pugi::xml_node), std::string_view hint) {
     std::vector<pugi::xml_node> found, work = {start};
     std::unordered_set<std::size_t> seen = {start.hash_value()};
-    bool joined = false;  // CODESYS joins the only branch without a jump before a transition
+    // True if a join precedes the transition. CODESYS writes one even if all branches except one end in jumps.
+    bool joined = false;
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
             const bool over = is(source, "jumpStep");  // CODESYS draws lines that continue after the jump of a branch
@@ -61,7 +63,7 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
     made.where = reader.xml.where(action);
     made.unread = attribute(action, "indicator") || child(action, "indicator");
-    if (reader.is_codesys_program() && value(action, "indicator").empty())  // CODESYS writes an empty one
+    if (reader.is_codesys_program() && value(action, "indicator").empty())  // CODESYS writes an empty attribute
         made.unread = bool(child(action, "indicator"));
     // The default qualifier is N.
     if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));
@@ -161,10 +163,10 @@ void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const st
     for (std::size_t i = 0; i < steps.size(); ++i) codesys_actions(reader, steps[i].node, made.steps[i]);
 }
 
-/// The variables that control the chart, from the settings of the element around it.
+/// Returns the variables that control the chart, as specified in the settings of the enclosing element.
 st::ChartFlags flags_of(PlcopenReader& reader, pugi::xml_node chart) {
     st::ChartFlags flags;
-    const pugi::xml_node owner = chart.parent().parent();  // `pou` or `action`, around `body`
+    const pugi::xml_node owner = chart.parent().parent();  // the `pou` or `action` that contains `body`
     for (const pugi::xml_node& data : children(child(owner, "addData"), "data")) {
         const pugi::xml_node settings = child(data, "SFCSettings");
         if (!settings || reader.xml.content(child(settings, "UseDefaults")) == "true") continue;
@@ -181,7 +183,7 @@ st::ChartFlags flags_of(PlcopenReader& reader, pugi::xml_node chart) {
     return flags;
 }
 
-/// Elements with the given name from left to right: the default order of priority.
+/// Returns the elements with the given name from left to right, which is the default order of priority.
 std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string_view name) {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node& element : network.elements)

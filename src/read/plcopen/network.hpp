@@ -16,7 +16,7 @@ struct PlcopenReader {
     const Xml& xml;
     const Sources& sources;
     Draft& draft;
-    bool of_program = false;  ///< true: the result is executed; false: it is converted to a chart
+    bool of_program = false;  ///< true if the result is executed, false if it is converted to a chart
     st::File file = {};
 
     /// Reports a construct that cannot be read.
@@ -44,8 +44,7 @@ struct PlcopenNetwork {
 /// Returns the elements of a body. Reports duplicate ids.
 PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body);
 
-/// A connection: the element at which it begins, and the name of its output. If the name is empty, it is the first
-/// output.
+/// A connection: the element at which it begins, and the name of its output. An empty name denotes the first output.
 struct PlcopenLine {
     pugi::xml_node source = {};
     std::string output = {};
@@ -57,10 +56,10 @@ bool is_connected(pugi::xml_node point);
 /// Returns the connections that end at the `connectionPointIn`s of `point`. Reports dangling connections.
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
-/// Returns the elements at which they begin.
+/// Returns the elements at which the connections to `point` begin.
 std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
 
-/// The steps and transitions of the chart, then the expansions of its macro-steps.
+/// Returns the network of the chart, followed by the expansions of its macro-steps.
 std::vector<st::Network> read_network(PlcopenReader& reader, const st::Unit& unit, pugi::xml_node body);
 
 // -- conditions.cpp

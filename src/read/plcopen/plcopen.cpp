@@ -103,8 +103,8 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
         const bool simple = type == "BOOL" || type == "TIME" || type.ends_with("INT") || type.ends_with("BYTE") ||
                             type.ends_with("WORD");
         if (reader.of_program && child(node, "initialValue") && !initial)
-            reader.refuse(reader.xml.where(child(node, "initialValue")), "an initial value in parts",
-                          "assign the parts in the program");
+            reader.refuse(reader.xml.where(child(node, "initialValue")), "the initial value of an array or structure",
+                          "assign the elements in the program");
         if (initial && (simple || reader.of_program) && !variable.type.composite)
             variable.initial = reader.expression(reader.xml.text(initial, "value"));
         variables.push_back(std::move(variable));
@@ -126,8 +126,8 @@ st::Unit unit_of(PlcopenReader& reader, pugi::xml_node pou) {
     return unit;
 }
 
-/// Reads the actions of the POU. Those in Structured Text are executed by programs and charts, charts by programs of
-/// CODESYS; actions in other languages are rejected later.
+/// Reads the actions of the POU. Programs and charts can execute actions in Structured Text, and CODESYS programs can
+/// execute actions that are charts. Actions in other languages are rejected later.
 void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     for (const pugi::xml_node& node : children(child(pou, "actions"), "action")) {
         st::Action action;
@@ -141,7 +141,8 @@ void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     }
 }
 
-/// Returns the comments of the drawing and the XML comments, which are placed before the chart.
+/// Returns the `documentation` of a POU, and the comments and XML comments of its drawing. They are written before the
+/// chart.
 std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     std::string text;
     if (const pugi::xml_node documentation = child(pou, "documentation"))
@@ -154,8 +155,8 @@ std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     return text;
 }
 
-/// Returns the descendants of `root` with one of the names, in the order of the file. Descendants of such an element
-/// are not included.
+/// Returns the descendants of `root` with one of the names, in the order of the file. Descendants of a returned element
+/// are not searched.
 std::vector<pugi::xml_node> all_of(pugi::xml_node root, std::initializer_list<std::string_view> names) {
     std::vector<pugi::xml_node> found;
     for (pugi::xml_node node = root.first_child(); node;) {
@@ -177,7 +178,7 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
     PlcopenReader reader{xml, sources, draft};
     reader.file.source = xml.source();
     std::vector<pugi::xml_node> pous;
-    pugi::xml_node program;  // a program in Structured Text, which is reported if there is no chart
+    pugi::xml_node program;  // a program in Structured Text; reported if there is no chart
     for (const pugi::xml_node& node : all_of(xml.root(), {"globalVars", "pou"})) {
         if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
         else if (child(child(node, "body"), "SFC")) pous.push_back(node);
@@ -299,7 +300,7 @@ bool is_codesys(pugi::xml_node root) {
     return false;
 }
 
-/// A data type of the project.
+/// Reads a data type of the project.
 void read_type(PlcopenReader& reader, pugi::xml_node node) {
     st::TypeDeclaration made;
     made.name = reader.name(value(node, "name"), reader.xml.where(node, "name"));
@@ -311,8 +312,8 @@ void read_type(PlcopenReader& reader, pugi::xml_node node) {
     if (const pugi::xml_node initial = child(child(node, "initialValue"), "simpleValue"))
         made.initial = reader.expression(reader.xml.text(initial, "value"));
     else if (child(node, "initialValue"))
-        reader.refuse(reader.xml.where(child(node, "initialValue")), "an initial value in parts",
-                      "assign the parts in the program");
+        reader.refuse(reader.xml.where(child(node, "initialValue")), "the initial value of an array or structure",
+                      "assign the elements in the program");
     reader.file.types.push_back(std::move(made));
 }
 

@@ -3,8 +3,8 @@
 // Function Chart becomes a unit, as if it were written in the textual form. Graphical elements (divergences, jumps,
 // connections) become transitions between named steps.
 //
-// In the CODESYS dialect, conditions are expressions of connected `inVariable`s. The entry, active and exit action of a
-// step are names in `addData`, in attributes identified by their GUIDs.
+// In the CODESYS dialect, conditions are expressions of connected `inVariable`s. The entry, active and exit actions of
+// a step are given by name in `addData`, in attributes identified by their GUIDs.
 #pragma once
 
 #include "read/draft.hpp"

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-// Maximum number of values of one network, because each connection copies the expression before it.
+// The maximum number of values of one network. It is limited, because each connection copies the preceding expression.
 constexpr std::size_t most_values = 100'000;
 
 struct Function {
@@ -190,7 +190,7 @@ Id<st::Expr> PlcopenValues::block(pugi::xml_node node, const std::string& output
                                                                    : "two"));
         return {};
     }
-    while (inputs.size() > 2 && (type == "ADD" || type == "MUL")) {  // operators of two operands, from the left
+    while (inputs.size() > 2 && (type == "ADD" || type == "MUL")) {  // binary operators, applied from left to right
         const Id<st::Expr> first = reader_.make(function->op, {inputs[0], inputs[1]}, where);
         inputs.erase(inputs.begin());
         inputs.front() = first;

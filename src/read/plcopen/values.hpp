@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PlcopenValues: the values at the connections of an LD or FBD network, as expressions. They consist of variables,
+// PlcopenValues: the values at the connections of an LD or FBD network, as expressions. The class supports variables,
 // contacts, and blocks for Boolean and arithmetic functions. A derived class adds elements with a state.
 #pragma once
 
@@ -16,7 +16,8 @@ public:
     PlcopenValues(PlcopenValues&&) = delete;
     virtual ~PlcopenValues() = default;
 
-    /// Returns the value at a connection point; several incoming lines form an OR. Invalid if it is not connected.
+    /// Returns the value at a connection point; several incoming lines form an OR. The result is invalid if the point
+    /// is not connected.
     Id<st::Expr> at(pugi::xml_node point, std::size_t depth = 0);
     Id<st::Expr> from(pugi::xml_node source) { return of({source, {}}, 0); }
     /// Returns the value assigned to the coil or variable at the end of the network.
@@ -29,12 +30,12 @@ protected:
     virtual Id<st::Expr> other_block(pugi::xml_node block, const std::string& output, std::size_t depth);
     /// Returns the value of a contact or coil with an edge or storage, or of a coil in the middle of a rung.
     virtual Id<st::Expr> other_element(pugi::xml_node element, std::size_t depth);
-    /// Called with each term that reads variables.
+    /// Is called with each term that reads variables.
     virtual void is_read(Id<st::Expr>) {}
 
     Id<st::Expr> negated(pugi::xml_node node, Id<st::Expr> term, std::string_view mark = "negated");
-    /// True if a variable, contact, coil or pin passes a value without an edge, set or reset; otherwise this is
-    /// reported.
+    /// True if a variable, contact, coil or pin passes a value without an edge, set or reset. Reports any other
+    /// element.
     bool passes_on(pugi::xml_node node);
     /// Same as at(), but reports an unconnected point.
     Id<st::Expr> wired(pugi::xml_node point, std::size_t depth, std::string_view what);

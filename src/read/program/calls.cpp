@@ -12,7 +12,7 @@
 
 namespace grafverif::program {
 
-/// The action that a path names, of this unit or of an instance; empty if the path does not end in an action.
+/// Returns the action of this unit or of an instance that a path names; empty if the path does not end in an action.
 std::optional<Reader::Callee> Reader::action(Id<st::Expr> path) {
     const st::Expr from = file_->exprs[path];
     if (from.op == st::Op::Name) {
@@ -70,7 +70,7 @@ std::optional<Reader::Callee> Reader::callee(Id<st::Expr> path) {
     return Callee{found->place, type.unit, type.unit, found->variable};
 }
 
-/// Adds the statements that pass a variable to VAR_IN_OUT and back. Empty after an error.
+/// Adds the statements that copy a variable to a VAR_IN_OUT variable and back. The result is empty after an error.
 std::optional<Reader::Found> Reader::pass_in_out(const Found& formal, Id<st::Expr> actual, Program::Body& before,
                                                  Program::Body& after) {
     const Span where = file_->exprs[actual].where;
@@ -102,7 +102,7 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
         if (program.units[block].variables[i].section == Variable::Section::InOut) shared.push_back(i);
     }
     std::vector<std::uint32_t> assigned;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> passed;  // cells of VAR_IN_OUT, all in this frame
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> passed;  // cells of VAR_IN_OUT variables in this frame
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const st::Expr part = file_->exprs[parts[i]];
         const bool named_one = part.op == st::Op::Argument || part.op == st::Op::Result;

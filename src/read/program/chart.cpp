@@ -3,10 +3,10 @@
 // while X is true; an action is an instance of its ACTION_CONTROL. In each execution of the body:
 //   - the conditions of enabled transitions are evaluated, by priority; a transition is not cleared if a previous
 //     transition that leaves the same step is cleared. The first execution, in which the initial step is active, clears
-//     no transition: the effects of the activation of a step precede the test of the transitions after it;
+//     no transition, because the effects of the activation of a step precede the test of its downstream transitions;
 //   - all cleared transitions deactivate and activate their steps;
-//   - all action controls are evaluated; then, in the order of the actions of the chart, each action is executed or, if
-//     it is a Boolean variable, assigned.
+//   - all action controls are evaluated; then, in the order of the actions of the chart, each action is executed, or
+//     assigned if it is a Boolean variable.
 #include <algorithm>
 #include <utility>
 
@@ -81,7 +81,7 @@ std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::stri
     return add_cells(id, text(name.word), type, name.where);
 }
 
-/// Resolves `Step.X`, `Step.T` or `Action.Q`, of this unit or of an instance that the expression may read.
+/// Resolves `Step.X`, `Step.T` or `Action.Q` of this unit or of an instance that the expression may read.
 std::optional<Reader::Found> Reader::chart_member(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];
@@ -135,7 +135,7 @@ void Reader::declare_chart(std::size_t index) {
 
 // -- parts of statements ----------------------------------------------------------------------------------------------
 
-/// Returns the cell of X of a step.
+/// Returns the cell of the variable X of a step.
 std::uint32_t Reader::cell_of(Id<st::Word> step) const {
     const std::uint32_t index = scopes_[unit_.index].members.at({step.index, file_->intern("X").index});
     return program.units[unit_].variables[index].offset;
@@ -178,7 +178,8 @@ void Reader::check(Id<Node> fault, Span where, Program::Body& body) {
     body.push_back(program.statements.add(std::move(made)));
 }
 
-/// Tests those transitions whose structure allows that they activate an active step. `steps`: the cells of X.
+/// Adds a check to each transition that may activate an active step according to the structure of the chart. `steps`
+/// contains the cells of X.
 void Reader::check_transitions(const st::Network& network, const Chart& chart, const std::vector<std::uint32_t>& steps,
                                Program::Body& body) {
     const auto names = [](const std::vector<st::Name>& list, Id<st::Word> step) {
@@ -201,7 +202,8 @@ void Reader::check_transitions(const st::Network& network, const Chart& chart, c
     }
 }
 
-/// `active`: the conditions that give each duration.
+/// Adds checks that no two durations of an action are active together. `active` contains the condition of each
+/// duration.
 void Reader::check_durations(const Chart& chart, std::size_t index, const std::vector<Id<Node>>& active,
                              Program::Body& body) {
     if (!chart.checked_actions[index]) return;
@@ -229,7 +231,7 @@ Program::Body Reader::chart(std::size_t index) {
     return body;
 }
 
-/// The condition of a transition. Some tools accept integers.
+/// Returns the condition of a transition. Some tools accept integers as conditions.
 std::optional<Id<Node>> Reader::condition_of(Id<st::Expr> root) {
     const Span where = file_->exprs[root].where;
     const auto value = expression(root);
@@ -340,7 +342,7 @@ void Reader::execute(const ChartAction& action, Program::Body& body) {
 
 // -- step times -------------------------------------------------------------------------------------------------------
 
-/// Returns the operands of a comparison. A step time need not be counted beyond the constants with which it is
+/// Returns the operands of a comparison. The time of a step need not be counted beyond the constants with which it is
 /// compared.
 std::array<Reader::MaybeTyped, 2> Reader::compared(const std::vector<Id<st::Expr>>& sides) {
     const auto is_member = [&](std::size_t side) { return file_->exprs[sides[side]].op == st::Op::Member; };

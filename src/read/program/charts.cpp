@@ -20,7 +20,8 @@ namespace grafverif::program {
 
 namespace {
 
-/// A part of the body of ACTION_CONTROL (IEC 61131-3, 2.6.4.5). `{0}` is replaced by the duration, `{1}` by the reset.
+/// The part of the body of ACTION_CONTROL (IEC 61131-3, 2.6.4.5) for one qualifier. `{0}` is replaced by the duration,
+/// `{1}` by the reset.
 struct Qualifier {
     std::string_view name = {};
     bool timed = false;
@@ -45,8 +46,9 @@ constexpr std::array qualifiers = {
     Qualifier{"P0", false, "P0_END, P0_OLD : BOOL;", "P0_END := P0_OLD AND NOT P0; P0_OLD := P0;", "", "P0_END"},
 };
 
-/// Q is the state of a Boolean variable; statements are executed while A is true: also once after Q (the final scan).
-/// `times`: the constant durations; of several ones, the inputs `TIME_1`, `TIME_2`, ... select one.
+/// Returns the text of an ACTION_CONTROL block. Q is the state of a Boolean variable. Statements are executed while A
+/// is true, which includes one scan after Q becomes false (the final scan). `times` contains the constant durations; if
+/// there are several, the inputs `TIME_1`, `TIME_2`, ... select one.
 std::string control_text(const ChartAction& action, const std::vector<std::int64_t>& times) {
     const std::string duration = times.empty() ? "T" : fmt::format("T#{}ms", times.front());
     const std::string reset = action.steps.contains("R") ? "R" : "FALSE";
@@ -82,7 +84,7 @@ public:
     ChartReader(st::File& file, std::size_t unit, Sources& sources, Diagnostics& diagnostics)
         : file_(file), unit_(file.units[unit]), sources_(sources), diagnostics_(diagnostics) {}
 
-    /// A chart of CODESYS, also in an action.
+    /// Reads a CODESYS chart, which can be the body of a unit or an action.
     Chart read_codesys(const std::vector<st::Network>& networks) {
         const std::size_t errors = diagnostics_.errors();
         unit_.networks = networks;
@@ -104,7 +106,7 @@ public:
                 action.steps, [](const auto& one) { return one.first != "N" && one.first != "R" && one.first != "S"; });
             if (action.controlled) control(action);
         }
-        std::ranges::stable_sort(chart_.actions, {}, &ChartAction::label);  // they are executed in alphabetical order
+        std::ranges::stable_sort(chart_.actions, {}, &ChartAction::label);  // actions execute in alphabetical order
         if (diagnostics_.errors() == errors) check_safety(network);
         chart_.valid = diagnostics_.errors() == errors;
         return std::move(chart_);
@@ -142,7 +144,8 @@ private:
         order(network);
     }
 
-    /// The standard makes it an error if associations of one action with different durations are active together.
+    /// Determines the actions for which associations with different durations can be active together, which is an error
+    /// according to the standard.
     void check_durations(const Marking& marking) {
         for (std::size_t i = 0; i < chart_.actions.size(); ++i) {
             const auto active = [&](const std::vector<Id<st::Word>>& steps) {
@@ -324,7 +327,7 @@ private:
             const bool another = known == times.end() && one != timed.front();
             if (one->qualifier != qualifier || (another && (!time || (qualifier != "L" && qualifier != "D")))) {
                 reject(one->where, "a second duration of the action `" + action.label + "`",
-                       "use one qualifier for each action, and constant durations; several ones only for L and D");
+                       "use one qualifier and one constant duration for each action; only L and D permit several");
                 continue;
             }
             if (!time) {
@@ -350,8 +353,9 @@ private:
         file_.units.back().name.word = file_.intern(fmt::format("ACTION_CONTROL {}", action.control));
     }
 
-    /// Finds the transitions that activate an active step in some situation, without regard to conditions. Simultaneous
-    /// clearing has the effect of clearing in sequence. If a chart has too many situations, every transition can.
+    /// Finds the transitions that can activate an active step in some situation, without regard to conditions.
+    /// Transitions that are cleared simultaneously have the same effect as if they were cleared in sequence. If a chart
+    /// has too many situations, every transition is assumed to activate an active step.
     void check_safety(const st::Network& network) {
         chart_.checked.assign(network.transitions.size(), false);
         chart_.checked_actions.assign(chart_.actions.size(), false);
@@ -388,13 +392,13 @@ private:
     }
 
     st::File& file_;
-    st::Unit unit_;  // a copy: units are added to the file
+    st::Unit unit_;  // a copy, because units are added to the file
     Sources& sources_;
     Diagnostics& diagnostics_;
     Chart chart_ = {};
     std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< index of each step, by word
     std::unordered_map<std::uint32_t, const st::Action*> actions_ = {};
-    /// For each action: the associations with a duration.
+    /// The associations with a duration, by action.
     std::vector<std::vector<const st::Association*>> times_ = {};
 };
 

@@ -16,33 +16,36 @@ namespace grafverif::program {
 
 /// The action blocks of one action or Boolean variable.
 struct ChartAction {
-    st::Name name = {};      ///< invalid if the statements are in the step
+    st::Name name = {};      ///< invalid if the step contains the statements
     Id<st::Expr> path = {};  ///< in CODESYS: the action or variable
     std::string label = {};
-    bool variable = false;                                        ///< `name` is a Boolean variable
-    st::Block body = {};                                          ///< otherwise
-    std::map<std::string, std::vector<Id<st::Word>>> steps = {};  ///< per qualifier
-    Id<st::Expr> time = {};                                       ///< invalid: none, or constants within `control`
-    /// For each of several constant durations, the steps that define it, for the inputs `TIME_1`, `TIME_2`, ... of `control`.
+    bool variable = false;                                        ///< true if `name` is a Boolean variable
+    st::Block body = {};                                          ///< the statements of an action
+    std::map<std::string, std::vector<Id<st::Word>>> steps = {};  ///< steps with an action block, per qualifier
+    Id<st::Expr> time = {};                                       ///< duration; invalid if there is none, or if
+                                                                  ///< `control` contains the durations
+    /// If there are several constant durations: the steps that define each duration, for the inputs `TIME_1`, `TIME_2`,
+    /// ... of `control`.
     std::vector<std::vector<Id<st::Word>>> durations = {};
-    std::size_t control = 0;  ///< its ACTION_CONTROL, a unit of the file
-    bool controlled = true;   ///< it has one; otherwise only N, R and S
-    std::uint32_t cell = 0;   ///< of the instance; set by the Reader
-    /// In CODESYS: cells of Q, of its last value, of the memory of S, and of the condition of R.
+    std::size_t control = 0;  ///< index of the ACTION_CONTROL of the action in the units of the file
+    bool controlled = true;   ///< true if `control` is valid; otherwise the action has only the qualifiers N, R and S
+    std::uint32_t cell = 0;   ///< first cell of the instance of `control`; set by the Reader
+    /// In CODESYS: the cells of Q, of the last value of Q, of the memory of S, and of the condition of R.
     std::uint32_t value = 0, before = 0, stored = 0, resets = 0;
     Span where = {};
 };
 
 struct Chart {
-    bool valid = false;                       ///< no error was reported
+    bool valid = false;                       ///< true if no error was reported
     std::vector<std::size_t> order = {};      ///< the transitions by priority, then position
     std::vector<ChartAction> actions = {};    ///< in the order of their first action blocks
-    std::uint32_t started = 0;                ///< cell: the body was executed before
-    std::vector<std::uint32_t> cleared = {};  ///< cell per transition
-    /// Per transition and per action: the structure does not exclude a fault, which is tested in each execution.
+    std::uint32_t started = 0;                ///< cell that is true if the body was executed before
+    std::vector<std::uint32_t> cleared = {};  ///< cell per transition: true if the transition is cleared
+    /// Per transition and per action: true if the structure does not exclude a fault. Each execution then tests for the
+    /// fault.
     std::vector<bool> checked = {}, checked_actions = {};
     std::vector<std::uint32_t> steps = {};      ///< in CODESYS: cell per step
-    std::vector<std::uint32_t> before = {};     ///< in CODESYS: cell per step, active in the last execution
+    std::vector<std::uint32_t> before = {};     ///< in CODESYS: cell per step, true if active in the last execution
     std::vector<std::uint32_t> variables = {};  ///< in CODESYS: index in the variables of the unit, per step
 };
 
@@ -55,7 +58,7 @@ struct UnitCharts {
 /// controls are added to the file.
 std::vector<UnitCharts> read_charts(st::File& file, Sources& sources, Diagnostics& diagnostics);
 
-/// `A.B.C` in capitals, for a path of names; otherwise empty.
+/// Returns a path of names in capitals, such as `A.B.C`; empty for other expressions.
 std::string path_text(const st::File& file, Id<st::Expr> path);
 
 }  // namespace grafverif::program

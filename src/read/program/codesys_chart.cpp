@@ -3,13 +3,15 @@
 // "Qualifiers for Actions in SFC", "SFC Flags" and "Implicit Variables" of the CODESYS Online Help. A step has the
 // variables X (active in this execution), _X (in the next one) and t (the time since its activation, in transitions of
 // the same chart). Each execution of a chart:
-//   1. copies _X to X; executes exit actions of steps that were left, then entry actions of steps that were activated,
-//      then actions of active steps, each in the order of the file, which is that of the drawing;
-//   2. executes the actions of action blocks in alphabetical order: first those that end, then those with Q;
+//   1. copies _X to X; executes exit actions of deactivated steps, then entry actions of activated steps, then actions
+//      of active steps, each in the order of the file, which is the order of the drawing;
+//   2. executes the actions of action blocks in alphabetical order: first the actions that end, then the actions whose
+//      Q is true;
 //      a Boolean variable becomes false when its action ends, and true while Q is true;
-//   3. evaluates the transitions of active steps, which determine _X; of several after one step, the leftmost is taken.
+//   3. evaluates the transitions of active steps, which determine _X; if several transitions after one step are
+//      enabled, the leftmost one is cleared.
 //
-// Where the documentation is silent, a reading is chosen and reported by a warning:
+// Where the documentation does not define the behaviour, an interpretation is chosen and reported by a warning:
 //   - S and R of a Boolean variable act on one memory per instance, which all charts of the instance share; while R is
 //     active, the variable is false;
 //   - SFCReset sets _X of the initial step and resets that memory; exit actions are not executed, and actions of action
@@ -27,7 +29,7 @@ namespace grafverif::program {
 namespace {
 
 using Op = Program::Op;
-constexpr std::uint32_t next_offset = 1, since_offset = 2;  // of _X and t in a step; X is first
+constexpr std::uint32_t next_offset = 1, since_offset = 2;  // offsets of _X and t in a step; X is first
 
 bool names(const std::vector<st::Name>& list, Id<st::Word> step) {
     return std::ranges::find(list, step, &st::Name::word) != list.end();
@@ -65,7 +67,7 @@ Id<Type> Reader::codesys_step_type(bool initial) {
     return type = program.types.add({Type::Kind::Block, "STEP", 0, 0, {}, id, {}});
 }
 
-/// `prefix`: of the names of the steps, empty for the body of the unit.
+/// Declares the variables of a chart. `prefix` precedes the names of the steps; it is empty for the body of the unit.
 void Reader::declare_codesys(std::size_t index, Chart& chart, const st::Network& network, const std::string& prefix) {
     const Id<Unit> id = declared_[index];
     for (const auto& [name, used] : {std::pair("SFCReset", network.flags.reset), {"SFCPause", network.flags.pause}}) {
@@ -104,8 +106,8 @@ void Reader::declare_codesys(std::size_t index, Chart& chart, const st::Network&
         const auto known = scopes_[id.index].stored.find(action.label);
         if (known != scopes_[id.index].stored.end()) {
             if (stores)
-                warn_once("S and R of one Boolean variable in several charts of a block",
-                          "all charts of an instance are taken to share its memory", action.where);
+                warn_once("the memory of S and R for one Boolean variable in several charts of a block",
+                          "all charts of an instance are assumed to share its memory", action.where);
             action.stored = known->second;
         } else {
             action.stored = add_cells(id, "action " + action.label + " stored", bool_, action.where);
@@ -119,13 +121,13 @@ void Reader::declare_codesys(std::size_t index, Chart& chart, const st::Network&
 
 // -- statements -------------------------------------------------------------------------------------------------------
 
-/// The variable of a flag that the chart uses.
+/// Returns the variable of a flag; empty if the chart does not use the flag.
 std::optional<Reader::Found> Reader::flag_of(std::string_view name, bool stated, bool used, Span where) {
     const auto known = scopes_[unit_.index].variables.find(file_->intern(name).index);
     if (known == scopes_[unit_.index].variables.end() || (stated && !used)) return {};
     if (!stated)
-        warn_once("if a declared variable `" + std::string(name) + "` acts without settings of the chart",
-                  "it is taken to act", where);
+        warn_once("the effect of a declared variable `" + std::string(name) + "` in a chart without settings",
+                  "the variable is assumed to act as a flag", where);
     return found_in(unit_, known->second);
 }
 
@@ -155,7 +157,8 @@ void Reader::reset(const Chart& chart, const st::Network& network, Program::Body
     const bool has_exit = std::ranges::any_of(network.steps, [](const st::Step& step) { return step.exit.valid(); });
     if (has_exit || !chart.actions.empty())
         warn_once("the effect of `SFCReset` on exit actions and action blocks",
-                  "exit actions are taken not to be executed, and actions of blocks to end", network.where);
+                  "exit actions are assumed not to be executed, and actions of blocks are assumed to end",
+                  network.where);
     for (std::size_t i = 0; i < network.steps.size(); ++i) {
         const st::Step& step = network.steps[i];
         store(chart.steps[i], bool_, number(0, bool_, step.where), step.where, body);
@@ -165,7 +168,7 @@ void Reader::reset(const Chart& chart, const st::Network& network, Program::Body
         store(action.stored, bool_, number(0, bool_, action.where), action.where, body);
 }
 
-/// Executes an action of this unit or of an instance.
+/// Adds the call of an action of this unit or of an instance.
 void Reader::execute_action(Id<st::Expr> path, Program::Body& body) {
     const Span where = file_->exprs[path].where;
     const std::size_t errors = diagnostics->errors();
@@ -221,14 +224,14 @@ void Reader::execute_steps(const Chart& chart, const st::Network& network, Progr
     }
 }
 
-/// A cell of the instance of ACTION_CONTROL.
+/// Returns the cell of a variable in the instance of ACTION_CONTROL.
 std::uint32_t Reader::control_cell(const ChartAction& one, std::string_view name) {
     const Id<Unit> block = declared_[one.control];
     const std::uint32_t index = scopes_[block.index].variables.at(file_->intern(name).index);
     return one.cell + program.units[block].variables[index].offset;
 }
 
-/// Computes Q of an action.
+/// Adds the statements that compute Q of an action.
 void Reader::control_codesys(std::size_t index, const std::vector<Id<st::Word>>& steps, const Chart& chart,
                              Program::Body& body) {
     const ChartAction& one = chart.actions[index];
@@ -308,7 +311,7 @@ void Reader::execute_actions(const Chart& chart, Program::Body& body) {
         store(one.before, bool_, read(one.value, bool_, one.where), one.where, body);
 }
 
-/// X, _X and t of a step of the chart whose transitions are read; empty for other paths.
+/// Resolves X, _X or t of a step in the chart whose transitions are being read; empty for other paths.
 std::optional<Reader::Found> Reader::step_of_chart(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];

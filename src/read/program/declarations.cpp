@@ -84,7 +84,7 @@ void Reader::read_body(std::size_t index) {
     }
 }
 
-/// The only function block that no other unit instantiates, in a file without programs and instances.
+/// Returns the only function block that no other unit instantiates, if the file has neither programs nor instances.
 std::optional<std::size_t> Reader::main_block(std::size_t user) const {
     if (!file_->instances.empty()) return {};
     std::set<std::uint32_t> instantiated;
@@ -199,11 +199,11 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
                    "declare it with the type of the global one");
         return;
     }
-    unit_ = body_ = id;  // of constants in bounds
+    unit_ = body_ = id;  // scope of constants in bounds
     const auto type = type_of(from.type, from.where);
     if (!type) return;
     if (!is_allowed(program.units[id], from, *type, is_program)) return;
-    Unit& target = program.units[id];  // type_of may have added units' variables
+    Unit& target = program.units[id];  // type_of may have reallocated the units
     Variable made;
     made.name = text(from.name.word);
     made.type = *type;
@@ -239,7 +239,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     last.variables.push_back(std::move(made));
 }
 
-/// True if the unit can have this variable; otherwise it is reported.
+/// True if the unit can have this variable. Reports the variable otherwise.
 bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> type, bool is_program) {
     const Span where = from.name.where;
     const Type& of = program.types[type];
@@ -276,7 +276,7 @@ bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> typ
     return what.empty();
 }
 
-/// The actions of a unit that statements can call, and the cells of its charts in CODESYS.
+/// Declares the actions of a unit that statements can call, and in CODESYS also the cells of its charts.
 void Reader::declare_actions(std::size_t index) {
     const Id<Unit> id = declared_[index];
     const st::Unit& from = file_->units[index];
@@ -308,7 +308,7 @@ void Reader::declare_actions(std::size_t index) {
     if (!from.networks.empty()) declare_codesys(index, charts_[index].body, from.networks.front(), "");
 }
 
-/// Variables at one address share their value, which cells do not.
+/// Rejects variables with the same address: they share one value, but every cell has a separate value.
 void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
     std::map<std::string, const st::Variable*> seen;
     for (const st::Variable* variable : located) {
@@ -321,7 +321,8 @@ void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
             reject(variable->name.where, "a second variable at " + quoted(variable->address),
                    "use one variable for each address");
     }
-    // A bit lies in a word of the same area. Only areas with elements of equal size are known to be disjoint.
+    // A bit can be part of a word in the same area. Addresses are known to be disjoint only if all elements of their
+    // area have the same size.
     std::map<char, char> sizes;
     for (const st::Variable* variable : located) {
         const std::string address = st::capitals(variable->address);

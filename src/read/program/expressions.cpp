@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads expressions with their types. An integer literal adapts to the type of the other operands. Integers of
-// different types are converted to the type that contains the other.
+// Reads expressions with their types. An integer literal gets the type of the other operands. Integers of different
+// types are converted to the type whose range contains the range of the other type.
 #include <algorithm>
 #include <string>
 
@@ -180,7 +180,7 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
     }
 }
 
-/// The value of a variable; that of a subrange has the base type.
+/// Returns the value of a variable. The value of a subrange has the base type.
 Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
     const Type type = program.types[found.type];
     if (type.kind == Type::Kind::Block) {
@@ -202,18 +202,19 @@ Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
     return Typed{type.element.valid() ? add(Op::Convert, type.element, {node}, where) : node, false};
 }
 
-/// An integer as a bit string of the same width. Operators of CODESYS that permit bit strings only convert integers.
+/// Returns an integer as a bit string of the same width. In CODESYS, operators that permit only bit strings convert
+/// integers.
 Reader::MaybeTyped Reader::as_bits(const Typed& value, Span where) {
     if (file_->dialect != st::Dialect::Codesys)
         return reject(where, "a bitwise operator of integers", "convert them to bit strings"), std::nullopt;
     warn_once("the type of a bitwise operation on integers",
-              "integers are taken to be converted to bit strings of their width", where);
+              "integers are assumed to be converted to bit strings of their width", where);
     const std::int64_t count = type(value).high - type(value).low;
     const Id<Type> to = types_.at(file_->intern(count <= 255 ? "BYTE" : count <= 65535 ? "WORD" : "DWORD").index);
     return Typed{add(Op::Convert, to, {value.node}, where), false};
 }
 
-/// Operators of Boolean values and of bit strings.
+/// Resolves the operators of Boolean values and of bit strings.
 Reader::MaybeTyped Reader::junction(Id<st::Expr> id) {
     const st::Expr from = file_->exprs[id];
     std::vector<Typed> values;
@@ -243,7 +244,7 @@ Reader::MaybeTyped Reader::junction(Id<st::Expr> id) {
 Reader::MaybeTyped Reader::comparison(Id<st::Expr> id) {
     const st::Expr from = file_->exprs[id];
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, id);
-    if (parts.size() != 2) return {};  // the parser has reported this
+    if (parts.size() != 2) return {};  // the parser has reported the error
     const auto [left, right] = compared(parts);
     if (!left || !right) return {};
     std::vector<Typed> both = {*left, *right};
@@ -251,7 +252,7 @@ Reader::MaybeTyped Reader::comparison(Id<st::Expr> id) {
     const Type::Kind kind = type(both[0]).kind;
     const bool equality = from.op == st::Op::Equal || from.op == st::Op::NotEqual;
     if (!equality && !both[0].literal && (kind == Type::Kind::Boolean || kind == Type::Kind::Enumeration)) {
-        diagnostics->add(messages::program_type_mismatch(from.where, "the operand of an order",
+        diagnostics->add(messages::program_type_mismatch(from.where, "an operand of `<`, `<=`, `>` or `>=`",
                                                          "a number or a duration", described(both[0])));
         return {};
     }
@@ -279,7 +280,7 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
         return {};
     }
     const bool literal = std::ranges::all_of(operands, &Typed::literal);
-    if (literal) {  // computed exactly, because it is a literal
+    if (literal) {  // a literal is computed exactly
         const std::int64_t a = *value_of(operands[0].node);
         const std::int64_t b = operands.size() > 1 ? *value_of(operands[1].node) : 0;
         std::int64_t value = 0;
@@ -314,7 +315,8 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
     return Typed{add(op, program.nodes[operands[0].node].type, std::move(nodes), from.where), false};
 }
 
-/// Durations can be added and subtracted, multiplied with integers and divided by them (IEC 61131-3, table 30).
+/// Resolves arithmetic on durations: they can be added and subtracted, multiplied by integers and divided by integers
+/// (IEC 61131-3, table 30).
 Reader::MaybeTyped Reader::time_arithmetic(const st::Expr& from, Op op, std::vector<Typed> operands) {
     const bool sum = op == Op::Plus || op == Op::Minus;
     const bool scaled = (op == Op::Times || op == Op::Divide) && operands.size() == 2;

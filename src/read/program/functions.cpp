@@ -19,7 +19,7 @@ using Op = Program::Op;
 
 // -- calls ------------------------------------------------------------------------------------------------------------
 
-/// The arguments of a standard function, which are positional or named `IN`, `IN1`, ... in order.
+/// Returns the arguments of a standard function, which are positional or named `IN`, `IN1`, ... in order.
 std::vector<Reader::Typed> Reader::arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok) {
     std::vector<Typed> values;
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, call);
@@ -104,7 +104,7 @@ Reader::MaybeTyped Reader::standard_function(Id<st::Expr> id, const std::string&
     return Typed{add(known->op, result, std::move(nodes), where), false};
 }
 
-/// A shift or rotation of a bit string by a constant number of places.
+/// Resolves a shift or rotation of a bit string by a constant number of bits.
 Reader::MaybeTyped Reader::shift(Id<st::Expr> id, Op op) {
     const Span where = file_->exprs[id].where;
     bool ok = true;
@@ -123,7 +123,7 @@ Reader::MaybeTyped Reader::shift(Id<st::Expr> id, Op op) {
     return Typed{add(op, program.nodes[values[0].node].type, {values[0].node, count}, where), false};
 }
 
-/// `INT_TO_DINT`, `BOOL_TO_INT`, `INT_TO_BOOL`, `DINT_TO_TIME`.
+/// Resolves a conversion, such as `INT_TO_DINT`, `BOOL_TO_INT`, `INT_TO_BOOL` or `DINT_TO_TIME`.
 Reader::MaybeTyped Reader::conversion(Id<st::Expr> id, const std::string& name) {
     const Span where = file_->exprs[id].where;
     const std::size_t at = name.find("_TO_");
@@ -150,7 +150,8 @@ Reader::MaybeTyped Reader::conversion(Id<st::Expr> id, const std::string& name) 
                                                       : converted(values[0], from_type, where, "the argument");
     if (!node) return {};
     if (changes_sign && program.nodes[values[0].node].type != from_type)
-        warn_once("the conversion of an argument to another integer type", "it is taken to wrap around", where);
+        warn_once("the conversion of an argument to another integer type", "the value is assumed to wrap around",
+                  where);
     if (from_type == to_type) return Typed{*node, false};
     const Type::Kind kind = program.types[to_type].kind;
     const Op op = kind == Type::Kind::Boolean ? Op::IsNonzero : kind == Type::Kind::Time ? Op::Narrow : Op::Convert;

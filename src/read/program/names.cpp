@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Names of variables: of the unit, of globals, of members of instances and structures, and of array elements. In the
-// dialect of CODESYS, names of global lists and of the program qualify variables, and all variables of an instance can
-// be named except temporary ones.
+// Resolves the names of variables: variables of the unit, global variables, members of instances and structures, and
+// array elements. In the dialect of CODESYS, variables can be qualified by the name of a global variable list or of the
+// program. All variables of an instance except temporary ones can be named.
 #include <algorithm>
 #include <string>
 
@@ -22,7 +22,7 @@ Reader::Found Reader::found_in(Id<Unit> unit, std::uint32_t index) {
     return made;
 }
 
-/// A cell of the program instance, as other units name it.
+/// Returns the place by which other units access a cell of the program instance.
 Program::Place Reader::main_place(std::uint32_t offset) const {
     return {true, program.units[program.globals].size + offset, {}};
 }
@@ -62,7 +62,7 @@ std::optional<Reader::Found> Reader::variable(Id<st::Expr> path) {
     }
 }
 
-/// A variable that the name of its list, or of the program, qualifies; empty for other paths.
+/// Resolves a variable that is qualified by the name of its list or of the program; empty for other paths.
 std::optional<std::optional<Reader::Found>> Reader::qualified(Id<st::Expr> path) {
     const st::Expr from = file_->exprs[path];
     const st::Expr owner = file_->exprs[from.first];

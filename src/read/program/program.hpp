@@ -16,7 +16,7 @@
 
 namespace grafverif {
 
-/// A program with its names. Expressions over its variables can be read in it.
+/// A program together with its names, which permits reading further expressions over its variables.
 class ProgramText {
 public:
     ProgramText();
@@ -25,8 +25,8 @@ public:
     ~ProgramText();
 
     const Program& program() const;
-    /// Reads a Boolean expression over the variables of the program, with the operators of Structured Text or of C. It
-    /// is added to the nodes of the program. The result is empty after an error.
+    /// Reads a Boolean expression over the variables of the program, with the operators of Structured Text or of C. The
+    /// expression is added to the nodes of the program. The result is empty after an error.
     std::optional<Id<Program::Node>> condition(const st::Text& text, const Sources& sources, Diagnostics& diagnostics);
 
     struct Inside;

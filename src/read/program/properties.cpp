@@ -103,7 +103,7 @@ private:
             for (const KindName& each : kinds) names.emplace_back(each.name);
             const std::string nearest = nearest_of(*kind, names);
             return reject(where(entries["kind"]), "`" + *kind + "` is not a kind of property",
-                          nearest.empty() ? "use a kind of format 0.1" : "did you mean `" + nearest + "`?");
+                          nearest.empty() ? "use a kind that format 0.1 defines" : "did you mean `" + nearest + "`?");
         }
         made.kind = known->kind;
         for (const auto& [key, value] : entries) check_key(made.kind, key, value);
@@ -169,8 +169,8 @@ private:
         made.text = "no " + word;
     }
 
-    /// Positions refer to the property file if it contains the expression literally, otherwise to a source with the
-    /// expression.
+    /// Reads a condition. Its positions refer to the property file if the file contains the expression literally,
+    /// otherwise to a new source with the text of the expression.
     std::optional<Id<Program::Node>> condition(const YAML::Node& from) {
         const std::string expression = from.Scalar();
         Span place = where(from);

@@ -10,7 +10,7 @@
 
 namespace grafverif {
 
-/// A property of the values at the end of every scan, with free inputs.
+/// A property of the values at the end of every scan. The inputs are unconstrained.
 struct ProgramProperty {
     enum class Kind { Invariant, MutualExclusion, Absence, Reachability, Reachable, Assertion, Termination };
     enum class Error { Overflow, DivisionByZero, ArrayBounds };  ///< error whose absence the property states

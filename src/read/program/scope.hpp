@@ -33,10 +33,10 @@ inline std::string quoted(std::string_view text) { return "`" + std::string(text
 
 class Reader {
 public:
-    /// `charts`: one for each unit of the file.
+    /// `charts` contains one element for each unit of the file.
     Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<UnitCharts> charts);
 
-    /// `user` is the number of units of the user, which precede the standard ones.
+    /// `user` is the number of units that the user has written. These units precede the standard units.
     void read(std::size_t user);
     /// Reads a Boolean expression over the variables of `main` and of its instances.
     std::optional<Id<Node>> condition(Id<st::Expr> root);
@@ -56,31 +56,32 @@ private:
     struct Found {
         Program::Place place = {};
         Id<Type> type = {};
-        Variable* variable = nullptr;  ///< in its unit
-        Variable* instance = nullptr;  ///< the block that contains it, if named through it
-        Id<Unit> block = {};           ///< of the instance
-        bool inside = false;           ///< named through an instance
-        bool locked = false;           ///< statements of this unit cannot assign it
+        Variable* variable = nullptr;  ///< the declaration in its unit
+        Variable* instance = nullptr;  ///< the instance that contains the variable, if the path names one
+        Id<Unit> block = {};           ///< the type of the instance
+        bool inside = false;           ///< true if the path names an instance
+        bool locked = false;           ///< true if statements of this unit cannot assign the variable
         bool constant = false;
     };
-    /// What a call statement executes.
+    /// The target of a call statement.
     struct Callee {
         Program::Place place = {};
         Id<Unit> body = {};            ///< a function block, or an action
-        Id<Unit> block = {};           ///< its inputs can be assigned
-        Variable* instance = nullptr;  ///< of the block; nullptr for an action of this unit
+        Id<Unit> block = {};           ///< the block whose inputs the call can assign
+        Variable* instance = nullptr;  ///< the instance of the block; nullptr for an action of this unit
     };
     struct Scope {
         std::unordered_map<std::uint32_t, std::uint32_t> variables =
             {};  ///< word -> index in the variables of the unit
         std::unordered_map<std::uint32_t, Span> externals = {};
-        std::unordered_map<std::uint32_t, Id<Unit>> actions = {};       ///< that statements can call
+        std::unordered_map<std::uint32_t, Id<Unit>> actions = {};       ///< actions that statements can call
         std::map<std::string, std::uint32_t, std::less<>> stored = {};  ///< cells of S in charts of CODESYS
-        /// Step or action, and member -> index in the variables: a variable may have the name of a step.
+        /// Step or action, and member -> index in the variables. This table is separate, because a variable may have
+        /// the name of a step.
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members = {};
     };
     enum class State { New, Open, Done };
-    static constexpr std::uint32_t ambiguous_member = 0xffffffff;  ///< of steps with one name in several charts
+    static constexpr std::uint32_t ambiguous_member = 0xffffffff;  ///< marks equal step names in several charts
 
     // Defined in declarations.cpp:
     void declare_types();
@@ -161,7 +162,7 @@ private:
     MaybeTyped user_function(Id<st::Expr> id, std::size_t index);
     std::vector<Typed> arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok);
     bool unify(std::vector<Typed>& operands, Span where);
-    /// Returns `value` as a node of `type`. An error names `what`.
+    /// Returns `value` as a node of `type`. Error messages call the value `what`.
     std::optional<Id<Node>> converted(const Typed& value, Id<Type> type, Span where, std::string_view what);
     std::optional<Found> variable(Id<st::Expr> path);
     std::optional<Found> named(Id<st::Word> word, Span where);
@@ -212,19 +213,20 @@ private:
     std::vector<Id<Unit>> declared_ = {};                        ///< unit of the program per unit of the file
     std::vector<State> states_ = {};
     std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                  ///< word -> type
-    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< of enumerations, by word
+    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< values of enumerations, by word
     std::vector<Scope> scopes_ = {};                                          ///< per unit of the program
     std::vector<std::vector<std::uint32_t>> calls_ = {};                      ///< per unit: the functions that it calls
-    Id<Unit> unit_ = {};                                                      ///< the current one
-    Id<Unit> body_ = {};       ///< the unit whose body is read: the current one, or one of its actions
-    bool any_member_ = false;  ///< local variables of instances can be read
+    Id<Unit> unit_ = {};                                                      ///< the current unit
+    Id<Unit> body_ = {};       ///< the unit whose body is being read: the current unit, or one of its actions
+    bool any_member_ = false;  ///< true if local variables of instances can be read
     int loops_ = 0;
-    /// In the transitions of a chart of CODESYS: its steps, with their index in the variables of the unit.
+    /// While transitions of a CODESYS chart are read: the steps of the chart, with their index in the variables of the
+    /// unit.
     const std::vector<std::pair<Id<st::Word>, std::uint32_t>>* transitions_ = nullptr;
     std::vector<UnitCharts> charts_;                  ///< per unit of the file
-    std::array<Id<Type>, 2> step_types_ = {};         ///< of steps, of initial steps
+    std::array<Id<Type>, 2> step_types_ = {};         ///< type of steps, type of initial steps
     std::array<Id<Type>, 2> codesys_steps_ = {};      ///< the same for charts of CODESYS
-    std::set<std::string, std::less<>> warned_ = {};  ///< what was reported once
+    std::set<std::string, std::less<>> warned_ = {};  ///< warnings that are reported only once
     std::optional<std::size_t> main_block_ = {};      ///< the function block that is executed as a program
     std::set<std::uint32_t> chart_units_ = {};        ///< units of steps and action controls
     bool action_ = false;                             ///< true within the body of an action

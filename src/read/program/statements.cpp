@@ -30,7 +30,7 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
     case st::StatementKind::Assign: {
         const auto cell = target(from.target);
         if (cell && program.types[cell->type].kind == Type::Kind::Unsupported) {
-            const st::Op op = file_->exprs[from.value].op;  // a variable that nothing can read
+            const st::Op op = file_->exprs[from.value].op;  // this variable cannot be read
             if (op != st::Op::Other)
                 reject(from.where, "a variable of the type `" + program.types[cell->type].name + "`",
                        "use BOOL, TIME or an integer of at most 32 bits");
@@ -96,7 +96,7 @@ std::optional<Reader::Found> Reader::target(Id<st::Expr> path) {
     return found;
 }
 
-/// True if a variable has several cells that can be assigned together: of an array or a structure without instances.
+/// True if a variable has several cells that can be assigned together, as in an array or structure without instances.
 bool Reader::is_composite(Id<Type> id) const {
     const Type& type = program.types[id];
     if (type.kind == Type::Kind::Array) return is_composite(type.element) || is_elementary(type.element);
@@ -111,7 +111,7 @@ bool Reader::is_elementary(Id<Type> id) const {
     return kind != Type::Kind::Block && kind != Type::Kind::Array && kind != Type::Kind::Unsupported;
 }
 
-/// Assigns all cells of a variable to those of another one.
+/// Copies all cells of a variable to another variable.
 void Reader::copy(const Found& to, const Found& from, Span where, Program::Body& body) {
     if (to.type != from.type) {
         diagnostics->add(messages::program_type_mismatch(where, "the value", "`" + program.types[to.type].name + "`",
@@ -157,7 +157,7 @@ void Reader::assign(const Found& cell, const Typed& value, Span where, Program::
         return reject(where, "an assignment to `SFCInit`", "use `SFCReset`");
     const auto node = converted(value, cell.type, where, "the value");
     if (!node) return;
-    if (cell.instance) {  // the preset time of a timer bounds the time that it counts
+    if (cell.instance) {  // the preset time of a timer bounds its elapsed time
         const Unit& block = program.units[cell.block];
         if (block.elapsed && cell.variable->name == "PT") {
             const auto known = value_of(*node);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Types: elementary types and those that a file declares. Equal array types are one type.
+// Resolves elementary types and the types that a file declares. Equal array types are one type.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -77,7 +77,7 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
                                                    "ULINT", "LWORD",       "LTIME",        "DATE",    "TOD",
                                                    "DT",    "TIME_OF_DAY", "DATE_AND_TIME"};
     const std::string name = capitals(type.name.word);
-    if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end()) {  // can be declared, but not used
+    if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end()) {  // it can be declared, but not used
         const Id<Type> id = program.types.add({Type::Kind::Unsupported, name, 0, 0, {}, {}, {}});
         types_[type.name.word.index] = id;
         return id;
@@ -86,7 +86,7 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
     return {};
 }
 
-/// A structure is a block without a body.
+/// Declares a structure as a block without a body.
 void Reader::declare_structure(const st::TypeDeclaration& declaration) {
     Unit unit;
     unit.kind = Unit::Kind::Structure;

@@ -3,7 +3,7 @@
 // converted to a Made:
 //
 //   N            a continuous action                        S, R     stored actions on activation
-//   D, L         a continuous action with a delay or limit  DS       a stored action when the step has lasted
+//   D, L         a continuous action with a delay or limit  DS       a stored action after the time has elapsed
 //   P, P1, P0    the step sets a latch; in the additional partial chart the latch is the output and is then reset
 //   SD, SL       the step sets a latch; in the additional partial chart the output is true after or until its time
 //   statements   stored actions for the assignments that bodies.cpp computes
@@ -63,7 +63,7 @@ Id<tree::Expr> timed(Draft& draft, std::int64_t milliseconds, const std::string&
 }
 
 /// Detects differences in the order of evaluation: actions of one SFC scan run sequentially, but in GRAFCET all of them
-/// read the previous values. Each difference is reported once per variable.
+/// read the previous values. Each type of difference is reported once per variable.
 class Order {
 public:
     /// Records an action at `where` that assigns `target` and reads `reads`. Returns the new differences.
@@ -163,7 +163,7 @@ private:
         return act;
     }
 
-    /// Returns the time of a qualifier that requires one.
+    /// Returns the time of a qualifier that requires a time.
     std::optional<std::int64_t> time(const st::Association& one) {
         if (!one.time.valid()) {
             sfc_.diagnostics().add(
@@ -196,7 +196,7 @@ private:
         return {{action}, {}};
     }
 
-    /// Returns the latch of a qualifier with memory, and true if it is new.
+    /// Returns the latch of a qualifier with memory, and true if the latch is new.
     std::pair<std::string, bool> latch(const std::string& output, std::string_view suffix) {
         const auto [known, fresh] = latch_of_.try_emplace(output + std::string(suffix));
         if (fresh) latches_.push_back(known->second = sfc_.names.invent(output + std::string(suffix)));
@@ -224,8 +224,9 @@ private:
                 {continuous(draft_, act.output, condition, act.where)}};
     }
 
-    /// Since R also ends SD and SL of its output, returns the actions that reset their latches, per step. Reports other
-    /// actions on the output that the conversion of R does not suppress while its step is active.
+    /// Returns, per step, the actions that reset the latches of SD and SL, because R on an output also ends SD and SL
+    /// on the same output. Reports other actions on the output that the conversion of R does not suppress while its
+    /// step is active.
     std::vector<std::pair<std::string, tree::StoredAction>> ended_by_resets(const std::vector<Act>& acts) {
         std::unordered_set<std::string> driven;  // outputs on which other actions may act while the step of R is active
         const bool parallel = has_parallel_steps();

@@ -96,7 +96,7 @@ private:
             return run(action.body, std::move(state), calls + 1);
         }
         refuse(statement.where, "a call of a function block", "replace it by Boolean and integer variables");
-        return left_out(std::move(state));  // its results are declared elsewhere, and become inputs of the chart
+        return left_out(std::move(state));  // the results of the call become inputs of the chart
     }
 
     /// Returns the state after a rejected statement: empty, or unchanged with `lossy`.
@@ -188,8 +188,8 @@ private:
         return result;
     }
 
-    /// Merges a Boolean variable. It is set if a branch that sets it is taken, and kept if a branch that keeps it is
-    /// taken.
+    /// Merges the values of a Boolean variable. The variable is set if a branch that sets it is taken, and keeps its
+    /// value if a branch that keeps the value is taken.
     SfcEffect merged(const std::string& name, const std::vector<Taken>& taken, Span where) {
         SfcEffect result{sfc_.draft.constant(false, where), sfc_.draft.constant(false, where), {}};
         for (const Taken& branch : taken) {

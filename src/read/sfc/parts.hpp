@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of the conversion of Sequential Function Charts that concern a complete network.
+// Steps in the conversion of Sequential Function Charts that process a complete network.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ struct SfcBranch {
     Id<tree::Expr> condition = {};
 };
 
-/// Makes the transitions that leave one step exclusive according to their priority: each condition is conjoined with
-/// the negations of those of higher priority, unless they are syntactically exclusive.
+/// Makes the transitions after one step mutually exclusive according to their priority: each condition is conjoined
+/// with the negation of each condition of higher priority, unless the two conditions are syntactically exclusive.
 void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches);
 
 }  // namespace grafverif

@@ -51,7 +51,7 @@ void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
         std::vector<std::size_t>& list = behind[step];
         std::ranges::stable_sort(list, {}, [&](std::size_t i) {
             const std::int64_t priority = branches[i].written->priority;
-            // Transitions without a priority follow those with one.
+            // Transitions without a priority follow transitions with a priority.
             return priority > 0 ? priority : std::int64_t{1} << 40U;
         });
         bool changed = false;

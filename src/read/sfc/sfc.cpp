@@ -67,7 +67,8 @@ void comment(Sfc& sfc, Span where, const std::string& text) {
     for (std::string& line : comment_lines(text)) sfc.draft.comment(where, std::move(line));
 }
 
-/// Marks the only step of an expansion without predecessors as entry, and the only one without successors as exit.
+/// In each expansion, marks the only step without predecessors as entry step, and the only step without successors as
+/// exit step.
 void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem>& items) {
     std::unordered_set<Id<st::Word>> reached, left;
     for (const st::Transition& transition : network.transitions) {
@@ -93,7 +94,8 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
 }
 
-/// Returns the steps. If several steps have the same name, which has been reported, the first one gets the actions.
+/// Returns the steps. If several steps have the same name, the first one gets the actions; this error has already been
+/// reported.
 std::vector<tree::ChartItem> steps_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
                                       const std::unordered_map<Id<st::Word>, std::string>& expansions) {
     std::vector<tree::ChartItem> items;
@@ -190,7 +192,7 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
     }
 }
 
-/// Adds the step that is always active, with the actions that do not belong to a step.
+/// Adds a step that is always active, with the actions that do not belong to another step.
 void add_always(Sfc& sfc, SfcActions& actions, tree::Chart& chart) {
     for (const std::string& latch : actions.latches) {
         tree::Variable variable;

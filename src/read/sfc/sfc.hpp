@@ -2,15 +2,17 @@
 // Converts Sequential Function Charts (IEC 61131-3) to the tree of a GRAFCET. The differences between SFC and GRAFCET
 // are treated as follows:
 //
-// - After a step, SFC takes one branch, by priority. Therefore the conditions are made mutually exclusive.
-// - A Boolean variable under N, D, L is true while its step is active. It becomes a continuous action. S and R set and
-//   reset a variable when their step becomes active. They become stored actions. P, SD, SL and DS get a new variable
-//   each, and a partial chart with one step that is always active computes the output from it.
-// - Assignments under P1 and P0 become stored actions on activation and deactivation. Under N they are executed in
-//   every scan. Constants are therefore stored once on activation, and Boolean terms on activation and whenever their
-//   value changes.
+// - If several transitions after one step are enabled, SFC clears only the one with the highest priority. Therefore the
+//   conditions are made mutually exclusive.
+// - A Boolean variable with the qualifier N is true while its step is active; with D, only after the delay; with L,
+//   only until the limit. It becomes a continuous action. S and R set and reset a variable when their step becomes
+//   active. They become stored actions. For P, SD, SL and DS, a new variable is added, from which a partial chart with
+//   one permanently active step computes the output.
+// - Assignments with the qualifiers P1 and P0 become stored actions on activation and deactivation. Assignments with
+//   the qualifier N are executed in every scan. Constants are therefore stored once on activation, and Boolean terms on
+//   activation and whenever their value changes.
 // - SFC performs one evolution per scan and executes the actions of a scan sequentially. By default, GRAFCET performs
-//   evolutions until the situation is stable, and computes all new values from old ones.
+//   evolutions until the situation is stable, and computes all new values from old values.
 //
 // Inexact conversions are reported by warnings (`differs-from-sfc`); constructs that cannot be imported are rejected.
 #pragma once
@@ -29,10 +31,10 @@
 
 namespace grafverif {
 
-/// Declares a chart for each unit of `file` that contains one.
+/// Adds a chart for each unit of `file` that contains a Sequential Function Chart.
 void convert_charts(const st::File& file, Draft& draft);
 
-// -- one unit under conversion ------------------------------------------------------------------------------------------
+// -- one unit under conversion ----------------------------------------------------------------------------------------
 
 enum class SfcKind { Bad, Boolean, Integer, Time };
 
@@ -44,7 +46,7 @@ struct SfcTerm {
 struct SfcVariable {
     std::string name = {};  ///< name in the input language
     Span where = {};
-    SfcKind kind = SfcKind::Boolean;  ///< Bad: its type is not supported in charts
+    SfcKind kind = SfcKind::Boolean;  ///< Bad if charts do not support the type
     tree::VariableKind role = tree::VariableKind::Input;
     bool constant = false;  ///< true if it is replaced by `initial`
     bool wide = false;      ///< true if its type exceeds the integers of the input language
@@ -54,8 +56,8 @@ struct SfcVariable {
     bool used = false;
 };
 
-/// Assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer). The terms are over the
-/// values before the body.
+/// The assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer). The terms are over
+/// the values before the body.
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };
@@ -109,7 +111,7 @@ struct SfcBody {
 std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
 
 // -- actions.cpp
-/// The actions of each step, by its name in the input language, and those that do not depend on a step.
+/// The actions of each step, by its name in the input language, and the actions that do not depend on a step.
 struct SfcActions {
     std::unordered_map<std::string, std::vector<tree::Action>> of_steps = {};
     std::vector<tree::Action> always = {};

@@ -13,7 +13,7 @@ bool is_constant(const Draft& draft, Id<tree::Expr> term, bool value) {
     return draft[term].op == (value ? tree::Op::True : tree::Op::False);
 }
 
-/// True if two terms are syntactically equal. The recursion depth is limited by that of expressions.
+/// True if two terms are syntactically equal. The recursion depth is limited by the depth of expressions.
 bool same(const Draft& draft, Id<tree::Expr> one, Id<tree::Expr> other) {
     const tree::Expr &a = draft[one], &b = draft[other];
     if (a.op != b.op || a.word != b.word || a.value != b.value) return false;
@@ -98,8 +98,8 @@ Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
                : Id<st::Word>{};
 }
 
-/// Translates `S1.T >= T#5s` to `5s/X1` for a step that the transition leaves. This step is active whenever the
-/// condition is relevant.
+/// Translates `S1.T >= T#5s` to `5s/X1` for a step that the transition leaves. The condition is relevant only while
+/// this step is active.
 std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     const Id<st::Word> left = timed_step(sfc, node.first), right = timed_step(sfc, node.last);
     if (!left.valid() && !right.valid()) return {};

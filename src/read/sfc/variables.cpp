@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Classifies the variables of a unit. Those that the chart only reads are inputs, those that it drives are outputs, and
-// all others are internal.
+// Classifies the variables of a unit. Variables that the chart only reads are inputs, variables that it drives are
+// outputs, and all others are internal.
 #include <algorithm>
 #include <array>
 
@@ -72,7 +72,7 @@ void set_type(Sfc& sfc, SfcVariable& variable, const st::Variable& declared) {
     }
 }
 
-/// Collects the names that the unit assigns or on which it acts, in upper case.
+/// Collects the names that the statements of `block` assign, in upper case.
 void collect_written(const st::File& file, const st::Block& block, std::unordered_set<std::string>& written) {
     std::vector<const st::Block*> work = {&block};
     while (!work.empty()) {
@@ -140,7 +140,7 @@ std::string path_of(const st::File& file, Id<st::Expr> expr) {
     const st::Expr& node = file.exprs[expr];
     if (node.op == st::Op::Name || node.op == st::Op::Address) return std::string(file.text(node.word));
     if (node.op != st::Op::Member) return {};
-    const std::string owner = path_of(file, node.first);  // recursive; the depth is limited by that of expressions
+    const std::string owner = path_of(file, node.first);  // the recursion depth is limited by the depth of expressions
     return owner.empty() ? std::string() : owner + '.' + std::string(file.text(node.word));
 }
 

@@ -78,7 +78,7 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
     if (!a.stop.empty() && !b.stop.empty()) out << "  in the last scan, both stop\n";
     else if (!a.stop.empty() || !b.stop.empty())
         out << fmt::format("  in the last scan, `{}` stops and the other continues\n", a.stop.empty() ? "b" : "a");
-    else out << fmt::format("  in the last scan, they differ in {}\n", printable(differing(comparison, a, b)));
+    else out << fmt::format("  in the last scan, the charts differ in {}\n", printable(differing(comparison, a, b)));
 }
 
 std::string outcome_text(const Comparison& comparison, Colour colour) {

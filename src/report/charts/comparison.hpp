@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes a comparison as text and as JSON.
 //
-// Text: the verdict and its assumptions; if the charts differ, the distinguishing scans with the behaviour of both
-// charts; then the changes of the text.
+// The text contains the verdict and its assumptions. If the charts differ, the distinguishing scans with the behaviour
+// of both charts follow. It ends with the differences of the two texts.
 //
 // JSON: missing values are null.
 //

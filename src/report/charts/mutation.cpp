@@ -15,10 +15,10 @@ namespace {
 
 using Fate = MutantFate::Kind;
 
-/// Undecided properties of a mutant that are listed as text; more are counted.
+/// Maximum number of undecided properties of a mutant that are listed by name.
 constexpr std::size_t most_listed = 3;
 
-/// Two counts. The second one excludes refused and equivalent mutants.
+/// Number of mutants that were detected, and number of mutants that count. Refused and equivalent mutants do not count.
 struct Score {
     std::size_t noticed = 0, judged = 0;
 };
@@ -37,7 +37,7 @@ Score of_specification(const Mutation& mutation) {
     return {noticed, noticed + count_of(mutation, Fate::Unnoticed)};
 }
 
-/// Returns the score over the mutants that are known to differ.
+/// Returns the score of the test sequence. Only mutants that are known to differ from the original count.
 Score of_tests(const Mutation& mutation) {
     Score score;
     for (const auto& fate : mutation.fates) {
@@ -71,7 +71,7 @@ std::size_t line_of(const Mutant& mutant, const Sources& sources) {
 void print_scores(const Mutation& mutation, std::ostream& out) {
     const char* const yet = not_checked(mutation) > 0 ? " so far" : "";
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
-    // If a run was stopped early, it has not yet determined the properties.
+    // A run that was stopped early has not yet determined the properties.
     if (mutation.properties.empty() && not_checked(mutation) == 0)
         out << "no properties: no closed loop contains this chart\n";
     else

@@ -120,7 +120,8 @@ ProgramRun::Flow ProgramRun::loop(const Program::Statement& statement, std::size
 
 // -- expressions ------------------------------------------------------------------------------------------------------
 
-/// The address of a cell; that of the first element after a fault.
+/// Returns the address of a cell. An index outside its bounds is a fault; the address is then computed with the lowest
+/// index.
 std::size_t ProgramRun::address(const Program::Place& place, std::size_t frame, Span origin) {
     std::size_t found = place.global ? place.offset : frame + place.offset;
     for (const Program::Index& index : place.indices) {
@@ -158,7 +159,7 @@ std::int64_t ProgramRun::evaluate(Id<Program::Node> id, std::size_t frame) {
     }
 }
 
-/// The value of an operation on bit strings.
+/// Returns the value of an operation on bit strings.
 std::int64_t ProgramRun::bitwise(const Program::Node& node, const std::vector<std::int64_t>& values) const {
     const auto mask = static_cast<std::uint64_t>(program_->types[node.type].high);
     const auto width = static_cast<std::uint64_t>(std::popcount(mask));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ProgramRun: executes a Program literally, scan by scan, on its memory cells. It is an implementation of the semantics
-// that does not depend on the equations. It replays every run before the run is displayed.
+// ProgramRun: executes a Program directly on its memory cells, one scan at a time. This implementation of the semantics
+// does not depend on the equations. Every run is replayed on it before the run is displayed.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace grafverif {
 
 class ProgramRun {
 public:
-    /// `program` must outlive the object. Its loops must terminate (see derive/program: scan_of).
+    /// `program` must outlive the object. Requires that all loops of the program terminate (see derive/program:
+    /// scan_of).
     explicit ProgramRun(const Program& program);
 
     /// Executes one scan. `inputs` contains a value for each cell that is an input, in order. `elapsed_ms` is the time
@@ -28,9 +29,9 @@ public:
         Span where = {};
         ProgramFault kind = ProgramFault::DivisionByZero;
     };
-    /// The fault that ended the run; its last scan is incomplete.
+    /// Returns the fault that ended the run, if any. The last scan of such a run is incomplete.
     const std::optional<Fault>& fault() const { return fault_; }
-    /// A result left the range of its type in the last scan, and was wrapped around.
+    /// True if a result in the last scan was outside the range of its type and was wrapped around.
     bool overflowed() const { return overflowed_; }
     /// Returns the value of an expression over the variables of `main`.
     std::int64_t value(Id<Program::Node> node) { return evaluate(node, layout_.main); }
@@ -58,7 +59,7 @@ private:
 
     const Program* program_;
     ProgramLayout layout_;
-    std::vector<std::int64_t> memory_ = {};  ///< the cells, then the frames of active functions
+    std::vector<std::int64_t> memory_ = {};  ///< the cells, followed by the frames of active functions
     std::optional<Fault> fault_ = {};
     bool overflowed_ = false;
 };

@@ -36,8 +36,8 @@ public:
             main().symbols[symbol].kind =
                 System::StateSymbol{literal(exprs(), variable.type, variable.initial), copy(stored.next)};
         }
-        Id<Expr> valid = exprs().constant(true);     // no fault until the end of the scan
-        Id<Expr> complete = exprs().constant(true);  // no fault in earlier scans
+        Id<Expr> valid = exprs().constant(true);     // no fault has occurred up to the end of this scan
+        Id<Expr> complete = exprs().constant(true);  // no fault has occurred in earlier scans
         if (!faults.empty()) {
             for (Id<Expr>& fault : faults) fault = copy(fault);
             const Id<Expr> fault = exprs().disjunction(faults);
@@ -74,7 +74,7 @@ private:
         return made;
     }
 
-    /// Adds the variables on which `roots` depend, directly or through next values.
+    /// Adds the variables on which `roots` depend, directly or through next values of other variables.
     void add_variables(std::vector<Id<Expr>> roots) {
         const std::vector<bool> read = variables_read(scan_, std::move(roots));
         for (const Id<Equations::Variable> id : scan_.equations.variables.ids()) {

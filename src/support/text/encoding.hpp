@@ -7,7 +7,7 @@
 
 namespace grafverif {
 
-/// True if `text` has the byte order mark of UTF-16, or begins with a two-byte character one byte of which is 0.
+/// True if `text` has the byte order mark of UTF-16, or if exactly one of its first two bytes is 0.
 bool is_utf16(std::string_view text);
 
 /// Converts UTF-16. Requires `is_utf16(text)`. The byte order mark is removed, and lone surrogates become U+FFFD.
@@ -16,7 +16,7 @@ std::string utf8_of_utf16(std::string_view text);
 /// Converts Windows-1252, which equals Latin-1 except for the control characters.
 std::string utf8_of_latin(std::string_view text);
 
-/// True if `text` is not UTF-8 but may be Latin-1: it contains bytes above 127, and none of them is part of a UTF-8
+/// True if `text` is not UTF-8 but may be Latin-1: it contains bytes above 127, none of which is part of a UTF-8
 /// character.
 bool is_latin(std::string_view text);
 

@@ -70,7 +70,7 @@ std::string composed(std::string_view name) {
 
 std::string in_ascii(std::string_view name) {
     if (is_ascii(name)) return std::string(name);
-    // Kept, because construction is slow.
+    // This object is kept, because its construction is slow.
     thread_local const std::unique_ptr<icu::Transliterator> latin = latin_letters();
     icu::UnicodeString units = units_of(name);
     latin->transliterate(units);

@@ -9,7 +9,7 @@ namespace grafverif {
 
 bool all_ascii(std::string_view text);
 
-/// Returns the skeleton of a name. Requires UTF-8. The tables are those of ICU.
+/// Returns the skeleton of a name. Requires UTF-8. The function uses the tables of ICU.
 std::string skeleton(std::string_view name);
 
 }  // namespace grafverif

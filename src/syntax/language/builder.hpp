@@ -41,7 +41,7 @@ public:
     tree::Transition transition(tree::Transition links, Id<tree::Expr> condition,
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
-    /// Returns a property with the pattern `plain` if there is no scope, otherwise a sentence.
+    /// Returns a property with the pattern `plain` if `scope` is global, otherwise a sentence with this scope.
     tree::Property scoped(Pattern plain, Sentence::Kind kind, std::vector<Id<tree::Expr>> operands,
                           tree::Property scope) const;
     tree::Property scope(Sentence::Scope scope, std::vector<Id<tree::Expr>> operands) const;
@@ -74,8 +74,7 @@ private:
     tree::File* file_;
     Diagnostics* diagnostics_;
     bool broken_ = false;
-    /// Position of the last expression that was reported as too deep; the expressions that enclose it are not reported
-    /// again.
+    /// Position of the last expression that was reported as too deep. Enclosing expressions are not reported again.
     Span too_deep_ = {};
 };
 

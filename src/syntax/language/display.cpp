@@ -110,7 +110,7 @@ public:
         if (found == by_skeleton_.end()) return nullptr;
         const Lookalike* best = nullptr;
         for (const Lookalike& each : found->second) {
-            if (each.text == name) break;  // the later of two names is reported
+            if (each.text == name) break;  // of two names, only the later one is reported
             if (best == nullptr) best = &each;
         }
         for (const Lookalike& each : found->second)

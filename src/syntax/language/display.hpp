@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Warnings about text that editors and terminals display differently from its meaning. These are control characters,
-// and names that look the same (equal skeletons of UTS 39 within one file).
+// Warnings about text whose display in editors and terminals is misleading: control characters, and names that look the
+// same (equal skeletons of UTS 39 within one file).
 #pragma once
 
 #include <span>

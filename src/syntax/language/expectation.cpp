@@ -57,7 +57,8 @@ struct Group {
     Symbol marks_too = Symbols::S_YYEMPTY;
 };
 
-/// The declarations of each type of block. Two tokens that are allowed only there identify the block.
+/// The declarations of each type of block. Each type is identified by two tokens that are allowed only in this type of
+/// block.
 const std::array<Group, 4> declarations = {{
     {"a declaration of the chart", Symbols::S_STEP, Symbols::S_TRANSITION},
     {"a declaration of the component", Symbols::S_LOCATION, Symbols::S_URGENT},

@@ -17,11 +17,11 @@ using Symbol = Parser::symbol_kind_type;
 /// Describes the tokens that are allowed at a position, grouped by type: "`;` or an operator".
 std::string expectation(std::span<const Symbol> expected);
 
-/// Returns the property pattern to which `word` corresponds in CTL, LTL or UPPAAL, or as a misspelling: `always` for
-/// `AG`. The result is empty if there is none.
+/// Returns the property pattern that corresponds to `word`, which is an operator of CTL, LTL or UPPAAL or a misspelt
+/// pattern: `always` for `AG`. The result is empty if there is none.
 std::string pattern_of(std::string_view word);
-/// Returns the expected keyword to which `word` corresponds: `when` for `if`, `grafcet` for `graphcet`. The result is
-/// empty if there is none.
+/// Returns the expected keyword that corresponds to `word`, which is a keyword of another language or a misspelt
+/// keyword: `when` for `if`, `grafcet` for `graphcet`. The result is empty if there is none.
 std::string keyword_of(std::string_view word, std::span<const Symbol> expected);
 
 bool contains(std::span<const Symbol> symbols, Symbol symbol);

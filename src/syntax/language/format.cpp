@@ -19,8 +19,8 @@ namespace grafverif {
 
 namespace {
 
-// Page: the output lines with the comments and blank lines between them. The source position determines the place of a
-// comment: it is written before the first element that follows it.
+// Page: the output lines with the comments and blank lines between them. A comment is written before the first element
+// that follows it in the source.
 
 class Page {
 public:
@@ -29,7 +29,7 @@ public:
     /// Starts the element that begins at `begin` in the source. Writes the comments before it, and a blank line if the
     /// source has one or if `apart` is true.
     void before(std::uint32_t begin, bool apart = false);
-    /// Writes comments inside an element that is written in one piece.
+    /// Writes the comments inside an element that is printed as a unit.
     void within(std::uint32_t end);
     void line(std::string text);
     /// Writes the comments at the end of the current line that precede `limit`. Later comments belong to the next
@@ -64,7 +64,7 @@ private:
     std::vector<Line> lines_ = {};
     std::size_t next_ = 0;  ///< index of the next comment
     std::size_t depth_ = 0;
-    bool fresh_ = true;  ///< true at the start of a block or of the file, with no blank line before it
+    bool fresh_ = true;  ///< true at the start of a block or of the file, with no blank line before the element
 };
 
 bool Page::gap_at(std::uint32_t position) const { return std::ranges::binary_search(file_->gaps, position); }

@@ -101,7 +101,7 @@ private:
     void infix(const tree::Expr& node) {
         const int own = precedence(node.op);
         const bool junction = node.op == tree::Op::And || node.op == tree::Op::Or;
-        // An implication that is an operand of another one has brackets on either side.
+        // An implication that is an operand of another implication has brackets, both as left and as right operand.
         const bool comparison = own == 3 || own == 0;
         const std::string sign(spelling(node.op));
         bool first = true;

@@ -14,7 +14,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t widest = 120;       ///< longer lines are broken if possible
-constexpr std::size_t comfortable = 100;  ///< maximum length of an element that can also be written in several lines
+constexpr std::size_t comfortable = 100;  ///< maximum length of an element that can also be written on several lines
 
 std::string text(const tree::File& file, tree::Name name) { return std::string(file.text(name)); }
 
@@ -30,8 +30,8 @@ std::string names(const tree::File& file, const std::vector<tree::Name>& written
     return joined(parts);
 }
 
-/// Returns `head`, the comma-separated parts and `tail` in as many lines as necessary. Continuation lines are aligned
-/// with the first part.
+/// Returns `head`, the comma-separated parts and `tail` on as many lines as necessary. Continuation lines are aligned
+/// with the first of these parts.
 Lines filled(const std::string& head, const std::vector<std::string>& parts, const std::string& tail,
              std::size_t column) {
     Lines lines = {head};
@@ -103,7 +103,7 @@ Lines item_lines(const tree::File& file, const tree::Variables& written, std::si
     case tree::VariableKind::Output: word = "output "; break;
     case tree::VariableKind::Internal: word = "internal "; break;
     case tree::VariableKind::Own: word = "variable "; break;
-    // Only in a loop; component heads have no keyword for a constant.
+    // This keyword is used only in closed loops; component heads have no keyword for constants.
     case tree::VariableKind::Constant: word = "constant "; break;
     }
     return filled(word, variables(file, written), ";", column);

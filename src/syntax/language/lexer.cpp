@@ -121,7 +121,7 @@ Token Lexer::next() {
     return token;
 }
 
-// -- called by the rules of the scanner ------------------------------------------------------------------------------
+// -- functions for the rules of the scanner --------------------------------------------------------------------------
 
 void Lexer::advance(std::string_view match) {
     match_ = match;
@@ -158,7 +158,7 @@ Token Lexer::word(Parser::token_kind_type kind) {
     return {kind, last_name_, here_};
 }
 
-/// Reads an identifier with non-ASCII characters, or reports characters that cannot be part of one.
+/// Reads an identifier with non-ASCII characters, or reports characters that identifiers cannot contain.
 Token Lexer::wide_name() {
     const std::size_t length = identifier_length(match_);
     if (length < match_.size()) {
@@ -202,7 +202,7 @@ Token Lexer::decimal_without_unit() {
 }
 
 /// Returns the span of a path operator of CTL or UPPAAL with brackets (`A[]`, `<>`) that begins a pattern: its letter,
-/// if any, and the brackets. Invalid if there is none.
+/// if any, and the brackets. The result is invalid if there is no such operator.
 Span Lexer::operator_of_ctl() const {
     const std::string_view brackets = std::string_view(source_->text).substr(here_.begin, 2);
     if (brackets != "[]" && brackets != "<>") return {};
@@ -248,12 +248,12 @@ Token Lexer::broken(Diagnostic diagnostic) {
     return Parser::make_YYerror(where);
 }
 
-/// Reports an error, except while tokens are skipped, so that each fault causes one error.
+/// Reports an error. While tokens are skipped, no error is reported, so that each fault causes only one error.
 void Lexer::report(Diagnostic diagnostic) {
     if (!recovering_) diagnostics_->add(std::move(diagnostic));
 }
 
-// -- tokens returned so far -------------------------------------------------------------------------------------------
+// -- returned tokens --------------------------------------------------------------------------------------------------
 
 bool Lexer::nests_too_deep(Kind next) const {
     switch (next) {

@@ -2,11 +2,11 @@
 // Lexer: returns the tokens of a text with their positions to the parser, and performs error recovery.
 //
 // Comments and blank lines are stored in the file, outside the tree. After an error, the lexer skips to the next
-// declaration, where it returns the token RESUME. It resumes after a `;`, before the `}` that ends the current block,
-// or at a keyword that begins both a declaration and a line. A top-level declaration (`grafcet`, ...) at the start of a
-// line ends every open block. A declaration of a chart ends the actions of a step. A missing `}` therefore causes only
-// one error. If the text ends inside a block, the lexer first returns CUT_OFF, because a Bison parser aborts if it
-// cannot discard the offending token.
+// declaration, where it returns the token RESUME. The lexer resumes after a `;`, before the `}` that ends the current
+// block, or at a keyword that begins a declaration and is the first token of a line. A top-level declaration
+// (`grafcet`, ...) at the start of a line ends every open block. A declaration of a chart ends the action list of a
+// step. Therefore, a missing `}` causes only one error. If the text ends inside a block, the lexer first returns
+// CUT_OFF, because a Bison parser aborts if it cannot discard the offending token.
 #pragma once
 
 #include <atomic>
@@ -102,7 +102,7 @@ private:
     const std::atomic<bool>* stop_;
 
     std::string_view match_ = {};  ///< current match of the scanner
-    Span here_ = {};               ///< its position
+    Span here_ = {};               ///< position of `match_`
     std::uint32_t line_ends_ = 0;  ///< number of line ends since the last token or comment
     bool anything_ = false;        ///< true if a token or comment has been read
 
@@ -110,15 +110,16 @@ private:
     bool recovering_ = false;
     bool cut_off_ = false;           ///< true if the text ended within a block, and CUT_OFF was returned
     Span reported_ = {};             ///< the last reported token, which is not reported twice
-    std::uint32_t handed_back_ = 0;  ///< end of the last token that was returned twice, which is not returned again
+    std::uint32_t handed_back_ = 0;  ///< end of the token that was returned again after the last error; if the next
+                                     ///< error is at the same token, the token is skipped
     Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last returned token
     Span last_where_ = {};
     tree::Name last_name_ = {};
-    Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the previous accepted token
+    Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last token that the parser accepted
     Span before_where_ = {};
-    Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the accepted token before that one
+    Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the accepted token before `before_`
     Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last keyword that begins a block
-    Span heading_ = {};                                ///< that keyword and the name that follows it
+    Span heading_ = {};                                ///< `declaring_` and the name that follows it
     std::vector<Block> blocks_ = {};                   ///< open blocks
     Span less_indented_ = {};  ///< heading of the first block whose `}` is indented less than its heading
     std::size_t brackets_ = 0, prefixes_ = 0;

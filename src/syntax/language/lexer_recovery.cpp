@@ -28,7 +28,7 @@ bool declares_in_file(Symbol kind) {
     }
 }
 
-/// True for reserved words that begin a declaration of a chart. They cannot be an action of a step.
+/// True for reserved words that begin a declaration of a chart. Such words cannot be an action of a step.
 bool declares_in_chart(Symbol kind) {
     switch (kind) {
     case Symbols::S_INPUT:
@@ -93,8 +93,8 @@ std::size_t Lexer::indentation(std::uint32_t place) const {
     return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
-/// Reports a missing `}` if a `}` is permitted here. In addition, the text must have ended, or the line must begin with
-/// a declaration that is not allowed in the current block.
+/// Reports a missing `}` under two conditions: a `}` is permitted at `where`, and the text ends there or the line
+/// begins there with a declaration that is not allowed in the current block. Returns true if it is reported.
 bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
     if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
     const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);
@@ -107,7 +107,7 @@ bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> ex
     return true;
 }
 
-/// Reports keywords of other languages, and keywords of this language in the wrong place.
+/// Reports keywords of other languages, and keywords of this language at positions that do not allow them.
 bool Lexer::report_other_notation(Kind seen, Span where, std::span<const Kind> expected) {
     const std::string_view text = seen_text(where), before = seen_text(before_where_);
     const bool in_pattern = contains(expected, Symbols::S_PRECEDES);
@@ -153,12 +153,12 @@ void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expec
     diagnostics_->add(messages::unexpected(where, text, words));
 }
 
-/// Returns the missing `}` of `count` open blocks.
+/// Inserts the missing `}` of `count` open blocks.
 void Lexer::close_blocks(std::size_t count) {
     for (; count > 0; --count) pending_.emplace_back(Parser::token::CLOSE, here_);
 }
 
-/// Skips tokens, starting with the last returned one, until the parser can resume.
+/// Skips tokens, starting with the last returned token, until the parser can resume.
 void Lexer::resynchronise() {
     if (diagnostics_->full()) {
         pending_.clear();

@@ -2,7 +2,7 @@
 // parse: converts a text to a tree. The grammar is grammars/grafcet.yy; grammars/grafcet.ll defines the tokens.
 //
 // A declaration with a syntax error is marked `broken`, and the parser resumes at the next declaration, so that one run
-// reports every error. It reports invalid bytes, invalid tokens, syntax errors and exceeded limits.
+// reports every error. The parser reports invalid bytes, invalid tokens, syntax errors and exceeded limits.
 #pragma once
 
 #include <atomic>
@@ -13,8 +13,9 @@
 
 namespace grafverif {
 
-/// Returns the declarations of `source`; `broken` ones are incomplete. An error is added to `diagnostics` if and only
-/// if the file or a declaration is broken. If `stop` is set, the text ends at the next token, and the file is broken.
+/// Returns the declarations of `source`; `broken` declarations are incomplete. An error is added to `diagnostics` if
+/// and only if the file or a declaration is broken. If `stop` becomes true, parsing ends at the next token, and the
+/// file is broken.
 tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& diagnostics,
                       const std::atomic<bool>* stop = nullptr);
 

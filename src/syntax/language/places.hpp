@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source positions and nesting limits, which both grammars use.
+// Source positions and nesting limits for the grammars of the input language and of Structured Text.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@ inline constexpr std::size_t deepest_expression = 1000;
 /// Returns the empty span immediately after `span`.
 inline Span after(Span span) { return {span.source, span.end, span.end}; }
 
-/// Returns the span from the first to the last of `count` places; empty places are ignored.
+/// Returns the span from the first to the last of `count` positions. Empty positions before the first nonempty one are
+/// ignored.
 template <class Place>
 Span across(std::size_t count, const Place& place) {
     Span first = place(1);

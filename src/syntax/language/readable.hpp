@@ -11,12 +11,12 @@ namespace grafverif {
 
 inline constexpr std::size_t largest_text = std::size_t{256} << 20U;  ///< maximum size of a text in bytes
 
-/// Converts UTF-16 to UTF-8. If the text cannot have another encoding, it is converted from Latin-1 (or Windows-1252),
-/// with a warning.
+/// Converts a text in UTF-16 to UTF-8. A text that is not UTF-8 and may be Latin-1 (see is_latin) is converted from
+/// Windows-1252, with a warning.
 void make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
-/// True if `part` is valid UTF-8. Otherwise reports UTF-16, the first byte that is not UTF-8, or a size above
-/// `largest_text`.
+/// True if `part` is valid UTF-8. Otherwise, reports that `part` is UTF-16, contains a byte that is not UTF-8, or is
+/// larger than `largest_text`.
 bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics);
 
 /// Returns `part` without a leading byte order mark.

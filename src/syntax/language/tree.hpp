@@ -2,9 +2,9 @@
 // tree: abstract syntax of a file before name resolution. The parser passes it to name resolution, and `fmt` prints it;
 // later stages do not use it.
 //
-// Names are interned: two names of one file are equal exactly if their words are. Expressions are stored in one flat
-// table with operands linked as siblings, so that a term of any width needs no separate allocation. Every node and
-// declaration has a span. Comments and blank lines are stored outside the tree, ordered by position.
+// Names are interned: two names in one file are equal if and only if their word ids are equal. Expressions are stored
+// in one flat table and operands are linked as siblings, so that a term of any width needs no separate allocation.
+// Every node and declaration has a span. Comments and blank lines are stored outside the tree, ordered by position.
 #pragma once
 
 #include <cstddef>
@@ -62,7 +62,7 @@ enum class Op : std::uint8_t {
 
 struct Expr {
     Op op = Op::False;
-    bool bracketed = false;  ///< true if the source has brackets around it
+    bool bracketed = false;  ///< true if the source has brackets around the expression
     std::uint16_t depth = 1;
     Id<Word> word = {};                         ///< word of Name, Member, In
     std::int64_t value = 0;                     ///< value of Number; of Duration in milliseconds
@@ -74,7 +74,7 @@ struct Expr {
 struct Comment {
     std::string text = {};
     Span where = {};
-    bool own_line = false;  ///< true if only white space precedes it on its line
+    bool own_line = false;  ///< true if only white space precedes the comment on its line
 };
 
 struct Range {
@@ -141,7 +141,7 @@ struct Step {
     bool initial = false, linked = false, entry = false, exit = false;
     StepKind kind = StepKind::Ordinary;
     Name name = {};
-    /// Name of the expansion of a macro-step, or of the charts enclosed by an enclosing step.
+    /// The name of the expansion of a macro-step, or the names of the charts that an enclosing step encloses.
     std::vector<Name> contents = {};
     std::vector<Action> actions = {};
     Span where = {};
@@ -178,7 +178,7 @@ struct Chart {
     Name name = {};
     std::vector<ChartItem> items = {};
     Span where = {};
-    bool broken = false;  ///< true if it contains a syntax error
+    bool broken = false;  ///< true if the declaration contains a syntax error
 };
 
 // -- components -------------------------------------------------------------------------------------------------------
@@ -246,8 +246,8 @@ struct Property {
     bool expected_violated = false;
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
-    Sentence watch = {};  ///< only for Pattern::Watched; `bound` is its duration or count
-    Id<Expr> bound = {};  ///< invalid if there is none
+    Sentence watch = {};  ///< valid only for Pattern::Watched; `bound` is its duration or count
+    Id<Expr> bound = {};  ///< invalid if the sentence has no bound
     std::string raw = {};
     Span raw_where = {};  ///< position including the quotes
     bool at_stable = false;
@@ -260,7 +260,7 @@ struct Schedule {
 struct ObserverEdge {
     Name from = {}, to = {};
     Id<Expr> condition = {};
-    std::vector<Assignment> assignments = {};  ///< assignments, which name resolution rejects
+    std::vector<Assignment> assignments = {};  ///< not allowed; name resolution rejects any assignment
     Span where = {};
 };
 using ObserverItem = std::variant<Location, ObserverEdge>;
@@ -304,7 +304,8 @@ struct File {
 
 Span where(const Declaration& declaration);
 
-/// Interns words into the table of a file, which must be empty. Used by the parser, and by printers that build trees.
+/// Interns words into the table of a file, which must be empty. The parser and printers that build trees use this
+/// class.
 class Words {
 public:
     explicit Words(Table<Word>& words) : words_(&words) {}

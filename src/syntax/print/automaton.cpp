@@ -75,7 +75,7 @@ Json instability_json(const Automaton& automaton, const Automaton::Instability& 
             {"cycle", cycle}};
 }
 
-/// Writes a JSON table with one entry per line. The table is not stored in memory.
+/// Writes a JSON table with one entry per line, without storing the table in memory.
 template <class Entries, class Write>
 void print_table(std::ostream& out, const char* name, const Entries& entries, Write write) {
     out << ",\n  \"" << name << "\": [";

@@ -2,8 +2,9 @@
 // Prints location automata, Mealy machines and test sequences as plain text and JSON. test_csv.hpp prints sequences as
 // CSV.
 //
-// Numbers of elements, including INIT and its outgoing evolutions. `unstable` is the number of pairs of a location and
-// an input combination from which no stable situation is reached. Pairs with INIT are counted separately.
+// AutomatonCounts contains the numbers of elements, including INIT and its outgoing evolutions. `unstable` is the
+// number of pairs of a location and an input combination from which no stable situation is reached. Pairs with INIT are
+// counted separately.
 #pragma once
 
 #include <iosfwd>
@@ -23,14 +24,15 @@ struct AutomatonCounts {
 };
 AutomatonCounts counts(const LocationAutomaton& automaton);
 
-/// Returns the number of states times the number of input combinations, or nothing if too large to represent.
+/// Returns the number of states times the number of input combinations, or nothing if the product is too large to
+/// represent.
 std::optional<std::uint64_t> transition_count(const MealyMachine& machine);
 
-/// Returns a condition of the automaton or machine: `s and not h1`.
+/// Returns a condition of the automaton or machine, such as `s and not h1`.
 std::string condition_text(const LocationAutomaton& automaton, Id<Expr> condition);
 std::string condition_text(const MealyMachine& machine, Id<Expr> condition);
 
-/// Returns `V1 if s and not h1` or `SPEED = 2`.
+/// Returns text such as `V1 if s and not h1` or `SPEED = 2`.
 std::string emission_text(const LocationAutomaton& automaton, const LocationAutomaton::Emission& emission);
 /// Returns the nonzero outputs, such as `V1, SPEED = 2`; `none` if all are zero.
 std::string result_text(const MealyMachine& machine, Id<MealyMachine::OutputWord> answer, std::string_view none);
@@ -56,8 +58,7 @@ void print_mealy_json(std::ostream& out, const MealyMachine& machine, bool detai
 /// activation.
 void print_test_json(std::ostream& out, const TestSequence& test);
 
-/// Returns one sentence with the length of the test and its coverage, which also states if the length is proved to be
-/// minimal.
+/// Returns one sentence that states the length of the test, its coverage, and if the length is proved to be minimal.
 std::string summary(const TestSequence& test);
 
 }  // namespace grafverif

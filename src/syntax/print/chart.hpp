@@ -25,13 +25,13 @@ std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
 std::string time_text(std::int64_t rise_ms, const std::string& watched, std::int64_t fall_ms);
 /// Returns the qualifier of the names of a controller, such as `press.`; empty if there is only one controller.
 std::string prefix_of(const Network& network, const Network::Controller& controller);
-/// Returns the condition of the timer with index `timer` in `controller.timers`, or an empty string if it observes a
-/// term without a name.
+/// Returns the condition of the timer with index `timer` in `controller.timers`, or an empty string if the timer
+/// observes a term without a name.
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer);
-/// Returns the displayed name of each process of the network. It is the condition of a timer if the observed term has a
-/// name, otherwise the name of the process.
+/// Returns the displayed name of each process of the network. For a timer whose observed term has a name, this is the
+/// condition of the timer; otherwise it is the name of the process.
 std::vector<std::string> display_names(const Network& network);
-/// Returns a time condition that a property reads.
+/// Returns the text of a time condition that a property reads.
 std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
 
 }  // namespace grafverif

@@ -10,11 +10,12 @@
 namespace grafverif {
 
 std::string term_text(const Component& component, Id<Expr> term);
-/// Returns text such as `t <= STEP && u < 3s`, or an empty string if there are no constraints.
+/// Returns clock constraints as text such as `t <= STEP && u < 3s`, or an empty string if there are none.
 std::string clocks_text(const Component& component, const std::vector<Component::ClockConstraint>& constraints);
 /// Returns the guard of the edge, including clock constraints, or an empty string if it is always true.
 std::string guard_text(const Component& component, const Component::Edge& edge);
-/// Returns text such as `X := X + 1, t := 0`, or an empty string if the edge has neither assignments nor resets.
+/// Returns the effects of the edge as text such as `X := X + 1, t := 0`, or an empty string if the edge has neither
+/// assignments nor resets.
 std::string effect_text(const Component& component, const Component::Edge& edge);
 
 }  // namespace grafverif

@@ -9,9 +9,9 @@
 
 namespace grafverif {
 
-/// Returns text such as `4`, `true`, `3s`.
+/// Returns the value as text such as `4`, `true` or `3s`.
 std::string value_text(const NamedConstant& constant);
-/// Lists all constants and marks those that the user has set; empty if there are none.
+/// Returns a list of all constants, with a mark for constants that the user has set; empty if there are none.
 std::string constants_text(const std::vector<NamedConstant>& constants);
 
 }  // namespace grafverif

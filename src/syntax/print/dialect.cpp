@@ -24,7 +24,7 @@ constexpr int sum_level = 5;
 constexpr int product_level = 6;
 constexpr int prefix_level = 7;
 
-/// Returns the spelling that is common to the languages with C operators: the chart language and UPPAAL.
+/// Returns the spelling that the chart language and UPPAAL share, because both use C operators.
 Spelling c_spelling(Op op) {
     switch (op) {
     case Op::False: return {"false", atom_precedence};
@@ -149,8 +149,7 @@ struct Printer {
         out << ')';
     }
 
-    /// Prints an infix operator. All operators with two or more operands are left-associative, if they are associative
-    /// at all.
+    /// Prints an infix operator. Operators with two or more operands are left-associative or not associative.
     void infix(Id<Expr> id, Spelling spelling) const {
         const Op op = exprs[id].op;
         const std::span<const Id<Expr>> operands = exprs.operands(id);
@@ -175,7 +174,7 @@ struct Printer {
         if (bracketed) out << ')';
     }
 
-    /// Prints a conditional as a function, with the value for `false` as second argument.
+    /// Prints a conditional as a function call. The value for `false` is the second argument.
     void selection(std::span<const Id<Expr>> operands, Spelling spelling) const {
         out << spelling.token << '(';
         term(operands[0]);
@@ -192,7 +191,7 @@ struct Printer {
         operand(exprs.operands(id)[0], spelling.precedence + 1);
     }
 
-    /// Prints an edge as a function, or as a sign before an operand without brackets.
+    /// Prints an edge as a function call, or as a prefix operator if the operand needs no brackets.
     void edge(Id<Expr> id, Spelling spelling) const {
         const Id<Expr> watched = exprs.operands(id)[0];
         out << spelling.token;

@@ -3,8 +3,8 @@
 // A new operator causes a compile error in each dialect to which it is not added.
 //
 // Brackets are printed where precedence requires them, and around an `and` below an `or`, for readability. The grouping
-// of arithmetic is kept: `a - (b - c)` and `a + (b + c)` keep their brackets, but `(a - b) - c` does not. Comparisons
-// are not associative, so that a comparison of comparisons always has brackets.
+// of arithmetic terms is kept: `a - (b - c)` and `a + (b + c)` keep their brackets, but `(a - b) - c` does not.
+// Comparisons are not associative, so that a comparison of comparisons always has brackets.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,10 @@
 
 namespace grafverif {
 
-/// Spelling of an operator in a dialect. Leaves and numbers have no token; their precedence determines if they need
-/// brackets below an operator (`3s/X2` does). A Conditional with the precedence `atom_precedence` always has brackets.
-/// An operand enclosed by `open` and `close` needs no outer brackets; in this case `precedence` applies to the inside.
+/// Spelling of an operator in a dialect. Leaves and numbers have no token. Their precedence determines if they need
+/// brackets as operands; for example, `3s/X2` needs brackets. A Conditional with the precedence `atom_precedence`
+/// always has brackets. An operand enclosed by `open` and `close` needs no outer brackets; in this case, `precedence`
+/// applies to the text between `open` and `close`.
 struct Spelling {
     std::string_view token = {};
     int precedence = 0;
@@ -32,7 +33,7 @@ inline constexpr int atom_precedence = 10;
 using Dialect = Spelling (*)(Op);
 
 Spelling chart_spelling(Op op);            ///< input language: `a && !b`
-Spelling plain_spelling(Op op);            ///< plain text equations: `a and not b`
+Spelling plain_spelling(Op op);            ///< equations as plain text: `a and not b`
 Spelling latex_spelling(Op op);            ///< LaTeX equations: `a \wedge \neg b`
 Spelling uppaal_spelling(Op op);           ///< UPPAAL: `a && !b`, `c ? a : b`
 Spelling nusmv_spelling(Op op);            ///< NuSMV: `a & !b`, `(c ? a : b)`
@@ -41,7 +42,7 @@ Spelling structured_text_spelling(Op op);  ///< IEC 61131-3: `a AND NOT b`, `SEL
 /// Prints one leaf: Variable, Step, Timed, Parameter or At.
 using LeafPrinter = std::function<void(std::ostream&, const Expr&)>;
 
-/// Prints the term `root` in `dialect`. Recursive; the reader limits the depth of terms.
+/// Prints the term `root` in `dialect`. The function is recursive; the depth of terms is limited when they are read.
 void print_expr(std::ostream& out, const Exprs& exprs, Id<Expr> root, Dialect dialect, const LeafPrinter& leaf);
 
 /// Returns the text that print_expr prints.

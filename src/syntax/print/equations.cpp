@@ -106,10 +106,10 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-/// Returns the text in italics, with the letter spacing of a word.
+/// Returns the text as a LaTeX term in italics, with the letter spacing of a word.
 std::string italic(std::string_view text) { return "\\mathit{" + escaped(text) + "}"; }
 
-/// Returns `X_{10}` or `\mathit{CF}_{\mathit{T0}}` as in Fig. 19; other names are unchanged.
+/// Returns the name in LaTeX, such as `X_{10}` or `\mathit{CF}_{\mathit{T0}}` (CEP13 Fig. 19).
 std::string latex_name(const Equations::Variable& variable) {
     using Role = Equations::Role;
     const std::string_view text = variable.name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints equations as plain text, in the order and sections of CEP13 Fig. 19, as LaTeX (`align*` of amsmath), and as
+// Prints equations as plain text (with the order and sections of CEP13 Fig. 19), as LaTeX (`align*` of amsmath), and as
 // JSON.
 //
 // The sections are: (a) firing conditions; (b) step activities; (s) stored actions, if there are any, with their values
@@ -13,7 +13,7 @@
 
 namespace grafverif {
 
-/// Returns one equation as plain text: `X_2 = ...`.
+/// Returns one equation as plain text, such as `X_2 = ...`.
 std::string equation_text(const Equations& equations, Id<Equations::Variable> variable, Id<Expr> term);
 void print_equations(std::ostream& out, const Equations& equations);
 void print_equations_latex(std::ostream& out, const Equations& equations);

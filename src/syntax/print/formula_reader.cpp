@@ -44,8 +44,8 @@ void Reader::advance() {
     if (is_digit(rest[0])) {
         kind_ = Kind::Number;
         end_ = ends(is_digit);
-        if (end_ < text_.size() && is_letter(text_[end_])) fail(begin_, end_ + 1, "a number has only digits");
-        else if (end_ - begin_ > 9) fail_here("a number of more than nine digits");
+        if (end_ < text_.size() && is_letter(text_[end_])) fail(begin_, end_ + 1, "a number may contain only digits");
+        else if (end_ - begin_ > 9) fail_here("a number may have at most nine digits");
         return;
     }
     const auto symbol = std::ranges::find_if(symbols_, [&](std::string_view one) { return rest.starts_with(one); });
@@ -56,7 +56,7 @@ void Reader::advance() {
 
 void Reader::refuse_character() {
     const auto byte = static_cast<unsigned char>(text_[begin_]);
-    if (byte == ';') return fail(begin_, begin_ + 1, "`;` would terminate it; a property is one formula");
+    if (byte == ';') return fail(begin_, begin_ + 1, "`;` would end the formula; write one formula per property");
     std::size_t end = begin_ + 1;
     while (byte >= 0x80 && end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
     const bool printable = byte > 0x20 && byte != 0x7F;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Common part of the formula readers: tokens and error handling. The reader stops at the first error.
+// Common base of the formula readers: tokens and error handling. The reader stops at the first error.
 #pragma once
 
 #include <initializer_list>
@@ -30,7 +30,7 @@ protected:
     std::string_view here() const { return text_.substr(begin_, end_ - begin_); }
     void advance();
     bool accept(std::string_view token);
-    /// Accepts the next token if it is one of `tokens`, and returns it; otherwise the result is empty.
+    /// Accepts and returns the next token if it is one of `tokens`; otherwise the result is empty.
     std::string_view accept_one(std::initializer_list<std::string_view> tokens);
     void expect(std::string_view token);
     void expected(std::string_view what);
@@ -39,7 +39,7 @@ protected:
     void fail_here(std::string what) { fail(begin_, end_, std::move(what)); }
     std::string shown() const { return kind_ == Kind::End ? "the end" : '`' + std::string(here()) + '`'; }
 
-    /// Limits the depth of nesting.
+    /// Counts one level of nesting during its lifetime, and reports an error if the nesting is too deep.
     class Nest {
     public:
         explicit Nest(Reader& reader);

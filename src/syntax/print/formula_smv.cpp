@@ -23,11 +23,11 @@ constexpr std::array<std::string_view, 26> smv_symbols{"<->", "->", "!=", "<=", 
                                                        "]",   "{",  "}",  "!",  "&",  "|",  "=", "<", ">",
                                                        "+",   "-",  "*",  "/",  "?",  ":",  ",", "."};
 
-/// A part of a formula.
+/// A subformula with its position and type.
 struct Subformula {
     std::size_t begin = 0, end = 0;
     Type type = Type::Any;
-    bool temporal = false;  ///< true if it contains a path operator
+    bool temporal = false;  ///< true if the subformula contains a path operator
 };
 
 std::string_view described(Type type) {
@@ -208,7 +208,7 @@ private:
         return {left.begin, set.end, Type::Boolean, false};
     }
 
-    /// Reads `{a, b}` or `1..3`, whose members have the type of `one`.
+    /// Reads a set such as `{a, b}` or `1..3`. Requires that the members have the same type as `one`.
     Subformula members(const Subformula& one) {
         const std::size_t begin = begin_;
         if (!accept("{")) {

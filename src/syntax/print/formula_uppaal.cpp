@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads the symbolic queries of UPPAAL, which are over its expressions. UPPAAL itself applies operator precedence. In
-// this reader, an expression is a sequence of operands and operators; an operand has prefix operators before it and
-// indices after it.
+// Reads the symbolic queries of UPPAAL and the expressions in them. This reader ignores operator precedence, which
+// UPPAAL applies: an expression is a sequence of operands and operators, and an operand may have prefix operators and
+// indices.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ public:
         expression();
         if (!of_paths) {
             if (kind_ == Kind::End && !fault_)
-                return fail_here("it must start with `A[]`, `A<>`, `E<>` or `E[]`, or have the form `p --> q`");
+                return fail_here("a query must start with `A[]`, `A<>`, `E<>` or `E[]`, or have the form `p --> q`");
             expect("-->");
             expression();
         }

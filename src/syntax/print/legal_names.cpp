@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Reserved words of the targets, and names that avoid them.
+// Contains the reserved words of the targets, and changes names that are reserved.
 //
 // UPPAAL reserves the keywords of its declarations and queries, its mathematical functions, and its built-in constants
 // and types. A variable with the name of a query keyword can be declared but not used in queries. NuSMV: the list
-// contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files; single capital letters are operators of
-// their temporal logics. Structured Text: the list contains the keywords, elementary types, standard functions and
-// function blocks of IEC 61131-3.
+// contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files. Single capital letters in the list are
+// operators of temporal logic. Structured Text: the list contains the keywords, elementary types, standard functions
+// and function blocks of IEC 61131-3.
 #include "syntax/print/legal_names.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace grafverif {
 namespace {
 
-// The strings contain several words per line.
+// Each line of the following lists contains several words.
 // clang-format off
 constexpr auto uppaal_keywords = std::to_array<std::string_view>({
     "DBL_MAX", "DBL_MIN", "FLT_MAX", "FLT_MIN", "INT16_MAX", "INT16_MIN", "INT32_MAX", "INT32_MIN", "INT8_MAX",
@@ -78,7 +78,8 @@ constexpr auto structured_text_keywords = std::to_array<std::string_view>({
     "WSTRING", "XOR",
 });
 
-/// A set of words. Most other names are rejected by their first letter and length.
+/// A set of words. For most names that are not in the set, the first letter and the length are sufficient to determine
+/// this.
 class Words {
 public:
     explicit Words(std::span<const std::string_view> list) : set_(list.begin(), list.end()) {
@@ -101,7 +102,7 @@ private:
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Returns a key that is equal for names which the target does not distinguish.
+/// Returns a key for `name`. Two names have the same key if and only if the target does not distinguish them.
 std::string key_of(Target target, std::string_view name) {
     std::string key(name);
     if (target == Target::StructuredText)
@@ -109,7 +110,7 @@ std::string key_of(Target target, std::string_view name) {
     return key;
 }
 
-/// True if a letter or digit follows each `_` of `name`, as IEC 61131-3 requires.
+/// True if each `_` in `name` is followed by a letter or digit, as IEC 61131-3 requires.
 bool has_single_underscores(std::string_view name) {
     return !name.ends_with('_') && name.find("__") == std::string_view::npos;
 }
@@ -127,8 +128,8 @@ std::string spelled(Target target, std::string_view name) {
     return single.ends_with('_') ? single + "0" : single;
 }
 
-/// Returns the first of `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts. `next` stores the position of the
-/// search for each base, so that the total cost is linear in the number of names.
+/// Returns the first of `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts. `next` stores the next suffix for
+/// each base, so that the total cost is linear in the number of names.
 template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maps names to legal identifiers of a target by a table of its reserved words. Names come from the chart and the
-// plant; a target may reserve some (`X` in UPPAAL's queries, `S` in NuSMV) or not allow others (a location named `2`,
+// Maps names to legal identifiers of a target by a table of its reserved words. The chart and the plant define the
+// names. A target may reserve a name (`X` in UPPAAL's queries, `S` in NuSMV) or reject its form (a location named `2`,
 // an expanded property `P.X7`). Emitters print the mapped names unchanged.
 //
 // The map is injective over the names of one scope and deterministic: it depends only on the order of the names. Legal
@@ -16,8 +16,9 @@
 
 namespace grafverif {
 
-/// UppaalLocal: names that no query can contain, such as parameters of a template; keywords of queries are allowed.
-/// StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing `_`.
+/// UppaalLocal: names that cannot occur in queries, such as parameters of a template. Keywords of queries are allowed
+/// as such names. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing
+/// `_`.
 enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText };
 
 /// True if `name` has another meaning in the target: a keyword, a built-in, or an operator of its properties.
@@ -33,14 +34,14 @@ bool is_legal(Target target, std::string_view name);
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken = {});
 
-/// A changed name, for the list in a model's header.
+/// A changed name. The header of a model lists these names.
 struct Renaming {
     std::string name = {};
     std::string legal = {};
     bool operator==(const Renaming&) const = default;
 };
 
-/// Returns the `names` that differ from their entry in `legal`, in order.
+/// Returns the elements of `names` that differ from the corresponding elements of `legal`, in order.
 std::vector<Renaming> renamings(std::span<const std::string> names, std::span<const std::string> legal);
 
 }  // namespace grafverif

@@ -162,7 +162,7 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
 
 namespace {
 
-/// For each situation, the situations that precede or follow it by one step of a test.
+/// For each situation: the situations directly before it, or directly after it, in a test.
 using Ways = std::vector<std::set<std::uint32_t>>;
 
 Ways ways(const TestSequence& test, bool back) {
@@ -186,9 +186,9 @@ std::set<std::uint32_t> led_to(const Ways& next, std::uint32_t from) {
     return found;
 }
 
-/// Returns the situations in which the test first enters the terminal strongly connected components that it reaches.
-/// The test takes all transitions that can be taken. Therefore, if no step leaves a component, it cannot be left at
-/// all. Several sequences are necessary only if some situations cannot be left.
+/// Returns, for each terminal strongly connected component that the test reaches, the situation in which the test first
+/// enters it. The test takes all reachable transitions. Therefore, if no step of the test leaves a component, no
+/// transition leaves it. Several sequences are necessary only if the machine has such components.
 std::vector<std::string> traps(const TestSequence& test) {
     if (test.sequences.size() < 2 || test.cover == TestCover::Locations) return {};
     const Ways next = ways(test, false), before = ways(test, true);

@@ -3,7 +3,7 @@
 // scan of the PLC (docs/how-to/test-a-plc.md). A line has one value per column, in the order in which the chart
 // declares its inputs or outputs. Commas, spaces or semicolons separate the values.
 //
-//   1,0,0,1,1       as printed: 0 and 1 for Booleans, decimal numbers for integers, separated by commas
+//   1,0,0,1,1       printed format: 0 and 1 for Booleans, decimal numbers for integers, separated by commas
 //   TRUE 0 12       also accepted: true and false in upper or lower case, spaces
 //   wait 5s         time passes before the next scan (ms, s, min); it is not a scan and has no response
 #pragma once
@@ -19,7 +19,7 @@
 
 namespace grafverif {
 
-/// A column: the value at one position of the line.
+/// A column: name and type of the value at one position of a line.
 struct ScanColumn {
     std::string name = {};
     Type type = {};
@@ -27,7 +27,7 @@ struct ScanColumn {
     bool operator==(const ScanColumn&) const = default;
 };
 
-/// One value per column, or a message text with the error in the line.
+/// The result of reading a line: one value per column, or the text of an error message.
 struct ScanValues {
     std::optional<std::vector<std::int64_t>> values = {};
     std::string problem = {};

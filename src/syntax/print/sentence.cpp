@@ -21,7 +21,7 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
     case Pattern::Reachable: return "reachable " + operands[0];
     case Pattern::Inevitable: return "inevitable " + operands[0];
     case Pattern::LeadsTo: return operands[0] + " leads to " + operands[1];
-    case Pattern::Watched: break;  // the other overload prints it
+    case Pattern::Watched: break;  // the other overload prints this property
     case Pattern::NoDeadlock: return "no deadlock";
     case Pattern::NoTimelock: return "no timelock";
     case Pattern::ReachableAllSteps: return "reachable all steps";
@@ -82,7 +82,7 @@ std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& const
     const std::string text =
         expr_text(loop.exprs, constraint.condition, chart_spelling, [&loop](std::ostream& out, const Expr& leaf) {
             const ClosedLoop::Symbol& symbol = loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
-            // Constraints read only inputs, which have a name.
+            // Constraints read only inputs, and every input has a name.
             out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;
         });
     return text.size() > longest ? "a long constraint holds for this plant" : text + " holds for this plant";

@@ -21,7 +21,7 @@ Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     return {};
 }
 
-/// Reports the first conflict of continuous and stored actions on one output.
+/// Reports the first conflict between a continuous action and a stored action on the same output.
 void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span>& mine, const std::vector<Span>& other,
                Span where) {
     if (mine[variable.index].source.valid()) return;

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// True if `condition` reads only inputs and current values; otherwise reports the first violation.
+/// True if `condition` reads only inputs and current values. Reports the first violation otherwise.
 bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
     const Chart& chart = scope.chart;
     std::vector<Id<Expr>> open{condition};

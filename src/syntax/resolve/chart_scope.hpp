@@ -28,19 +28,20 @@ struct ChartScope {
     /// All steps with a name, in order of declaration.
     std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps_by_name = {};
     std::unordered_map<std::string, Id<Chart::TimeCondition>> times = {};
-    std::unordered_map<std::uint64_t, Term> known_names = {};  ///< terms of names, by partial chart and word
-    /// For each variable: the position of its first action of that type.
+    std::unordered_map<std::uint64_t, Term> known_names = {};  ///< resolved terms of names, by partial chart and word
+    /// For each variable: the position of its first action of the respective type.
     std::vector<Span> continuous = {}, stored = {};
     Id<Chart::PartialChart> here = {};  ///< partial chart of the current term
 
     std::string_view text(tree::Name name) const { return file.text(name); }
 };
 
-/// A step or transition of the tree, together with its partial chart.
+/// A step of the tree, together with its id.
 struct WrittenStep {
     const tree::Step* step = nullptr;
     Id<Chart::Step> id = {};
 };
+/// A transition of the tree, together with its partial chart.
 struct WrittenTransition {
     const tree::Transition* transition = nullptr;
     Id<Chart::PartialChart> chart = {};
@@ -52,7 +53,7 @@ struct WrittenChart {
 
 // -- variables.cpp
 void resolve_variables(ChartScope& scope, const tree::Variables& written);
-/// Warns about a name that equals, or looks like, the step variable of a step.
+/// Reports variables whose names are step variables of steps, or `X` followed by a digit.
 void check_step_like(ChartScope& scope);
 
 // -- steps.cpp: steps, partial charts and their owners

@@ -74,7 +74,7 @@ bool report_step_member(ChartScope& scope, const tree::Expr& node) {
     return true;
 }
 
-/// Resolves `G2.X2`. The name of the chart denotes the steps that are written directly in it.
+/// Resolves `G2.X2`. The name of the chart qualifies the steps that are declared directly in the chart.
 Term member_term(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& owner = scope.file.exprs[node.first];
     const std::string_view name = scope.file.text(node.word);

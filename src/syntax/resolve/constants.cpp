@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves the named constants of a closed loop. Each has a value, which may read earlier constants and can be set by
-// the user. Terms contain the value instead of the name, so that constants do not exist in later stages.
+// Resolves the named constants of a closed loop. The value of a constant may read earlier constants, and the user can
+// set it. Terms contain the value instead of the name, so that constants do not exist in later stages.
 #include <charconv>
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ TermKind kind_of(Named::Kind kind) {
     unreachable();
 }
 
-/// Parses a value from the command line; empty if it does not have this type.
+/// Parses a value from the command line. The result is empty if the value does not have this type.
 std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) {
     if (kind == Named::Kind::Boolean) {
         if (text == "true" || text == "false") return text == "true";
@@ -100,7 +100,7 @@ void declare_constant(LoopScope& scope, const tree::Variable& written) {
     auto bounds = bounds_of(scope, written);
     if (!kind || scope.diagnostics.errors() != errors) return;
     constant.kind = *kind;
-    if (*kind == Named::Kind::Integer) {  // the same limits apply to variables
+    if (*kind == Named::Kind::Integer) {  // the limits of variables also apply to constants
         if (!bounds) bounds = {least_integer, greatest_integer};
         bounds = {std::max(bounds->low, least_integer), std::min(bounds->high, greatest_integer)};
     }

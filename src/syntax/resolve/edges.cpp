@@ -37,7 +37,7 @@ Op mirrored(Op relation) {
 struct Conjuncts {
     std::vector<Id<Expr>> data = {};
     std::vector<Component::ClockConstraint> clocks = {};
-    std::vector<Id<tree::Expr>> data_nodes = {};  ///< tree node of each element of `data`
+    std::vector<Id<tree::Expr>> data_nodes = {};  ///< the tree node of each element of `data`
 };
 
 void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjuncts& taken) {
@@ -57,7 +57,7 @@ void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjun
     else if (constraint.bound.valid()) taken.clocks.push_back(constraint);
 }
 
-/// Splits a conjunction, including nested conjunctions in brackets. Their depth is limited.
+/// Splits a conjunction, including nested conjunctions in brackets. The depth of conjunctions is limited.
 void take(ComponentScope& scope, Id<tree::Expr> id, Conjuncts& taken) {
     const tree::Expr& node = scope.file.exprs[id];
     if (node.op == tree::Op::And) {
@@ -153,8 +153,7 @@ void declare_location(ComponentScope& scope, const tree::Location& written) {
 void resolve_location(ComponentScope& scope, const tree::Location& written) {
     const auto known = scope.locations.find(written.name.word);
     if (scope.component.locations[known->second].origin.begin != written.name.where.begin)
-        return;  // a duplicate
-                 // declaration
+        return;  // the location is declared twice
     Conjuncts invariant;
     if (written.invariant.valid()) take(scope, written.invariant, invariant);
     for (const Id<tree::Expr> node : invariant.data_nodes)

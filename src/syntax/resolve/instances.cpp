@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Resolves the instances of a closed loop: each binds the parameters of a component. Constants and outputs are resolved
-// first, because outputs declare the variables of the plant. The inputs, which read these variables, follow.
+// first, because outputs declare the variables of the plant. Inputs are resolved afterwards, because they read these
+// variables.
 #include <string>
 
 #include "support/messages.hpp"
@@ -16,12 +17,12 @@ using Parameter = Component::Parameter;
 
 std::string_view described(bool boolean) { return boolean ? "Boolean" : "an integer"; }
 
-/// An instance while its arguments are bound.
+/// An instance whose arguments are being bound.
 struct Binding {
     const tree::Instance* written = nullptr;
     const Component* component = nullptr;
     ClosedLoop::Instance instance = {};
-    std::vector<const tree::Argument*> given = {};  ///< argument of each parameter
+    std::vector<const tree::Argument*> given = {};  ///< the argument of each parameter
     bool wrong = false;
 };
 
@@ -112,8 +113,8 @@ void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = value.value_or(0);
 }
 
-/// Binds defaults in the order of dependency: a default that reads other constants is bound after them. Cycles have
-/// already been rejected.
+/// Binds defaults in the order of dependency: a default is bound after the constants that it reads. Cycles have already
+/// been rejected.
 void bind_defaults(LoopScope& scope, Binding& binding) {
     const Component& component = *binding.component;
     std::vector<bool> bound(component.parameters.size());

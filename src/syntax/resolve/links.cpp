@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Names of transitions: the declared names, and `t1`, `t2`, ... by position for all others.
+/// Names of transitions: the declared names, and `t1`, `t2`, ... by position for transitions without a declared name.
 class TransitionNames {
 public:
     explicit TransitionNames(ChartScope& scope, const WrittenChart& written) : scope_(&scope) {
@@ -34,7 +34,7 @@ public:
 
 private:
     ChartScope* scope_;
-    std::unordered_map<std::string, Span> written_ = {};  ///< first occurrence of each name
+    std::unordered_map<std::string, Span> written_ = {};  ///< the first occurrence of each name
     UniqueNames names_ = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resolves a closed loop. Its controllers declare the shared variables, its instances bind them, and its properties
+// Resolves a closed loop. The controllers declare the shared variables, the instances bind them, and the properties
 // read them.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 std::string_view described(const Type& type) { return type.boolean ? "Boolean" : "an integer"; }
 
-/// Resolves one of two allowed words; otherwise reports an error that suggests the more similar one.
+/// Resolves one of two allowed words. Reports any other word, with the more similar allowed word as a suggestion.
 template <class Value>
 std::optional<Value> choice(LoopScope& scope, tree::Name name, std::string_view kind,
                             std::initializer_list<std::pair<std::string_view, Value>> choices) {
@@ -169,7 +169,7 @@ void check_formula(LoopScope& scope, const tree::Property& written) {
     if (written.at_stable) scope.diagnostics.add(messages::formula_at_stable(where));
     const auto fault = formula_fault(*language, written.raw);
     if (!fault) return;
-    const auto inner = static_cast<std::uint32_t>(where.begin + 1);  // position after the quote
+    const auto inner = static_cast<std::uint32_t>(where.begin + 1);  // position after the opening quote
     const Span there{where.source, inner + static_cast<std::uint32_t>(fault->begin),
                      inner + static_cast<std::uint32_t>(fault->end)};
     scope.diagnostics.add(messages::bad_formula(there, word(*language), fault->what));

@@ -51,7 +51,7 @@ Term internal_term(LoopScope& scope, Id<Controller> controller, Id<Chart::Variab
                        scope.chart(controller).variables[variable].type.boolean);
 }
 
-/// Returns the unambiguous name in a property.
+/// Returns the name qualified by the controller, which is unambiguous in properties.
 std::string qualified(const LoopScope& scope, Id<Controller> controller, std::string_view name) {
     return scope.loop.controllers[controller].name + '.' + std::string(name);
 }
@@ -98,7 +98,7 @@ Term own_term(LoopScope& scope, Id<ClosedLoop::Instance> instance, Id<Component:
                        component.variables[variable].value == Component::ValueKind::Boolean);
 }
 
-/// Resolves `Gate_X`, the name of the variable `X` of `Gate` in traces and models.
+/// Resolves `Gate_X`. Traces and models use this name for the variable `X` of `Gate`.
 std::optional<Term> display_name(LoopScope& scope, std::string_view name) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];
@@ -133,7 +133,7 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     }
     if (found) return *found;
     if (const auto own = display_name(scope, name)) return *own;
-    if (scope.excused.contains(name)) return {};  // an instance with an error may declare the name
+    if (scope.excused.contains(name)) return {};  // an instance that contains an error may declare the name
     return unknown_name(scope, where, name);
 }
 
@@ -255,7 +255,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
         if (node.op == tree::Op::In) return no_such_instance(scope, owner);
         const auto controller = scope.controllers.find(scope.file.text(owner.word));
         if (controller != scope.controllers.end()) {
-            // If names are ambiguous, `chart.X2` denotes the step that is written directly in the grafcet.
+            // If several steps have this name, `chart.X2` denotes the step that is declared directly in the grafcet.
             const auto& steps = scope.inside[controller->second.index].steps;
             const auto same = name.size() > 1 ? steps.find(name.substr(1)) : steps.end();
             const bool repeated = name[0] == 'X' && same != steps.end() && same->second.size() > 1;

@@ -32,12 +32,12 @@ struct LoopScope {
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
     /// For each shared variable: the instance that writes it; may be empty.
     std::vector<std::string> instance_writers = {};
-    std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors, which may drive them
-    std::unordered_set<std::string_view> below = {};    ///< constants that are declared later
+    std::unordered_set<std::string_view> excused = {};    ///< names that instances with errors bind and may drive
+    std::unordered_set<std::string_view> below = {};      ///< constants that have not been declared yet
     std::unordered_set<std::string_view> valueless = {};  ///< constants with an error
     bool incomplete = false;  ///< true if an element to which the loop refers contains an error
 
-    /// Steps by name, and internal variables, of each controller.
+    /// The steps, internal variables and partial charts of each controller, by name.
     struct Inside {
         std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps = {};
         std::unordered_map<std::string_view, Id<Chart::Variable>> internals = {};
@@ -52,12 +52,12 @@ struct LoopScope {
     }
 };
 
-/// Returns the names of its locations in quotation marks.
+/// Returns the names of the locations of `component` in quotation marks.
 std::string location_list(const Component& component);
 
 // -- constants.cpp
 /// `resolve_constants` is called before all functions that read constants. `check_constant_names` is called when all
-/// other names are known, and reports conflicts with them.
+/// other names are known, and reports conflicts of constants with these names.
 void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written);
 void check_constant_names(LoopScope& scope);
 /// Returns the value of a constant as a term, or nothing if there is no such constant.
@@ -67,8 +67,8 @@ Terms constant_terms(LoopScope& scope, std::string_view user);
 // -- instances.cpp
 void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written);
 // -- observers.cpp
-/// Declares names and locations first, because properties read them. The second function resolves edges and all
-/// constraints.
+/// `declare_observers` declares names and locations first, because properties read them. `resolve_observers` and
+/// `resolve_constraints` resolve edges and constraints.
 void declare_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written);
@@ -77,13 +77,13 @@ Terms property_terms(LoopScope& scope);
 /// Returns the resolver of terms that are bound to inputs of an instance: shared variables and constants.
 Terms port_terms(LoopScope& scope);
 // -- loop_times.cpp
-/// Resolves `t1/v/t2` in a property. The value is read from the controller that has this timer. The result is empty if
-/// `node` is not a time condition.
+/// Resolves `t1/v/t2` in a property. The value is read from a controller with this timer. The result is empty if `node`
+/// is not a time condition.
 std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node);
 /// Returns the leaf for `symbol` in expressions of the loop.
 Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol);
 // -- loop.cpp
-/// Returns the shared variable with this name, which is declared if necessary.
+/// Returns the shared variable with this name. Declares the variable if necessary.
 Id<ClosedLoop::Shared> shared_named(LoopScope& scope, std::string_view name, const Type& type, Span where);
 
 }  // namespace grafverif

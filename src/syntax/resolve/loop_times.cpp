@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Time conditions in properties. A property does not create timers; a property with a duration has an observer instead.
-// It reads the timers of the charts of the loop, which traces show: `3s/X2` of a transition or of a delayed action.
+// Time conditions in properties. A property does not create timers. A property with a duration has an observer instead.
+// A time condition in a property reads a timer of a chart of the loop, which also appears in traces: `3s/X2` of a
+// transition or of a delayed action.
 #include <algorithm>
 #include <string>
 #include <vector>

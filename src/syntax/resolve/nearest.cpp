@@ -47,8 +47,8 @@ std::string folded(std::string_view name) {
     return text;
 }
 
-/// Returns the maximum distance of a candidate. Numbers and single letters are similar to too many names; therefore
-/// only a difference in case is tolerated.
+/// Returns the maximum distance of a candidate from `name`. Numbers and single letters are similar to too many names;
+/// therefore, only a difference in case is tolerated for them.
 std::size_t tolerance(std::string_view name) {
     if (name.size() < 2 || name.find_first_not_of("0123456789") == std::string_view::npos) return 0;
     return name.size() < 6 ? 1 : 2;
@@ -66,7 +66,7 @@ void Nearest::offer(char prefix, std::string_view candidate) {
 }
 
 void Nearest::offer(std::string_view candidate) {
-    // The names differ only in case, so that no other candidate is nearer.
+    // If the names differ only in case, no other candidate is nearer.
     if (distance_ == 1 || candidate == name_) return;
     const std::size_t bound = (distance_ + 1) / 2;
     if (std::max(name_.size(), candidate.size()) - std::min(name_.size(), candidate.size()) >= bound) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Nearest: finds the name that was probably misspelt. The distance is the number of insertions, deletions, replacements
-// and swaps of neighbours; it is at most two. Most candidates are excluded by their length alone. Case is considered
-// only if distances are equal.
+// Nearest: finds the name that was probably misspelt. The distance is the number of insertions, deletions and
+// replacements of characters and of swaps of adjacent characters; candidates at a distance of more than two are
+// ignored. The length alone excludes most candidates. Case is considered only if distances are equal.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +24,9 @@ private:
     std::string name_;
     std::string best_ = {};
     std::string prefixed_ = {};
-    std::size_t
-        /// Only lower ranks are considered; the rank is twice the distance without regard to case, plus 1 if the case
-        /// differs.
-        distance_;
+    /// Only candidates with a lower rank are considered. The rank is twice the distance without regard to case, plus 1
+    /// if the case differs.
+    std::size_t distance_;
 };
 
 }  // namespace grafverif

@@ -123,8 +123,8 @@ void take_chart_constraints(LoopScope& scope) {
     }
 }
 
-/// Adds the constraints of components on their outputs. They are instantiated with variables for outputs and arguments
-/// for constants.
+/// Adds the constraints of components on their outputs. In these constraints, outputs are replaced by the bound
+/// variables, and constants are replaced by the arguments.
 void take_component_constraints(LoopScope& scope) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Resolves the parameters and variables of a component. A constant has the declared type, otherwise the type of its
-// default; without both, it is an integer. A default can name constants that are declared later. Therefore defaults are
-// resolved in the order of dependency.
+// Resolves the parameters and variables of a component. A constant has its declared type, otherwise the type of its
+// default. Without a type and a default, the constant is an integer. A default can name constants that are declared
+// later. Therefore defaults are resolved in the order of dependency.
 #include <algorithm>
 #include <deque>
 #include <vector>
@@ -111,11 +111,11 @@ namespace {
 struct Constant {
     const tree::Variable* written = nullptr;
     Id<Component::Parameter> id = {};
-    std::vector<std::size_t> users = {};  ///< constants whose defaults name this one
+    std::vector<std::size_t> users = {};  ///< constants whose defaults read this constant
     std::size_t needs = 0;                ///< number of defaults that must be resolved first
 };
 
-/// Collects the names in a term, whose depth is limited but whose width is not.
+/// Collects the names in a term. The depth of terms is limited, but their width is not.
 void names_in(const tree::File& file, Id<tree::Expr> node, std::vector<Id<tree::Word>>& names) {
     const tree::Expr& written = file.exprs[node];
     if (written.op == tree::Op::Name) names.push_back(written.word);
@@ -229,7 +229,7 @@ Component::ParameterKind parameter_kind(tree::VariableKind kind) {
     case tree::VariableKind::Output: return Component::ParameterKind::Output;
     case tree::VariableKind::Constant: return Component::ParameterKind::Constant;
     case tree::VariableKind::Internal:
-    case tree::VariableKind::Own: break;  // does not occur in the grammar of parameters
+    case tree::VariableKind::Own: break;  // the grammar of parameters excludes these types
     }
     unreachable();
 }

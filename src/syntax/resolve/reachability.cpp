@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Determines the steps that can become active according to the links alone, if all conditions are satisfiable. A step
-// that cannot become active is an error of the chart.
+// Determines the steps that can become active according to the links, under the assumption that all conditions are
+// satisfiable. Steps that cannot become active are reported.
 //
 // A step is activated at power-on if it is initial, or by a transition if all upstream steps of the transition can be
 // active. It is also activated by a source transition, a forcing order, an activation link, or its macro-step.
@@ -59,9 +59,9 @@ private:
 
     const Chart* chart_;
     std::vector<bool> active_;
-    std::vector<std::size_t> waits_;  ///< for each transition: number of upstream steps that cannot be active so far
+    std::vector<std::size_t> waits_;  ///< for each transition: number of upstream steps not yet known to be reachable
     std::vector<std::vector<Id<Chart::Transition>>> downstream_ = {};
-    std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< steps that an owner activates
+    std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< steps that each owning step activates
     std::vector<Id<Chart::Step>> work_ = {};
 };
 
@@ -82,7 +82,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Reports partial charts that are never started, and returns them.
+/// Returns the partial charts whose steps can never become active. Reports each of them that is an enclosure or plain
+/// and whose owner, if any, can be active.
 std::vector<bool> never_started(const Chart& chart, const std::vector<bool>& active, Diagnostics& diagnostics) {
     std::vector<bool> some(chart.partial_charts.size()), alive(some.size()), owner_active(some.size(), true);
     for (const Id<Chart::Step> id : chart.steps.ids()) {

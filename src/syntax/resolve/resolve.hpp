@@ -3,7 +3,7 @@
 // and checks the rules of GRAFCET and of the language, each with a separate diagnostic.
 //
 // Charts and components are resolved independently. A closed loop is resolved against the charts and components of its
-// model. It refers to them by name, so that they may come from other files.
+// model. A closed loop refers to charts and components by name, so that they may come from other files.
 #pragma once
 
 #include <functional>
@@ -21,21 +21,20 @@
 
 namespace grafverif {
 
-/// Resolves a chart; empty after at least one error. Constructs that a later stage rejects are represented, not
-/// rejected.
+/// Resolves a chart; empty after at least one error. The result also represents constructs that a later stage rejects.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics);
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
                                            Diagnostics& diagnostics);
 
-/// Charts and components to which a closed loop can refer. Those with errors are known by name, so that the loop causes
-/// no further errors about them.
+/// Charts and components to which a closed loop can refer. Charts and components with errors are known by name, so that
+/// references to them cause no further errors.
 struct LoopContext {
     const Model& model;
     std::unordered_set<std::string> charts_in_error = {};
     std::unordered_set<std::string> components_in_error = {};
     std::vector<std::string> component_names = {};  ///< all available names; used for suggestions
-    /// Values of constants set by the user; they override those of the loop.
+    /// Values of constants that the user has set. They override the values in the loop.
     std::map<std::string, std::string, std::less<>> constants = {};
 };
 

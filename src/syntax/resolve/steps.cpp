@@ -114,7 +114,7 @@ void resolve_contents(ChartScope& scope, const WrittenStep& written) {
     }
 }
 
-/// Reports `entry`, `exit` and `linked` in places where they have no meaning.
+/// Reports `entry`, `exit` and `linked` at steps where these keywords have no meaning.
 void check_marks(ChartScope& scope, const WrittenStep& written) {
     const Chart::Step& step = scope.chart.steps[written.id];
     const Chart::PartialKind kind = scope.chart.partial_charts[step.chart].kind;

@@ -174,7 +174,8 @@ Term Terms::mismatch(const tree::Expr& operand, TermKind found, std::string_view
     return {};
 }
 
-/// True if the operand has the type `kind`; otherwise its type is reported.
+/// True if the operand has the type `kind`. Otherwise, reports a type mismatch, unless an error has already been
+/// reported for the operand.
 bool Terms::is(const tree::Expr& operand, const Term& term, TermKind kind, std::string_view user) {
     if (term.kind == kind) return true;
     mismatch(operand, term.kind, user, described(kind));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Terms: translates expressions of the tree to typed terms of an IR. A callback of the owner resolves names (and may
-// handle complete operators); the typing rules are the same for charts, components and properties.
+// Terms: translates expressions of the tree to typed terms of an IR. Callbacks of the owner resolve names and may
+// handle some operators. The typing rules are the same for charts, components and properties.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace grafverif {
 
-/// Wrong: an error about the term or a subterm has been reported.
+/// `Wrong` means that an error about the term or a subterm has been reported.
 enum class TermKind { Wrong, Boolean, Integer, Duration, Clock };
 
 struct Term {
@@ -32,10 +32,10 @@ public:
 
     /// Resolves a Name or Member node.
     std::function<Term(const tree::Expr&)> name = {};
-    /// Handles operators of the owner; if the result is empty, the common rules apply.
+    /// Handles operators with special rules of the owner. If the result is empty, the common rules apply.
     std::function<std::optional<Term>(const tree::Expr&)> special = {};
     bool edges_allowed = false;
-    bool places_allowed = false;  ///< permits `Gate in open`, which `name` resolves
+    bool places_allowed = false;  ///< true if `Gate in open` is allowed; `name` resolves it
 
     Term resolve(Id<tree::Expr> node);
     /// Resolves to a term of type `kind`; invalid after an error, whose message names `user`.
@@ -68,10 +68,11 @@ struct WrittenTime {
                    fall = {};  ///< `watched` is invalid if the division is not a time condition
 };
 WrittenTime written_time(const tree::File& file, const tree::Expr& node);
-/// Returns the value of a duration in milliseconds; 0 if it is omitted. A duration of zero is reported.
+/// Returns the value of a duration in milliseconds; 0 if the duration is omitted. Reports a duration of zero.
 std::int64_t milliseconds(const tree::File& file, Id<tree::Expr> duration, Diagnostics& diagnostics);
 
-/// True for the names of elapsed time and activity of a step in IEC 61131-3: `Fill.T`, `Fill.X`.
+/// True for the member names by which IEC 61131-3 denotes the elapsed time and the activity of a step: `Fill.T`,
+/// `Fill.X`.
 inline bool is_step_member(std::string_view name) { return name == "T" || name == "t" || name == "X" || name == "x"; }
 
 Op ir_op(tree::Op op);

@@ -14,12 +14,12 @@ Chart::VariableKind kind_of(tree::VariableKind kind) {
     case tree::VariableKind::Output: return Chart::VariableKind::Output;
     case tree::VariableKind::Internal: return Chart::VariableKind::Internal;
     case tree::VariableKind::Own:
-    case tree::VariableKind::Constant: break;  // does not occur in the grammar of charts
+    case tree::VariableKind::Constant: break;  // the grammar of charts excludes these types
     }
     unreachable();
 }
 
-/// Returns the resolver of terms of constants only: each name is an error.
+/// Returns a resolver of terms that may contain only constants: each name is an error.
 Terms constants(ChartScope& scope) {
     Terms terms(scope.file, scope.chart.exprs, scope.diagnostics);
     terms.name = [&scope](const tree::Expr& node) {

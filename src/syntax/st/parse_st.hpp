@@ -13,7 +13,7 @@
 
 namespace grafverif::st {
 
-/// A part of a source. If `escaped` is true, it is XML text with character references such as `&lt;`.
+/// A part of a source. If `escaped` is true, the text is XML with character references such as `&lt;`.
 struct Piece {
     Span where = {};
     bool escaped = false;
@@ -27,7 +27,8 @@ std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sou
 std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 /// Parses the programs, function blocks, functions and global variables of a text file. Returns false after an error.
 bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
-/// Also parses types and configurations, for programs that are executed. Returns false after an error.
+/// Same as `parse_units`, but also parses types and configurations, for programs that are executed. Returns false after
+/// an error.
 bool parse_programs(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 /// Parses an expression that may also contain the operators `! && || == !=`; empty after at least one error.
 std::optional<Id<Expr>> parse_property(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);

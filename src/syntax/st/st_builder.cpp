@@ -107,7 +107,7 @@ void Builder::action(Unit& unit, Name name, Block body, Span where) const {
     unit.actions.push_back({name, std::move(body), false, where});
 }
 
-/// Builds `NAME (QUALIFIER, TIME, INDICATORS)`. The grammar treats the qualifier as a name; the default is N.
+/// Builds `NAME (QUALIFIER, TIME, INDICATORS)`. The grammar parses the qualifier as a name. The default qualifier is N.
 Association Builder::association(Name action, std::vector<Id<Expr>> arguments, Span where) {
     Association association;
     association.action = action;
@@ -178,7 +178,7 @@ Id<Expr> Builder::node(Op op, std::initializer_list<Id<Expr>> operands, Span whe
     const Id<Expr> id = leaf(op, where);
     for (const Id<Expr> operand : operands) adopt(id, operand);
     if (file_->exprs[id].first.valid() || operands.size() == 0) return id;
-    file_->exprs[id].op = Op::False;  // the expression is too deep, which has already been reported
+    file_->exprs[id].op = Op::False;  // the excessive depth has already been reported
     return id;
 }
 

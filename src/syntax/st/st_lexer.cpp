@@ -19,7 +19,7 @@ namespace grafverif::st {
 
 namespace {
 
-// Values of literals of IEC 61131-3.
+// Computes the values of literals of IEC 61131-3.
 
 constexpr std::int64_t longest = std::int64_t{1} << 40U;  ///< maximum duration in milliseconds
 
@@ -48,7 +48,7 @@ std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     return value;
 }
 
-/// Removes one part, such as `30m`, from the front of `rest`, and returns its value in microseconds.
+/// Removes one component of a duration, such as `30m`, from the front of `rest`, and returns its value in microseconds.
 std::optional<std::int64_t> part_of(std::string_view& rest) {
     std::size_t end = 0;
     while (end < rest.size() && is_digit(rest[end])) ++end;
@@ -79,8 +79,8 @@ std::optional<std::int64_t> part_of(std::string_view& rest) {
     return {};
 }
 
-/// Returns the number of milliseconds of a duration such as `1h30m`, `2.5s`, `-250ms`. The result is empty if the text
-/// is invalid, the duration is too long, or the number is not an integer.
+/// Returns the number of milliseconds of a duration such as `1h30m` or `2.5s`. The result is empty if the text is
+/// invalid, or the duration is negative, too long or not a whole number of milliseconds.
 std::optional<std::int64_t> milliseconds_of(std::string_view duration) {
     const std::string kept = capitals(without_underscores(duration));
     std::string_view rest = kept;
@@ -153,7 +153,7 @@ Token Lexer::next() {
         return {goal_, here_};
     }
     if (too_deep_ || ended_ || !scanner_) return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
-    auto passing = Symbols::S_YYEMPTY;  // keyword that ends a section which charts do not need and which is skipped
+    auto passing = Symbols::S_YYEMPTY;  // end keyword of a section that is skipped because charts do not need it
     for (;;) {
         Token token = scanner_->next(*this);
         const auto kind = token.kind();
@@ -194,7 +194,7 @@ Token Lexer::end_of_piece() {
     return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
 }
 
-// -- called by the rules of the scanner -------------------------------------------------------------------------------
+// -- functions for the rules of the scanner ---------------------------------------------------------------------------
 
 void Lexer::advance(std::size_t length) {
     const auto place = [this](std::uint32_t at) { return origins_.empty() ? base_ + at : origins_[at]; };
@@ -232,7 +232,7 @@ bool Lexer::nests_too_deep(Kind kind) {
     return true;
 }
 
-/// Ends after an error: the rest of the text is skipped.
+/// Ends the text after an error: the rest is skipped.
 Token Lexer::failed() {
     too_deep_ = true;
     return Parser::make_YYerror(here_);
@@ -284,7 +284,7 @@ Token Lexer::integer(std::string_view digits, int base) {
     return {Parser::token::INTEGER, value.value_or(0), here_};
 }
 
-/// Reads `INT#5` or `BYTE#-1`. With any other type, it is an unsupported literal.
+/// Reads `INT#5` or `BYTE#-1`. A literal with any other type is unsupported.
 Token Lexer::typed_integer(std::string_view match) {
     const std::size_t hash = match.find('#');
     const std::string type = capitals(match.substr(0, hash));

@@ -37,8 +37,8 @@ public:
     using Token = Parser::symbol_type;
     using Kind = Parser::token_kind_type;
 
-    /// `goal` is the first token, which selects the start symbol of the parser. If the start symbol is not a unit or
-    /// chart, keywords of units and charts are names.
+    /// Creates a lexer whose first token is `goal`, which selects the start symbol of the parser. If the start symbol
+    /// is not a unit or chart, keywords of units and charts are names.
     Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics);
 
     Token next();
@@ -48,8 +48,7 @@ public:
     void advance(std::size_t length);
     void comment(std::string_view match);
     Token sign(Kind kind);
-    /// AND_THEN, OR_ELSE: programs do not evaluate lazily.
-    /// Operators of C, such as `&&`, which only properties have.
+    /// Returns the token of a C operator, such as `&&`. Such operators are allowed only in properties.
     Token c_sign(Kind kind, std::string_view match);
     Token type_word(Kind kind, std::string_view match);
     Token configuration_word(Kind kind, std::string_view match);
@@ -72,8 +71,8 @@ private:
     std::size_t piece_ = 0;  ///< index of the next piece
     std::optional<Scanner> scanner_ = {};
     std::string decoded_ = {};
-    std::vector<std::uint32_t> origins_ = {};  ///< source position of each byte of `decoded_`; empty if they are
-                                               ///< consecutive
+    std::vector<std::uint32_t> origins_ = {};  ///< source position of each byte of `decoded_`; empty if these
+                                               ///< positions are consecutive
     std::uint32_t base_ = 0;                   ///< source position of the piece if `origins_` is empty
     std::uint32_t at_ = 0;                     ///< offset in the piece after the last match
     bool units_ = false;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // st_tree: abstract syntax of Structured Text and of textual Sequential Function Charts (IEC 61131-3), before name
-// resolution. The importers use it. Tests parse exported text to it.
+// resolution. The importers use this tree, and tests parse exported text to it.
 //
-// Names are case-insensitive. Two names of one file are equal exactly if their words are. A word is displayed as in its
-// first occurrence. Expressions and statements are stored in flat tables, with operands linked as siblings.
+// Names are case-insensitive. Two names in one file are equal if and only if their word ids are equal. A word is
+// displayed as spelt at its first occurrence. Expressions and statements are stored in flat tables, and operands are
+// linked as siblings.
 #pragma once
 
 #include <array>
@@ -102,13 +103,13 @@ struct Comment {
 
 enum class Section : std::uint8_t { Input, Output, InOut, Local, External, Global, Temporary };
 
-/// A type such as `INT`, `INT (0..10)`, `(RED, GREEN)`. It is composite if it is an array, a pointer, a structure or an
+/// A type such as `INT`, `INT (0..10)`, `(RED, GREEN)`. `composite` is true for an array, a pointer, a structure or an
 /// enumeration.
 struct Type {
     Name name = {};
     Id<Expr> low = {}, high = {};
     bool composite = false;
-    std::vector<Name> values = {};  ///< of an enumeration; its name is that of the first value
+    std::vector<Name> values = {};  ///< values of an enumeration; `name` is the name of the first value
     /// First and last index of each dimension of an array, whose elements have the type `name`.
     std::vector<std::array<Id<Expr>, 2>> dimensions = {};
 };
@@ -152,12 +153,12 @@ struct Instance {
 /// An action block: `NAME (QUALIFIER, TIME);` in a step.
 struct Association {
     Name action = {};             ///< an action or a Boolean variable; invalid if `body` contains the statements
-    Id<Expr> path = {};           ///< in CODESYS: the same as an expression, which may name an instance
+    Id<Expr> path = {};           ///< in CODESYS: `action` as an expression, which may name an instance
     std::string qualifier = "N";  ///< in capitals
     Id<Expr> time = {};
     Block body = {};
     Span where = {};
-    bool unread = false;  ///< true if it has further arguments or an indicator variable, which are not read
+    bool unread = false;  ///< true if further arguments or an indicator variable exist, which are not read
 };
 
 struct Step {
@@ -166,7 +167,8 @@ struct Step {
     std::vector<Association> actions = {};
     std::string comment = {};
     Span where = {};
-    /// In CODESYS: the actions at the activation, while the step is active, and after it, also of instances.
+    /// In CODESYS: the actions on activation, while the step is active, and on deactivation. They can be actions of
+    /// instances.
     Id<Expr> entry = {}, active = {}, exit = {};
 };
 
@@ -180,16 +182,17 @@ struct Transition {
     Span where = {};
 };
 
-/// Variables in CODESYS that control a chart: each is valid if the settings of the chart use it.
+/// The use of the implicit variables by which CODESYS controls a chart. `init`, `reset` and `pause` are true if the
+/// settings of the chart use SFCInit, SFCReset and SFCPause.
 struct ChartFlags {
-    bool stated = false;  ///< the file contains the settings
+    bool stated = false;  ///< true if the file contains the settings
     bool init = false, reset = false, pause = false;
-    std::string others = {};  ///< the name of another flag in use, or empty
+    std::string others = {};  ///< the name of another flag that is used, or empty
 };
 
 /// The steps and transitions of a chart, or of the expansion of a macro-step.
 struct Network {
-    Name macro_step = {};  ///< valid for the expansion of this step
+    Name macro_step = {};  ///< step of which this network is the expansion; invalid for the chart
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     Span where = {};
@@ -199,9 +202,9 @@ struct Network {
 struct Action {
     Name name = {};
     Block body = {};
-    bool opaque = false;  ///< its body is in another language
+    bool opaque = false;  ///< true if the body is in another language
     Span where = {};
-    std::vector<Network> networks = {};  ///< a chart as the body
+    std::vector<Network> networks = {};  ///< the chart that forms the body
 };
 
 enum class UnitKind : std::uint8_t { Program, FunctionBlock, Function };
@@ -210,7 +213,7 @@ struct Unit {
     UnitKind kind = UnitKind::Program;
     Name name = {};
     std::vector<Variable> variables = {};
-    std::vector<Network> networks = {};  ///< the chart, followed by expansions; empty if the unit is not a chart
+    std::vector<Network> networks = {};  ///< the chart, followed by expansions; empty if the body is not a chart
     std::vector<Action> actions = {};
     Block body = {};   ///< statements in Structured Text outside of a chart
     Type result = {};  ///< return type of a function
@@ -218,7 +221,7 @@ struct Unit {
     Span where = {};
 };
 
-/// The tool that determines the execution of charts and the visibility of variables.
+/// The rules for the execution of charts and the visibility of variables.
 enum class Dialect : std::uint8_t { Standard, Codesys };
 
 struct File {
@@ -229,7 +232,7 @@ struct File {
     Table<Expr> exprs = {};
     Table<Statement> statements = {};
     std::vector<Variable> globals = {};
-    std::vector<Name> global_lists = {};  ///< names of lists of `globals`, which can qualify them
+    std::vector<Name> global_lists = {};  ///< names of the lists in `globals`, which can qualify the variables
     std::vector<Unit> units = {};
     std::vector<TypeDeclaration> types = {};
     std::vector<Task> tasks = {};
@@ -241,7 +244,7 @@ struct File {
     std::string_view text(Name name) const { return words[name.word].text; }
 };
 
-/// Returns the upper-case form, in which names and keywords are compared.
+/// Returns the upper-case form, which is used for the comparison of names and keywords.
 std::string capitals(std::string_view text);
 
 void append(Table<Expr>& exprs, Id<Expr> node, Id<Expr> operand);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of a project whose name replaces the placeholder NAME in path and text.
+/// A file of the new project. In `path` and `text`, NAME is a placeholder for the name of the project.
 struct ProjectFile {
     std::string path = {}, use = {}, text = {};
 };

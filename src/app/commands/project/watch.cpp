@@ -69,7 +69,7 @@ void note(const Command& command, FileWatcher& seen) {
     CommandContext job{.options = command.options};
     job.watch = &seen;
     for (const auto& [name, place, use] : path_options) {
-        if (use != PathUse::Read) (job.options.*place).reset();  // this run writes no file
+        if (use != PathUse::Read) (job.options.*place).reset();  // only the executions of the command write files
         else if (const auto& file = job.options.*place) seen.note(*file);
     }
     for (const std::string& file : command.options.operands) {
@@ -128,7 +128,7 @@ ExitCode watch(CommandContext& job, const Streams& streams) {
         FileWatcher seen;
         note(command, seen);
         const auto end = run_once(command, seen, interrupt.requested());
-        // The reader of standard output has gone.
+        // The reader of standard output has closed the pipe.
         if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;
         if (end)
             print(fmt::format("{} {}; watching {} file{}, press Ctrl-C to stop",
@@ -152,8 +152,8 @@ CliCommand watch_usage() {
         "tables. A\n"
         "change during a run terminates the run. COMMAND must terminate, so `serve`, `lsp` and `simulate` are not "
         "supported.\n"
-        "Options of `watch` precede COMMAND; `-q` omits its status lines on standard error. Ctrl-C stops it, with exit "
-        "code 0.",
+        "Options of `watch` precede COMMAND; `-q` omits its status lines on standard error. Ctrl-C stops `watch` "
+        "with exit code 0.",
         {"grafverif watch check station.grafcet", "grafverif watch check station.grafcet --property safe --junit r.xml",
          "grafverif watch -q draw station.grafcet -o station.svg"},
         {OptionGroup::Command}};

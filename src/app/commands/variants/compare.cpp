@@ -95,7 +95,7 @@ ExitCode exit_code(const Comparison& comparison) {
     return ExitCode::Failure;
 }
 
-/// Returns the requested modes. An empty mode is the mode of the loop in FILE.
+/// Returns the requested modes. An empty mode stands for the mode of the loops of FILE that contain the chart.
 std::vector<std::optional<ExecutionMode>> requested_modes(const Options& options) {
     if (!options.all_modes) return {options.mode};
     return {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle};
@@ -144,7 +144,7 @@ ExitCode compare(CommandContext& job, const Streams& streams) {
     print(all, job.options, colour_on(to_file ? Screen{} : streams.out_screen, job.options), out);
     work_is_done();
     if (job.options.output) deliver(std::move(out).str(), job, streams);
-    else streams.out << std::move(out).str();  // text contains no control characters, except for colour codes
+    else streams.out << std::move(out).str();  // the printed text contains no control characters except colour codes
     ExitCode code = ExitCode::Done;
     for (const Comparison& found : all) {
         for (const std::string& failure : found.failures)
@@ -165,7 +165,7 @@ CliCommand compare_usage() {
         "charts\n"
         "write the same outputs in every scan, for all inputs and all times between scans, or stop in the same scan\n"
         "(race, value out of range, total instability). The result is a proof, or a distinguishing sequence of scans,\n"
-        "which is replayed on the rules of IEC 60848, and the differences of the two texts. FILE and OTHER can have "
+        "which is replayed under the rules of IEC 60848, and the differences of the two texts. FILE and OTHER can have "
         "any\n"
         "supported format. The default mode is the mode of the closed loop of FILE that contains this chart, or\n"
         "stability-search if there is none. The constraints of both charts are assumed.\n"

@@ -105,9 +105,8 @@ std::chrono::milliseconds each_of(const Options& options) {
     return std::chrono::milliseconds(options.mutant_timeout_ms.value_or(60'000));
 }
 
-/// The results of a previous run and of this run. The file is replaced in the same way as every output (see
-/// write_files). This happens at the start, so that an unwritable file is rejected before the work, then at most once
-/// per second, and at the end.
+/// The results of a previous run and of this run. write_files replaces the file at the start, so that an unwritable
+/// file is rejected before the work, then at most once per second, and at the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
@@ -196,12 +195,13 @@ public:
           limits_(limits),
           state_(state),
           left_(mutation.mutants.size()) {
-        // The properties considered depend on the time that was available.
+        // The hash includes the properties of the original, because the time limit determines which of them are
+        // decided.
         for (const std::string& property : bench.properties()) question_ = hashed(question_, property);
     }
 
-    /// With a time limit, a second run has what the first one left of the time for mutants that their share did not
-    /// decide.
+    /// Checks every mutant. With a time limit, each mutant has a share of the time; mutants that are undecided at the
+    /// end of their share are checked again with the remaining time.
     void run() {
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
         jobs_ = options_.jobs == 0 ? cores : options_.jobs;
@@ -215,8 +215,8 @@ public:
     }
 
 private:
-    /// A mutant may use so many equal shares of the time: most need less than one, and one that needs many more must not
-    /// use the time of all others.
+    /// Maximum number of equal shares of the time that one mutant may use. Most mutants need less than one share, and a
+    /// mutant that needs many must not use the time of all others.
     static constexpr std::size_t most_shares = 8;
 
     bool stopped() const {
@@ -230,7 +230,7 @@ private:
             try {
                 for (unsigned k = 0; k < std::min<std::size_t>(jobs_, mutation_.mutants.size()); ++k)
                     threads.emplace_back([this] { work(); });
-            } catch (const std::system_error&) {  // the threads that were started perform all the work
+            } catch (const std::system_error&) {  // the threads that could be started check all mutants
                 if (threads.empty()) work();
             }
         }
@@ -283,10 +283,12 @@ private:
     StateFile& state_;
     std::mutex mutex_ = {};
     std::exception_ptr failure_ = {};
-    std::atomic<std::size_t> next_ = 0, left_ = 0;  ///< next mutant; number of those that share the remaining time
+    /// Index of the next mutant; number of mutants that share the remaining time.
+    std::atomic<std::size_t> next_ = 0, left_ = 0;
     unsigned jobs_ = 1;
     bool is_last_ = false;
-    std::map<std::size_t, MutantFate> provisional_ = {};  ///< undecided at the end of their share of the time
+    /// Results of mutants that are undecided at the end of their share of the time.
+    std::map<std::size_t, MutantFate> provisional_ = {};
     std::size_t done_ = 0;
 };
 
@@ -301,7 +303,7 @@ bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const
     for (std::size_t k = 0; k < mutation.mutants.size(); ++k) {
         if (!mutation.fates[k] || mutation.fates[k]->kind != Kind::Unnoticed) continue;
         const std::string name = fmt::format("{}{:03}-{}", folder, k + 1, mutation.mutants[k].kind);
-        Diagnostics none;  // it was read before
+        Diagnostics none;  // has no errors, because the model was read before
         const std::optional<Model> reading = bench.model_of(mutation.mutants[k], none);
         const auto mutated = reading ? find_chart(*reading, mutation.chart) : std::nullopt;
         files.push_back({name + ".grafcet", mutation.mutants[k].text});

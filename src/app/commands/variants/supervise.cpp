@@ -51,18 +51,20 @@ std::string_view word(Supervisor::Permissiveness claim) {
 std::string permissiveness_text(const Supervised& found) {
     switch (found.claim) {
     case Supervisor::Permissiveness::Least:
-        return "They are least restrictive: every move that they forbid must be forbidden in that state.";
+        return "The conditions are least restrictive: they forbid a move only in states in which it must be forbidden.";
     case Supervisor::Permissiveness::Several:
         return fmt::format(
-            "They are maximal but not unique: other valid conditions allow {} more often and something else less "
-            "often.",
+            "The conditions are maximal but not unique: other valid conditions allow {} more often and something else "
+            "less often.",
             listed(found.traded));
     case Supervisor::Permissiveness::Cautious: break;
     }
     if (found.hidden.empty())
-        return "They are not least restrictive: the inputs and steps of the chart do not distinguish enough states.";
-    return fmt::format("They are not least restrictive: with more sensors, conditions could allow {} more often.",
-                       listed(found.hidden));
+        return "The conditions are not least restrictive: the inputs and steps of the chart do not distinguish enough "
+               "states.";
+    return fmt::format(
+        "The conditions are not least restrictive: with more sensors, conditions could allow {} more often.",
+        listed(found.hidden));
 }
 
 /// True if the conditions are valid, but only because they disable an element of a chart.
@@ -76,7 +78,8 @@ void print_disabled(const Supervised& found, std::ostream& out) {
                 ? "\n"
                   "No useful conditions exist: all conditions that enforce the properties disable parts of the chart.\n"
                 : "\n"
-                  "No useful conditions were found: those that enforce the properties disable parts of the chart.\n");
+                  "No useful conditions were found: the conditions that enforce the properties disable parts of the "
+                  "chart.\n");
     const auto line = [&](std::string_view what, const std::vector<std::string>& names) {
         if (!names.empty()) out << fmt::format("  {}: {}\n", what, listed(names));
     };
@@ -105,7 +108,8 @@ void print_timed(const Supervised& found, std::ostream& out) {
         std::string rest;
         for (const std::string& name : found.kept)
             if (std::ranges::find(holds, name) == holds.end()) rest += " --property " + name;
-        if (!rest.empty()) out << fmt::format("To synthesize conditions for the others, use `{}`.\n", rest.substr(1));
+        if (!rest.empty())
+            out << fmt::format("To synthesize conditions for the other properties, use `{}`.\n", rest.substr(1));
     }
     if (const auto names = with(Outcome::Violated); !names.empty())
         out << fmt::format("In the timed loop (grain atomic), {} {} violated without conditions.\n", listed(names),
@@ -117,10 +121,10 @@ void print_timed(const Supervised& found, std::ostream& out) {
 
 std::string timelock_text(Outcome timelock) {
     switch (timelock) {
-    case Outcome::Holds: return "With them, time never stops in the timed loop (grain atomic).\n";
+    case Outcome::Holds: return "With the conditions, time never stops in the timed loop (grain atomic).\n";
     case Outcome::Violated:
-        return "Time can stop in the timed loop (grain atomic), with or without them; run `grafverif check` for a "
-               "trace.\n";
+        return "Time can stop in the timed loop (grain atomic), with or without the conditions; run `grafverif check` "
+               "for a trace.\n";
     case Outcome::Unknown: break;
     }
     return "It is unknown whether time can stop in the timed loop; run `grafverif check`.\n";
@@ -148,10 +152,10 @@ void print_conditions(const Supervised& found, std::ostream& out) {
     for (const ChartCondition& condition : found.conditions)
         out << fmt::format("  {}  && {}\n", padded(subject_text(condition, several), width),
                            condition.sum               ? "(" + condition.term + ")"
-                           : condition.term == "false" ? "false, so this action never sets it"
+                           : condition.term == "false" ? "false, so this action never sets the output"
                                                        : condition.term);
     if (!found.lost_steps.empty())
-        out << fmt::format("With them, some steps are never active that are active without them: {}.\n",
+        out << fmt::format("Some steps are active without the conditions, but never active with them: {}.\n",
                            listed(found.lost_steps));
     out << permissiveness_text(found) << '\n';
 }
@@ -283,11 +287,12 @@ CliCommand supervise_usage() {
         "synthesize conditions on a chart that enforce its properties",
         "Computes conditions over the inputs and steps of the charts of a closed loop in FILE, and adds them to the\n"
         "transitions and outputs of these charts. Under these conditions, the properties of states (always, never,\n"
-        "exactly one of) hold for all behaviour of the plant, and a marked situation remains reachable. The model is\n"
-        "untimed with plant automata, interleaved, grain atomic. -o writes the file with the conditions, after two\n"
-        "engines have proved it. If no such conditions exist, a trace shows behaviour that no controller can prevent.\n"
-        "Conditions that disable a transition or an output completely are not written. Exit code 1: no such\n"
-        "conditions exist, or they disable parts of a chart. docs/how-to/supervise.md states the guarantees.",
+        "exactly one of) hold for all behaviour of the plant, and a marked situation remains reachable. The\n"
+        "conditions are computed on the untimed model with interleaved plant automata and grain atomic. -o writes the\n"
+        "file with the conditions, after two engines have proved it. If no such conditions exist, a trace shows\n"
+        "behaviour that no controller can prevent. Conditions that disable a transition or an output completely are\n"
+        "not written. Exit code 1: no such conditions exist, or they disable parts of a chart.\n"
+        "docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Supervision,
