@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ source with the text of each of FILES (the component library), so that they are available
-# independently of the installation folder.
+# Writes OUTPUT, a C++ source that contains the text of each of FILES, the component library. Therefore the program can
+# read the library independently of the installation folder.
 set(entries "")
 foreach(file IN LISTS FILES)
     file(READ "${file}" text)

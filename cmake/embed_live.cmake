@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ source with the text of each of FILES, the parts of the page of `serve`.
+# Writes OUTPUT, a C++ source that contains the text of each of FILES, the files of the `serve` page.
 include("${CMAKE_CURRENT_LIST_DIR}/literal.cmake")
 set(entries "")
 foreach(file IN LISTS FILES)

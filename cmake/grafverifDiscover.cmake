@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes BASE.cmake, which CTest includes: a test for each property of CHART that `check --list` prints.
+# Writes BASE.cmake, which CTest includes. It contains a test for each property of CHART that `check --list` prints.
 file(REMOVE "${BASE}.cmake")
 set(asked "")
 if(NOT LOOP STREQUAL "")

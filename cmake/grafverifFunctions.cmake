@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Charts in a CMake project with Makefiles or Ninja; for examples see docs/how-to/build-systems.md.
+# Functions for charts in a CMake project with Makefiles or Ninja; for examples see docs/how-to/build-systems.md.
 #
 #   grafverif_models(TARGET <target> CHART <file>... [NAME <name>] [LOOP <loop>] [OUTPUT_DIRECTORY <folder>]
 #                    [MODELS uppaal|nusmv] [OPTIONS <option>...])

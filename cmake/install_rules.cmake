@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Components: the program with files for shells, manuals, editors and desktops; the library with its headers; the
-# documentation with the samples; in python/, the Python module. `cmake --install` installs all components;
-# packaging/debian.cmake builds a package from each.
+# Installs these components: the program with files for shells, manuals, editors and desktops; the library with its
+# headers; the documentation with the samples. The Python module is a component that python/ defines. `cmake --install`
+# installs all components; packaging/debian.cmake builds a package from each.
 include(CMakePackageConfigHelpers)
 set(data ${CMAKE_INSTALL_DATADIR})
 
@@ -31,7 +31,7 @@ install(FILES "${PROJECT_BINARY_DIR}/grafverifConfig.cmake" "${PROJECT_BINARY_DI
               cmake/FindCaDiCaL.cmake cmake/grafverifFunctions.cmake cmake/grafverifDiscover.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif COMPONENT library)
 
-# The folder structure is that of the sources, so that links between pages are valid.
+# The folder structure is the same as in the repository, so that links between pages are valid.
 install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(DIRECTORY samples docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
         PATTERN "*.sh" EXCLUDE PATTERN conf.py EXCLUDE PATTERN site EXCLUDE)

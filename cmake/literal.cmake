@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Sets RESULT to TEXT as a C++ string. Texts beyond 65,535 characters, the limit of raw strings, are split into several
-# adjacent literals.
+# Sets RESULT to TEXT as a C++ string literal. A text of more than 65,535 characters, the limit of raw strings, is split
+# into several adjacent literals.
 function(literal_of text result)
     set(literal "")
     string(LENGTH "${text}" length)

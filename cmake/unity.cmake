@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Developer presets compile several sources as one unit (CMAKE_UNITY_BUILD), which makes a clean build about three times
-# as fast. The release preset compiles each separately, so that missing includes are found. Units never contain sources
-# of several modules: names in unnamed namespaces are unique in a module and in a test program, except in the sources
-# given to grafverif_compile_alone.
+# as fast. The release preset compiles each source separately, so that missing includes are found. Units never contain
+# sources of several modules: names in unnamed namespaces are unique in a module and in a test program, except in the
+# sources given to grafverif_compile_alone.
 # Large units take less time in total, because headers and templates are compiled once per unit; small units take less
 # time after a change of one source.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 12 CACHE STRING "How many sources are compiled at once at most")
@@ -24,7 +24,8 @@ function(grafverif_group_units target)
     endforeach()
 endfunction()
 
-# grafverif_compile_alone(TARGET FILE...): sources whose local names are also used by other sources of the module.
+# grafverif_compile_alone(TARGET FILE...): compiles these sources separately, because other sources of the module use
+# the same local names.
 function(grafverif_compile_alone target)
     set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

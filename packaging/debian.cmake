@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Settings of `cpack`: packages for Debian and Ubuntu, each from one component. As for Debian's tools, DEBFULLNAME and
-# DEBEMAIL specify the maintainer when the tree is configured, and SOURCE_DATE_EPOCH the time.
+# Settings of `cpack`, which builds packages for Debian and Ubuntu. Each package contains one component. As with
+# Debian's tools, the environment variables DEBFULLNAME and DEBEMAIL, which are read when the tree is configured,
+# specify the maintainer. SOURCE_DATE_EPOCH specifies the time.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME grafverif)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
@@ -76,7 +77,7 @@ grafverif verifies properties of the closed loop of a GRAFCET chart
 This package contains the Python module with type annotations.")
 endif()
 
-# Each package contains its licence and its changes; an installation without packages does not.
+# Each package contains its licence and its changelog. `cmake --install` does not install these files.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(READ packaging/changelog.Debian.in changelog)
 string(REPLACE @VERSION@ "${PROJECT_VERSION}" changelog "${changelog}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Writes the files that the program generates below ROOT/PREFIX: a manual page for each command, completion for three
-# shells.
+# Writes the files that the program generates below ROOT/PREFIX: a manual page for each command, and completion scripts
+# for three shells.
 set(place "${ROOT}${PREFIX}")
 function(says file)
     execute_process(COMMAND "${PROGRAM}" ${ARGN} OUTPUT_FILE "${file}" RESULT_VARIABLE result)

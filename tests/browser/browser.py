@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Drives a page as a user does: Chromium without a window, driven through chromedriver by Selenium.
+"""Controls a page in Chromium, which runs without a window, by Selenium and chromedriver.
 
-A file of tests is a Python program that ends in `browser.main()`. Each test is a `browser.Case`: it opens pages, presses
-keys and reads the page. At the end of each test the console must contain no error, and no request may have left the
-machine. Without Chromium the program prints a message and ends with 77: the test is skipped.
+A test file is a Python program that ends in `browser.main()`. Each test is a `browser.Case`: it opens pages, presses
+keys and reads the page. At the end of each test the console must contain no error, and no request may have been sent to
+another machine. Without Chromium the program prints a message and exits with 77, which means that the test is skipped.
 """
 import base64
 import contextlib
@@ -40,15 +40,16 @@ SCHEMES = ("light", "dark")
 SWITCHES = [
     "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-dev-shm-usage",
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions",
-    # A request that leaves the machine is an error, and is blocked.
+    # Requests to other machines are errors and are blocked.
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1, EXCLUDE localhost",
 ]
-# Absolute paths of both programs: they belong together, and wrappers of other packaging systems (snap) are excluded.
+# Absolute paths ensure that both programs come from the same package, and exclude wrappers of other packaging systems
+# (snap).
 CHROMIUM, DRIVER = "/usr/bin/chromium", "/usr/bin/chromedriver"
 
 
 def why_not():
-    """Reason why no browser is available; empty if one is."""
+    """Returns the reason why no browser is available, or an empty string."""
     if webdriver is None:
         return f"{sys.executable} has no Selenium (Debian: python3-selenium)"
     for place, package in ((CHROMIUM, "chromium"), (DRIVER, "chromium-driver")):
@@ -58,15 +59,15 @@ def why_not():
 
 
 def run(*arguments, code=0, folder=None):
-    """The output of grafverif; it must exit with `code`, if given."""
+    """Returns the output of grafverif, which must exit with `code`; None permits any exit code."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=60)
     assert code is None or done.returncode == code, f"grafverif {arguments} ends with {done.returncode}: {done.stdout}{done.stderr}"
     return done.stdout
 
 
 def eventually(question, seconds=10, what=""):
-    """The first true result of `question`, which is called repeatedly. Elements that the page replaces during
-    a call are ignored."""
+    """Returns the first true result of `question`, which is called repeatedly. A call is repeated if the page replaces
+    an element during the call."""
     end = time.monotonic() + seconds
     while True:
         try:
@@ -105,14 +106,14 @@ def folder_served(folder):
 
 
 def temporary_folder(case):
-    """A temporary folder, removed after the test."""
+    """Creates a temporary folder that is removed after the test."""
     folder = tempfile.mkdtemp(prefix="grafverif-browser-")
     case.addCleanup(shutil.rmtree, folder, ignore_errors=True)
     return pathlib.Path(folder)
 
 
 class Server:
-    """`grafverif serve FILE`, and its address."""
+    """A running `grafverif serve FILE` with its address."""
 
     def __init__(self, file, *options, **how):
         self.process = subprocess.Popen([PROGRAM, "serve", str(file), *options], stdout=subprocess.PIPE, text=True, **how)
@@ -128,7 +129,7 @@ class Server:
 
 
 class Page:
-    """One window, with its console and network events."""
+    """A browser window with its console and network events."""
 
     def __init__(self, driver):
         self.driver = driver
@@ -188,11 +189,11 @@ class Page:
     # Events
 
     def errors(self):
-        """Console errors since the last call."""
+        """Returns the console errors since the last call."""
         return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
 
     def requests(self):
-        """Requested addresses since the last call."""
+        """Returns the requested addresses since the last call."""
         asked = []
         for entry in self.driver.get_log("performance"):
             message = json.loads(entry["message"])["message"]
@@ -203,7 +204,7 @@ class Page:
         return asked
 
 
-# Faults of the texts of an SVG: outside the page, or overlapping another text.
+# Returns the faults of the texts of an SVG: a text outside the page, or overlapping another text.
 SVG_FAULTS = """
 const svg = document.querySelector('svg'), page = svg.getBoundingClientRect();
 const texts = [...svg.querySelectorAll('text')].filter(t => t.textContent.trim())
@@ -222,7 +223,8 @@ for (let i = 0; i < level.length; ++i)
 return faults.slice(0, 20);
 """
 
-# Texts whose contrast with the background is less than 4.5 to 1, or 3 to 1 for large text (WCAG 2.1, 1.4.3).
+# Returns the texts whose contrast with the background is less than 4.5 to 1, or 3 to 1 for large text (WCAG 2.1,
+# 1.4.3).
 FAINT_TEXTS = """
 const colour = text => { const n = text.match(/[\\d.]+/g).map(Number); return n.length < 4 ? [...n, 1] : n; };
 const over = (a, b) => [0, 1, 2].map(k => a[k] * a[3] + b[k] * (1 - a[3])).concat(1);
@@ -246,8 +248,8 @@ for (const e of document.querySelectorAll('body *')) {
 return faults.slice(0, 20);
 """
 
-# Accessibility faults: controls, fields and pictures without a name, a page without language, title, main element or
-# heading; duplicate ids.
+# Returns the accessibility faults: controls, fields and pictures without a name; a page without language, title, main
+# element or heading; duplicate ids.
 UNNAMED = """
 const faults = [];
 const named = e => (e.getAttribute('aria-label') || e.textContent || e.title || '').trim() ||
@@ -267,14 +269,14 @@ for (const e of document.querySelectorAll('[id]')) { if (ids.has(e.id)) faults.p
 return faults.slice(0, 20);
 """
 
-# Number of pixels by which the page is wider than its window.
+# Returns the number of pixels by which the page is wider than its window.
 EXCESS_WIDTH = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 
 class Case(unittest.TestCase):
-    """Tests of one file share a browser; each has an empty window."""
+    """Base class of browser tests: the tests of a file share a browser, and each test has an empty window."""
 
-    allowed_errors = ()  # parts of messages of the console that a test provokes
+    allowed_errors = ()  # parts of console messages that a test provokes
 
     @classmethod
     def setUpClass(cls):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Drawn charts in a browser: texts fit with each of the fonts."""
+"""Tests drawn charts in a browser: their texts fit into their boxes with each of the fonts."""
 import browser
 
-# Names of steps and labels of actions that reach beyond their boxes.
+# Returns the names of steps and labels of actions that extend beyond their boxes.
 MISFITS = """
 return [...document.querySelectorAll('g.step > text.name, g.action > text.label, g.forcing > text.label')]
   .filter((text) => {
@@ -10,7 +10,7 @@ return [...document.querySelectorAll('g.step > text.name, g.action > text.label,
     return inner.x < outer.x || inner.x + inner.width > outer.x + outer.width;
   }).map((text) => text.parentNode.id);
 """
-FONTS = ["", "'DejaVu Sans'", "'Liberation Sans'", "sans-serif"]  # the first: as the drawing has it
+FONTS = ["", "'DejaVu Sans'", "'Liberation Sans'", "sans-serif"]  # the first entry keeps the font of the drawing
 
 
 class Drawing(browser.Case):

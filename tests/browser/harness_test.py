@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests of the browser harness: each of its checks detects its fault."""
+"""Tests of the browser harness: each check detects the faults that it must find."""
 import browser
 
 
@@ -29,7 +29,7 @@ class Harness(browser.Case):
             self.page.scheme(scheme)
             faint = self.page.script(browser.FAINT_TEXTS)
             self.assertEqual([text.split(": ")[1] for text in faint], ["faint"], scheme)
-        self.assertEqual(len(self.page.script(browser.UNNAMED)), 3)  # the button, the language, the main part
+        self.assertEqual(len(self.page.script(browser.UNNAMED)), 3)  # the button, the page language, the main element
 
     def test_a_page_is_printed_and_served(self):
         (self.work / "page.html").write_text("<!doctype html><title>t</title><link rel=icon href='data:,'><h1>head</h1>")

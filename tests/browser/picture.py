@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""picture.py FILE PROPERTY/EVENT OUT.png: the player of a report at an event of a counterexample; see docs/pictures.sh."""
+"""picture.py FILE PROPERTY/EVENT OUT.png: saves a picture of the player of a report at an event of a counterexample;
+see docs/pictures.sh."""
 import sys
 import time
 
@@ -15,7 +16,7 @@ class Picture(browser.Case):
         self.driver.set_window_size(1180, 900)
         self.page.driver.get((self.work / "report.html").as_uri() + "#" + place)
         self.page.wait_for("g.step.active")
-        time.sleep(1)  # until it has scrolled there
+        time.sleep(1)  # until the page has scrolled to the event
         self.driver.save_screenshot(out)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page of `report` as a reader uses it: keys are pressed, addresses followed, conditions unfolded."""
+"""Tests the page of `report` in a browser: presses keys, follows addresses and unfolds conditions."""
 import browser
 from browser import Keys, eventually
 
@@ -140,7 +140,7 @@ class Report(browser.Case):
         self.page.wait_for(".player")
 
     def report_of(self, text, *options):
-        """Leads to addresses of a report of the chart `text`."""
+        """Returns a function that opens addresses of a report of the chart `text`."""
         source, made = self.work / "chart.grafcet", self.work / "chart.html"
         source.write_text(text)
         browser.run("report", source, *options, "-o", made, code=None)
@@ -151,7 +151,7 @@ class Report(browser.Case):
         return at
 
     def answer(self, transition):
-        """Why the transition is cleared, or is not, and how its terms stand."""
+        """Returns the displayed reason why `transition` is cleared or not, with the values of its terms."""
         self.page.script("""const s = document.querySelector('.pick select');
                             s.value = [...s.options].find(o => o.text === arguments[0]).value;
                             s.dispatchEvent(new Event('change'))""", transition)
@@ -244,7 +244,7 @@ class Report(browser.Case):
         self.assertIn("t0 is enabled; its condition is true for the current inputs", self.answer("t0"))
         at("#p/2")
         self.assertIn("the next evolution clears it", self.answer("t0"))
-        at("#p/4")  # A is read again, and is false then
+        at("#p/4")  # A is sampled again and is now false
         self.assertIn("t1 is enabled; its condition is true for the inputs last read", self.answer("t1"))
 
     def test_a_claim_about_settled_states_is_decided_by_none_that_is_left_at_once(self):
@@ -451,7 +451,7 @@ class Report(browser.Case):
         self.assertEqual(self.page.all("img"), [])
 
     def test_a_long_run_scrolls(self):
-        """Ten thousand rows, of which only those in sight exist."""
+        """In a table of almost 20,000 rows, only the visible rows exist in the page."""
         self.at("#P16/0")
         took = self.page.script("""
             const data = structuredClone(window.page.data.runs.find(r => r.name === 'P16'));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`serve` as programs meet it that do not behave: by HTTP, and without."""
+"""Tests `serve` with faulty clients, which send invalid HTTP requests, other data, or nothing."""
 import concurrent.futures
 import contextlib
 import json
@@ -39,7 +39,7 @@ class Serve(unittest.TestCase):
         self.addCleanup(self.server.stop)
 
     def status(self, path="/state", host=None, token=True, body=None, **headers):
-        """The status and the body of the answer."""
+        """Returns the status and the body of the response."""
         request = urllib.request.Request(f"http://127.0.0.1:{self.server.port}{path}", data=body, headers=headers)
         if token:
             request.add_header("X-Grafverif-Token", self.server.token)
@@ -52,7 +52,7 @@ class Serve(unittest.TestCase):
             return error.code, error.read().decode()
 
     def raw(self, text, patience=10):
-        """What comes back until the end when `text` is sent."""
+        """Sends `text` and returns everything received until the connection is closed."""
         with socket.create_connection(("127.0.0.1", self.server.port), timeout=patience) as link:
             link.sendall(text)
             answer = b""
@@ -64,7 +64,7 @@ class Serve(unittest.TestCase):
             return answer
 
     def state(self, wanted, known=0):
-        """The first state that is as wanted."""
+        """Returns the first state that satisfies `wanted`."""
         def look():
             nonlocal known
             state = json.loads(self.status(f"/state?after={known}")[1])
@@ -179,7 +179,7 @@ class Serve(unittest.TestCase):
         links = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(200)]
         try:
             links[0].settimeout(20)
-            self.assertEqual(links[0].recv(100), b"")  # closed, after a while
+            self.assertEqual(links[0].recv(100), b"")  # the server closes it after a timeout
         finally:
             for link in links:
                 link.close()
@@ -207,9 +207,9 @@ class Serve(unittest.TestCase):
         links = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(64)]
         for link in links:
             link.sendall(asks)
-        time.sleep(0.5)  # so that they wait
+        time.sleep(0.5)  # until the server has received all requests
         links[0].sendall(b"what nobody reads")
-        self.assertEqual(self.raw(asks), b"")  # turned away: all places are taken
+        self.assertEqual(self.raw(asks), b"")  # rejected, because the maximum number of requests is pending
         for link in links[1:]:
             link.close()
 
@@ -224,7 +224,7 @@ class Serve(unittest.TestCase):
         while part := links[0].recv(65536):
             answer += part
         links[0].close()
-        self.assertIn(b"nonsense", answer)  # who has stayed is answered
+        self.assertIn(b"nonsense", answer)  # the connection that remained open receives the response
 
     @unittest.skipIf(b"__ubsan_" in pathlib.Path(browser.PROGRAM).read_bytes(),
                      "the sanitizer needs a file of its own to look at an object")

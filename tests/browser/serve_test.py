@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Uses the page of `serve` as a user does."""
+"""Tests the page of `serve` in a browser."""
 import re
 import shutil
 import time
@@ -24,7 +24,7 @@ class Serve(browser.Case):
         return server
 
     def press(self, words):
-        """The button that says so, when it is there; what it does has been done."""
+        """Clicks the button with the text `words` as soon as it is enabled, and waits for the response to it."""
         def press():
             for button in self.page.all("#simulation button"):
                 if button.text == words and button.is_enabled():
@@ -48,7 +48,7 @@ class Serve(browser.Case):
         self.wait_for_row("LIGHT")
         self.page.wait_for("#c0-step-1.active .token")
         self.assertEqual(self.page.all("#c0-step-0.active"), [])
-        self.press("Wait")  # a second, as the page proposes: the button lets go a second behind its press
+        self.press("Wait")  # 1 s, as the page proposes: the button is released 1 s after it is pressed
         self.press("START is true")
         self.wait_for_row("CLOSE")
         for _ in range(60):
@@ -108,7 +108,7 @@ class Serve(browser.Case):
         self.page.wait_for_text("#status", "a part of the file cannot be checked")
         self.assertEqual(self.page.find("#status").get_attribute("class"), "bad")
         self.assertIn("Closed loop yard", self.page.text("#models"))
-        self.assertIn("It cannot be checked.", self.page.text("#models"))
+        self.assertIn("This model cannot be checked.", self.page.text("#models"))
         self.file.write_text("grafcet lamp { input ON; output LAMP; initial step 0; step 1 { LAMP; } transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }\n"
                              "closed_loop house { controller lamp with stability_search; environment On = push_button(OUT = ON);\n"
                              "observer Eye { initial location 100; location 101; 100 -> 101 when LAMP; }\n"
@@ -166,7 +166,7 @@ class Serve(browser.Case):
         self.press("Deactivate")
         self.assertEqual(self.last_row()[3], "1")
         words = self.page.texts("#simulation tbody tr.trial td:nth-child(2)")
-        self.assertEqual(words[0], "WHAT-IF: step 1 forced active; no longer a run of the model")
+        self.assertEqual(words[0], "WHAT-IF: step 1 was forced active; the trace is no longer a run of the model")
         times = self.page.texts("#simulation tbody td:first-child")
         self.assertFalse(times[0].startswith("trial"))
         self.assertTrue(times[-1].startswith("trial"))
@@ -179,7 +179,7 @@ class Serve(browser.Case):
         script.write_text(self.page.script("return page.simulator.script()"))
         self.assertIn("// What-if run", script.read_text())
         said = browser.run("simulate", self.file, "--chart", "lamp", "--script", script)
-        self.assertIn("WHAT-IF: step 0 forced", said)
+        self.assertIn("WHAT-IF: step 0 was forced", said)
         self.page.open("about:blank")
         self.page.open(address)
         self.page.wait_for_text("#simulation p", "3 s since power-on, 3 moves")

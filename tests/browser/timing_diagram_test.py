@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The timing diagram as a browser sets it."""
+"""Tests the layout of the timing diagram in a browser."""
 import browser
 
 FAULTY = browser.SOURCE / "samples/testing_station/faulty.grafcet"

@@ -151,7 +151,7 @@ std::string words(const Said& said) {
     return std::move(text).str();
 }
 
-/// Returns the number of occurrences of `one`.
+/// Returns how often `said` contains a diagnostic with the code and the message of `one`.
 std::ptrdiff_t times(const Said& said, const Diagnostic& one) {
     return std::ranges::count_if(said.diagnostics.all(), [&](const Diagnostic& other) {
         return other.code == one.code && other.message == one.message;
@@ -166,7 +166,7 @@ std::string code_of(const fs::path& reject) {
     return code;
 }
 
-TEST(DiagnosticExamples, SayWhatIsExpected) {
+TEST(DiagnosticExamples, PrintTheExpectedText) {
     const bool update = std::getenv("GRAFVERIF_UPDATE_GOLDEN") != nullptr;
     for (const fs::path& reject : examples()) {
         SCOPED_TRACE(reject.filename().string());
@@ -178,7 +178,7 @@ TEST(DiagnosticExamples, SayWhatIsExpected) {
     }
 }
 
-TEST(DiagnosticExamples, AreMendedWhereAHintLeavesNoChoice) {
+TEST(DiagnosticExamples, AreCorrectedByTheirFixes) {
     std::set<std::string> codes;
     for (const fs::path& reject : examples()) {
         const std::string name = reject.filename().string(), text = content(reject).value();
@@ -198,7 +198,7 @@ TEST(DiagnosticExamples, AreMendedWhereAHintLeavesNoChoice) {
         EXPECT_TRUE(codes.contains(code)) << code;
 }
 
-TEST(DiagnosticExamples, ThatParseAreFormattedOnceAndForAll) {
+TEST(DiagnosticExamples, FormattingIsIdempotent) {
     for (const fs::path& reject : examples()) {
         SCOPED_TRACE(reject.filename().string());
         Sources sources;

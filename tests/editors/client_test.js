@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The client for VS Code, as packed, with the real vscode-languageclient and the real `grafverif lsp`; only VS Code is mocked.
-// The appearance of VS Code is not tested.
+// Tests the client for VS Code, as packaged, with the real vscode-languageclient and the real `grafverif lsp`; only VS
+// Code is mocked. The appearance of VS Code is not tested.
 "use strict";
 const assert = require("node:assert");
 const fs = require("node:fs");
@@ -35,7 +35,7 @@ test("the package has what a marketplace shows, and its code in one file", () =>
     for (const name of ["vscode-languageclient", "vscode-jsonrpc"]) assert.ok(notices.includes(`---- ${name} `), name);
 });
 
-// The capabilities of the server, and the registrations in VS Code that follow from them.
+// Maps each capability of the server to the resulting registration in VS Code.
 const providers = {
     completionProvider: "Completion", hoverProvider: "Hover", definitionProvider: "Definition", referencesProvider: "Reference",
     documentHighlightProvider: "DocumentHighlight", renameProvider: "Rename", documentSymbolProvider: "DocumentSymbol",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The TextMate grammar against snapshots, the table of words, and the lexer of the language on every chart of the repository.
+// Compares the TextMate grammar with snapshots, with the table of keywords, and with the lexer of the language on every
+// chart of the repository.
 "use strict";
 const assert = require("node:assert");
 const fs = require("node:fs");
@@ -13,7 +14,7 @@ const words = JSON.parse(read("editors/words.json"));
 const categoryOf = Object.fromEntries(Object.entries(words).flatMap(([category, list]) => list.map((word) => [word, category])));
 const lines = (tokens) => tokens.map((t) => `${t.line}:${t.column} ${t.category} ${t.text}\n`).join("");
 
-/// The keywords, values, strings and comments of a text with their positions, according to grammars/grafcet.ll.
+/// Returns the keywords, values, strings and comments of a text with their positions, according to grammars/grafcet.ll.
 function lexed(text) {
     const pattern = /(?<=accept )[a-z-]+|\/\/[^\n]*|\/\*[^]*?\*\/|"[^"\n]*"|[0-9]+(?:\.[0-9]+)?[A-Za-z_][A-Za-z0-9_]*|[0-9]+|[A-Za-z_][A-Za-z0-9_]*/g;
     const kindOf = (word) => (/^[a-z]+-[a-z-]+$/.test(word) ? "Finding" : /^\/[/*]/.test(word) ? "Comment" : word[0] === '"' ? "String" : /^[0-9]+$/.test(word) ? "Number" : /^[0-9]/.test(word) ? "Duration" : "Word");

@@ -39,13 +39,14 @@ const event = (name) => (listener, self) => {
     return new Disposable(() => events.off(name, call));
 };
 
-/// A class that stores its arguments, also usable as an enumeration whose members are numbers.
+/// Returns a class that stores its arguments, and can also be used as an enumeration whose members are numbers.
 function anything(name) {
     const made = { [name]: class { constructor(...given) { this.given = given; } } }[name];
     return new Proxy(made, { get: (target, key) => (key in target || typeof key === "symbol" ? target[key] : 0) });
 }
 
-/// `known`, and for other names a member chosen by the name: `onDid...` an event, `register...` a registration.
+/// Returns `known` with default members for all other names, chosen by the name: `onDid...` is an event, `register...`
+/// a registration.
 function namespace(known, seen) {
     return new Proxy(known, {
         get(target, name) {

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- The language server with a real client: Neovim, without a window, set up by the lines of docs/how-to/language-server.md, does each thing
--- once in two files of which one includes the other. What it is told goes to the file `told`, which docs/how-to/language-server.md shows.
+-- Tests the language server with a real client: Neovim without a window, configured by the lines in
+-- docs/how-to/language-server.md. The script sends each kind of request once, for two files; one of them includes the
+-- other. It writes the responses to the file `told`, which must equal the text in docs/how-to/language-server.md.
 local wait_ms = 30000
 local told = assert(io.open('told', 'w'))
 
@@ -41,7 +42,7 @@ closed_loop station {
     property apart: never X0 && X1;
 }
 ]]
--- Ten machines, each of which waits for its neighbour: more states than anybody waits for.
+-- Returns a loop of ten machines, each of which waits for its neighbour. The check of the loop does not end in time.
 local function busy()
     local text = 'grafcet busy {\n'
     for k = 0, 9 do
@@ -59,7 +60,7 @@ local function write(name, text)
     file:close()
 end
 
--- What the server asks the editor to show, and tells of its work.
+-- Records what the server requests the editor to show, and whether it reports work in progress.
 local shown, working = {}, nil
 vim.lsp.handlers['window/showMessage'] = function(_, params) table.insert(shown, params.message) end
 vim.lsp.handlers['window/showDocument'] = function(_, params)
@@ -68,7 +69,7 @@ vim.lsp.handlers['window/showDocument'] = function(_, params)
 end
 vim.lsp.handlers['$/progress'] = function(_, params) working = params.value.kind ~= 'end' end
 
--- What a page answers at a path.
+-- Returns the response of the page `page` to a request of `path`.
 local function fetched(page, path)
     local host, port, token = page:match('http://([%d.]+):(%d+)/%?token=(%x+)')
     local link, answer, over = vim.loop.new_tcp(), '', false
@@ -109,7 +110,7 @@ local function session()
         return answer.result
     end
     local function lines(of) return vim.api.nvim_buf_get_lines(of, 0, -1, true) end
-    -- Where `part` begins that stands in the first line with `line`.
+    -- Returns the position of `part` in the first line that contains `line`.
     local function at(of, line, part, beyond)
         for number, text in ipairs(lines(of)) do
             if text:find(line, 1, true) then
@@ -137,7 +138,7 @@ local function session()
         words = vim.trim(words):gsub('%(%d+%.%d+ s%)', '(0.000 s)')
         for text in vim.gsplit(words, '\n', true) do say(text == '' and '' or '    ' .. text) end
     end
-    -- Names alone: the words of the language, of kind 14, stand in documents of their own.
+    -- Omits the keywords of the language, which have kind 14, because other documents list them.
     local function labels(items)
         local names = vim.tbl_filter(function(item) return item.kind ~= 14 end, items)
         return table.concat(vim.tbl_map(function(item) return item.label end, names), ' ') .. ', and words of the language'
@@ -154,7 +155,7 @@ local function session()
         return all, ask('textDocument/codeLens', of)
     end
 
-    -- As typed, in this file and in what it includes
+    -- While a name is typed, in this file and in the included file
     type_instead(buffer, 'environment', '    environment Start = fre(OUT = START);')
     diagnostics(buffer, 1)
     local mistaken = at(buffer, 'environment', 'fre').position
@@ -195,7 +196,7 @@ local function session()
     end
     diagnostics(buffer, 0)
 
-    -- The text as a whole
+    -- Requests about the complete text
     local function outline(symbols, indent)
         for _, symbol in ipairs(symbols) do
             say(indent .. symbol.name .. (symbol.detail and symbol.detail ~= '' and ': ' .. symbol.detail or ''))
@@ -207,7 +208,7 @@ local function session()
     for _, fold in ipairs(ask('textDocument/foldingRange', press_buffer)) do
         say(('folded: lines %d to %d'):format(fold.startLine + 1, fold.endLine + 1))
     end
-    -- Neovim asks for colours by itself from 0.9 on.
+    -- Neovim requests semantic tokens automatically only from version 0.9 on.
     local kinds = client.server_capabilities.semanticTokensProvider.legend.tokenTypes
     local tokens, line, character, words = ask('textDocument/semanticTokens/full', buffer).data, 0, 0, {}
     for first = 1, #tokens, 5 do
@@ -249,7 +250,7 @@ local function session()
     diagnostics(buffer, 0)
     expect(select(1, lenses(buffer))[10]:find('not checked', 1, true), 'a change takes the verdict away')
 
-    -- A change ends the proofs of what was before.
+    -- A change stops the checks of the previous text.
     local busy_buffer = open('busy.grafcet')
     await(function() return not working end, 'what was asked for is done')
     vim.cmd('write')

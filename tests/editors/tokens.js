@@ -10,7 +10,7 @@ const oniguruma = require("vscode-oniguruma");
 const root = path.resolve(__dirname, "../..");
 const grammarFile = path.join(root, "editors/vscode/syntaxes/grafcet.tmLanguage.json");
 
-// The category of a scope is that of the first of these that it begins with.
+// The first prefix in this list that matches a scope determines its category.
 const categories = [
     ["comment", "Comment"], ["string", "String"], ["invalid", "Invalid"],
     ["storage.type", "Declaration"], ["storage.modifier", "Modifier"], ["keyword.control", "Control"],
@@ -40,7 +40,7 @@ async function grammar() {
     return registry.loadGrammar("source.grafcet");
 }
 
-/// Runs of one category in a line; white space ends a run except in comments and strings.
+/// Returns the sections of one category in a line; white space ends a section except in comments and strings.
 function runs(line, colours) {
     const characters = [...line];
     const found = [];

@@ -1,12 +1,12 @@
 " SPDX-License-Identifier: MIT
-" vim -es -u NONE -i NONE --cmd 'let g:files = [...]' --cmd 'let g:output = FILE' -S tokens.vim: writes to FILE how the syntax for Vim
-" colours each file, in the words of tokens.js.
+" vim -es -u NONE -i NONE --cmd 'let g:files = [...]' --cmd 'let g:output = FILE' -S tokens.vim: writes to FILE the
+" highlighting of each file by the syntax for Vim, in the format of tokens.js.
 set nocompatible encoding=utf-8 nomodeline synmaxcol=0 noswapfile fileformats=unix
 let &runtimepath = expand('<sfile>:p:h:h:h') . '/editors/vim,' . &runtimepath
 syntax on
 filetype plugin on
 
-" Groups of one category have different names where what follows them differs.
+" Groups of one category have different names if different groups may follow them.
 let s:category = {'AllSteps': 'Pattern', 'AcceptWord': 'Declaration', 'BlockName': 'TypeName', 'PropertyName': 'Label',
             \ 'Name': '', 'Accept': '', 'Todo': 'Comment'}
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random numbers of the randomized tests, taken from the bytes of a fuzzer. Each number uses one byte, so that a
-// changed byte changes one choice. After the last byte the numbers are an infinite pseudorandom sequence that depends
+// Random numbers for the randomized tests, derived from the input bytes of a fuzzer. Each number uses one byte, so that
+// a changed byte changes one choice. After the last byte the numbers are an infinite pseudorandom sequence that depends
 // on the bytes.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace grafverif::fuzz {
 
-/// The inverse of the tempering of std::mt19937_64: returns the state from which the generator draws `number` next.
+/// Inverts the tempering of std::mt19937_64: returns the state from which the generator draws `number` next.
 inline std::uint64_t untempered(std::uint64_t number) {
     number ^= number >> Random::tempering_l;
     number ^= (number << Random::tempering_t) & Random::tempering_c;
@@ -33,7 +33,7 @@ inline Random byte_random(std::string_view bytes) {
                                                       : mixed = mixed * 6364136223846793005U + 1442695040888963407U;
         text << untempered(number) << ' ';
     }
-    text << 0;  // the position in the state, as libstdc++ writes it
+    text << 0;  // the position in the state, in the format of libstdc++
     Random random;
     text >> random;
     return random;

@@ -9,7 +9,7 @@
 
 namespace grafverif::fuzz {
 
-/// A chart with inputs and outputs of all types, and a loop of that chart.
+/// A chart with inputs and outputs of all types, and a closed loop that contains it.
 inline constexpr const char* press_text = R"(grafcet press {
     input start, stop, done;
     input level: int 0..9;
@@ -37,7 +37,7 @@ closed_loop pressing {
 }
 )";
 
-/// Returns the diagnostics as displayed to users. Their display must not fail either.
+/// Returns the diagnostics as displayed to users. Formatting them must not fail either.
 inline std::string shown(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream text;
     render_text(diagnostics.all(), sources, Colour::Plain, text);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 class Corpus : public testing::TestWithParam<Target> {};
 
-TEST_P(Corpus, BreaksNoPromise) {
+TEST_P(Corpus, ViolatesNoGuarantee) {
     std::vector<fs::path> files;
     for (const auto& entry :
          fs::directory_iterator(fs::path(GRAFVERIF_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name))

@@ -168,7 +168,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
     case app::ExitCode::Failure: return "internal error";
     case app::ExitCode::Input:
         if (run.arguments[0] == "plc" && result.out.find("error: ") != std::string::npos)
-            return {};  // the command did not understand this line
+            return {};  // the command rejected this line
         return std::regex_search(result.err, refusal) ? "" : "it is refused, and nothing says why";
     case app::ExitCode::Unknown:
         if (result.out.empty()) return {};

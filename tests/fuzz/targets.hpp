@@ -14,8 +14,8 @@ namespace grafverif::fuzz {
 
 struct Target {
     std::string_view name = {};
-    /// Returns a description of the guarantee that fails on `bytes`, with the data to reproduce the failure, or an
-    /// empty string.
+    /// Returns a description of the guarantee that is violated by `bytes`, with the data to reproduce the failure, or
+    /// an empty string.
     std::string (*error_text)(std::string_view bytes) = nullptr;
 };
 

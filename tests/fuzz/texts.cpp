@@ -20,7 +20,8 @@ namespace grafverif::fuzz {
 
 namespace {
 
-/// Describes a contradiction between the result of reading a text and its diagnostics; empty if there is none.
+/// Returns a description of a contradiction between the result of reading a text and its diagnostics, or an empty
+/// string.
 std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const Sources& sources) {
     if (read == diagnostics.has_errors())
         return read ? "it is read, with errors" : "it cannot be read, without an error";
@@ -34,7 +35,7 @@ std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const
 
 struct TextRead {
     std::optional<Model> model = {};
-    std::string error_text = {};  ///< describes an error in its diagnostics
+    std::string error_text = {};  ///< description of an error in the diagnostics; empty if there is none
     std::string said = {};
 };
 

@@ -28,7 +28,7 @@
 namespace grafverif {
 namespace {
 
-/// Either engine takes minutes on some small models.
+/// Time limit of each engine, because either can take minutes on some small models.
 constexpr std::chrono::seconds patience(2);
 
 /// The results of NuSMV, with its model and its output for failure messages.
@@ -57,7 +57,7 @@ struct Agreement {
     std::size_t verdicts = 0, runs = 0, given_up = 0;
 };
 
-/// Checks by the reference evaluation of the property that a run of NuSMV shows its verdict.
+/// Checks, with the reference evaluation of the property, that a run returned by NuSMV proves its verdict.
 void expect_agreement(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
     if (ours.fault) return;
@@ -91,7 +91,7 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
     }
 }
 
-/// Calls `expect` with random systems that have additional properties, until it fails fatally.
+/// Calls `expect` with random systems that have additional properties, until a call fails fatally.
 template <class Expect>
 void for_random_systems(const Expect& expect) {
     for (int seed = 1; seed <= test_size(40); ++seed) {
@@ -177,8 +177,8 @@ std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) 
     return found;
 }
 
-/// Checks that the verdicts of `NuSMV FILE` equal those of the embedded engine. The names in the text match verdicts
-/// with properties.
+/// Checks that the verdicts of `NuSMV FILE` equal those of the embedded engine. Verdicts are assigned to properties by
+/// the names in the text.
 void expect_same_as_a_user_sees(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
     const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
     if (ours.fault || ours.states.empty()) return;
@@ -248,7 +248,8 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
     EXPECT_GT(agreement.verdicts, 50u);
 }
 
-/// A lamp that lights for two seconds, and sentences about it that observers check. Some of the sentences are false.
+/// Returns a loop with a lamp that is on for two seconds, and with `sentence`, which an observer checks. Some of the
+/// tested sentences are false.
 std::string watched_lamp(const std::string& sentence) {
     return "grafcet light {\n    input BUTTON;\n    output LAMP;\n    initial step 0;\n    step 1 { LAMP; }\n    step "
            "2;\n"

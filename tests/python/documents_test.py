@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Examples of the documents run as pasted: with nothing imported and no variable set beforehand."""
+"""Runs the examples of the documents without changes, in an empty namespace."""
 import doctest
 import pathlib
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Wrong charts and wrong calls are exceptions; long work leaves the interpreter to others and ends at Ctrl-C."""
+"""Tests that invalid charts and invalid calls raise exceptions, and that long calls let other threads run and stop at
+Ctrl-C."""
 import os
 import pathlib
 import signal

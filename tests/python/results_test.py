@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the module gives is what the program prints."""
+"""Compares the results of the module with the output of the program."""
 import datetime
 import json
 import os
@@ -23,12 +23,12 @@ def printed(*arguments):
 
 
 def withouttimes(page):
-    """A page without what a clock measured."""
+    """Returns the page without measured times."""
     return re.sub(r"\d+\.\d+ s\b|\"seconds\":[\d.e-]+", "", page)
 
 
 def timeless(text):
-    """JSON without what a clock measured."""
+    """Returns the JSON document without measured times and sizes."""
     def without(value):
         if isinstance(value, dict):
             return {key: without(each) for key, each in value.items() if key not in ("seconds", "bytes")}
@@ -132,7 +132,7 @@ def test_an_analysis_is_that_of_the_program():
     assert "action-race" in [each.code for each in analysis] and analysis.complete
 
 
-@pytest.mark.filterwarnings("ignore:property")  # what a language cannot ask
+@pytest.mark.filterwarnings("ignore:property")  # properties that an exported language cannot express
 def test_models_and_drawings_are_those_of_the_program():
     read = grafverif.read(tanks)
     assert read.loop().uppaal() == printed("uppaal", tanks, "-o", "-")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Types are right under mypy's strict rules: the package's own, those of its core, and what the page's examples make of them."""
+"""Checks with mypy in strict mode the types of the package, of its core, and of the examples in the documentation."""
 import doctest
 import pathlib
 import subprocess
@@ -32,7 +32,7 @@ def test_examples_of_the_page_are_well_typed(tmp_path):
 
 
 def test_the_stub_of_the_core_is_that_of_the_core(tmp_path):
-    # what every class of pybind11 has: a metaclass, and an initialiser that refuses
+    # members of every pybind11 class: a metaclass, and an initializer that raises an exception
     (tmp_path / "allowed").write_text(r"grafverif\._core\.\w+(\.__init__)?" + "\n")
     found = subprocess.run([sys.executable, "-m", "mypy.stubtest", "grafverif._core", "--allowlist", tmp_path / "allowed"],
                            cwd=package.parent, capture_output=True, text=True, check=False)

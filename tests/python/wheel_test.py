@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""`pip` builds and installs a wheel without the network; the compiler's work is taken from the build tree of the tests."""
+"""Builds and installs a wheel with `pip` without network access; the compiled module comes from the build tree of the
+tests."""
 import os
 import pathlib
 import subprocess

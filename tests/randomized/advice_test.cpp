@@ -57,7 +57,7 @@ TEST(RandomizedAdvice, NamedInvariantsAndNoOthersBlockTimeAtTheEnd) {
                     EXPECT_FALSE(may_delay(network, (*states)[k]));
                 ++repeating;
             }
-            // Checks that time passes without the named invariants, and that it does not pass if one of them is kept.
+            // Checks that time can pass without the named invariants, but not if one of them is kept.
             const NetworkState& end = states->back();
             if (found.repeating.empty() && !found.blockers.empty()) {
                 EXPECT_TRUE(may_delay(without_bounds(network, found.blockers), end)) << words;
@@ -79,15 +79,15 @@ TEST(RandomizedAdvice, NamedInvariantsAndNoOthersBlockTimeAtTheEnd) {
     EXPECT_GT(repeating, 0);
 }
 
-/// Computes all reachable states in integer time, or nothing if there are too many. A firing condition keeps its value
-/// after the edge of its controller.
+/// Computes all reachable states in integer time, or nothing if there are too many states. A firing condition keeps its
+/// value after the edge of its controller, so that the states show the cleared transitions.
 struct States {
     std::vector<NetworkState> all = {};
     std::set<std::uint32_t> cleared = {};  ///< the variables of firing conditions that were true
 };
 
 States states_of(const Network& network, std::size_t most) {
-    constexpr std::int64_t cap = 40;  // exceeds all bounds of random loops
+    constexpr std::int64_t cap = 40;  // larger than all bounds of random loops
     States found;
     std::set<std::pair<std::vector<std::uint32_t>, std::vector<std::int64_t>>> seen;
     const auto add = [&](NetworkState state) {
@@ -119,7 +119,7 @@ States states_of(const Network& network, std::size_t most) {
     return found;
 }
 
-/// Returns the number of statements on dead transitions in the report. Each statement must be true in all `states`.
+/// Returns the number of statements about dead transitions in the report. Each statement must be true in all `states`.
 int statements_checked(const Report& report, Network network, const std::vector<const Chart*>& charts,
                        const States& states) {
     int checked = 0;

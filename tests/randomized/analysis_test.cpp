@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Compares the analysis with an explicit search that uses neither equations nor decision diagrams: the interpreter
-// visits all points of a random chart. Both model time in the same way: between two instants the timers that watch the
-// same step may expire, in the order of their durations.
+// visits all points of a random chart. A point is a state of the chart during an instant; a rest is a state in which an
+// instant ends. Both methods model time in the same way: between two instants the timers that watch the same step may
+// expire, in the order of their durations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ constexpr std::size_t most_points = 4000;
 /// Maps every possible statement of an analysis, written as `code subject`, to the first instant in which its event
 /// occurs. An event that never occurs has no entry.
 using Facts = std::map<std::string, std::size_t>;
-using Rest = std::pair<State, std::vector<bool>>;  ///< a state with the outputs of its time conditions
+using Rest = std::pair<State, std::vector<bool>>;  ///< end state of an instant, and outputs of its time conditions
 
 struct RestOrder {
     static auto key(const Rest& rest) {
@@ -38,13 +39,14 @@ struct RestOrder {
     bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
 };
 
-/// The events at the points of a chart and at the rests between its instants, and the successors of both.
+/// The graph of the points of a chart and of the rests between its instants, with the events at each node and its
+/// successors.
 struct Ways {
     struct Node {
         std::set<std::string> comes = {};
         std::vector<std::size_t> next = {};
         bool unknown = false;                  ///< the run aborts at this node, or its instant does not end
-        std::optional<std::size_t> ends = {};  ///< of a rest: the first instant that ends in it
+        std::optional<std::size_t> ends = {};  ///< at a rest, the first instant that ends in it
     };
     std::vector<Node> nodes = {};
 
@@ -68,8 +70,8 @@ struct Ways {
     std::vector<bool> leading_to(const std::string& what) const {
         return leading_to([&](std::size_t k) { return nodes[k].comes.contains(what); });
     }
-    /// Returns, for each rest, whether the event never occurs again from there. If `broken`, unexplored points may lead
-    /// back.
+    /// Returns, for each rest, true if the event never occurs again after it. If `broken`, the event may occur again
+    /// after unexplored points.
     std::vector<bool> gone(const std::string& what, bool broken) const {
         std::vector<bool> found =
             leading_to([&](std::size_t k) { return nodes[k].comes.contains(what) || (broken && nodes[k].unknown); });
@@ -83,7 +85,7 @@ struct Ways {
                 if (node.comes.contains(what) && back[next] && !(step && nodes[next].comes.contains(what))) return true;
         return false;
     }
-    /// Returns the terminal sets of nodes, each with its rests. A node from which a run can abort belongs to no set.
+    /// Returns the terminal sets of nodes, which no run leaves. A node from which a run can abort belongs to no set.
     std::vector<std::vector<bool>> regions() const {
         std::vector<bool> done = leading_to([&](std::size_t k) { return nodes[k].unknown; });
         std::vector<std::vector<bool>> found;
@@ -118,7 +120,8 @@ public:
 
     const Ways& ways() const { return ways_; }
 
-    /// Returns nothing if there are too many points, or if a condition is undefined at one of them.
+    /// Returns the first instant of each statement, or nothing if there are too many points, or if a condition is
+    /// undefined at one of them.
     std::optional<Facts> facts() {
         for_each_input([&](const std::vector<std::int64_t>& inputs) {
             begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs, add_node());
@@ -176,8 +179,8 @@ private:
 
     static bool level(const State& state, std::size_t k) { return state.timing[k].risen >= 0; }
 
-    /// True if the timers of one watched term expire in the order of their durations, and equal durations expire
-    /// together.
+    /// True if the timers of one watched term expire in the order of their durations, and timers with equal durations
+    /// expire together.
     bool in_order(const Rest& rest) const {
         for (std::size_t i = 0; i < elements_.size(); ++i)
             for (std::size_t j = 0; j < elements_.size(); ++j) {
@@ -304,7 +307,7 @@ private:
     std::set<std::string> fired_ = {}, always_ = {};
     std::map<Rest, std::size_t, RestOrder> known_ = {};  ///< maps each rest to its node
     Ways ways_ = {};
-    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< pairs of a rest and its instant, in order of distance
+    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< pairs of a rest and its instant, by increasing instant
     std::size_t instant_ = 1;
     std::size_t points_ = 0;
     bool lost_ = false;
@@ -316,14 +319,15 @@ bool is_compared(const std::string& code) {
            code != "action-conflict" && code != "comes-once" && !is_trap(code) && !code.starts_with("forc");
 }
 
-/// The interpreter names only one fault if an evolution has several races or values out of range.
+/// True if another expected fact may mask `fact`, because the interpreter reports only one fault if an evolution has
+/// several races or values out of range.
 bool masked(const std::string& fact, const Facts& expected) {
     const std::string code = fact.substr(0, fact.find(' ') + 1);
     return (code == "action-race " || code == "out-of-range ") &&
            std::ranges::any_of(expected, [&](const auto& other) { return other.first.starts_with(code); });
 }
 
-/// Limits the part of a chart that is analysed.
+/// Limits of the analysis of a chart.
 struct Bounds {
     int looks = -1;  ///< number of instants of the parts after which the analysis stops; negative: no limit
     std::int64_t longest_count = 256;
@@ -334,8 +338,8 @@ std::string fact_of(const std::string& code, const std::string& subject) {
 }
 
 /// Returns the wrong statements about open queries: the analysis must have found every event of the instants that it
-/// searched. Several queries may have the same subject, so an open query and the query of a known event may differ only
-/// in their events.
+/// searched. An open query is not wrong if a finding with the same code and subject exists, because several queries can
+/// have the same subject.
 std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
     std::string text;
     for (const OpenQuestion& question : analysis.open) {
@@ -349,7 +353,7 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
     return text;
 }
 
-/// Returns the instants of the first rests from which none of `lost` ever occurs again. If there are several regions,
+/// Returns the instants of the first rests after which none of `lost` ever occurs again. If there are several regions,
 /// each region contributes the first instants of the rests that lead to it.
 std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::string>& lost, bool broken) {
     std::vector<bool> all(ways.nodes.size(), true);
@@ -372,11 +376,12 @@ std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::str
     return result;
 }
 
-/// Returns the differences of the two results about events that never occur again.
+/// Returns the differences between the two results about events that never occur again.
 std::string disagreement_on_ways(const Chart& chart, const Equations& equations, const Ways& ways,
                                  const Analysis& analysis, const Bounds& bounds) {
     std::string text;
-    // The analysis does not see that a counter or another part aborts a run. Such a run does not lead back.
+    // The analysis does not consider that a counter or another part of the chart may abort a run. After an abort, no
+    // event occurs again.
     const bool one_part = analysis::cones(equations).size() == 1;
     const bool cut = bounds.longest_count < 256 || !one_part;
     std::map<std::string, Finding::Level> found;
@@ -388,21 +393,21 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
         sure = sure && finding.timing != Finding::Timing::Unconfirmed;
         for (const std::string& each : finding.lost) {
             found[each] = finding.level;
-            // This region may be infeasible.
+            // The region of this finding may be infeasible.
             if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);
         }
         if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
-        // Its path leads to a point where the first event of the group never occurs again.
+        // The path of the finding leads to a point where the first event of the group never occurs again.
         const bool once = finding.code == "comes-once";
         const auto first = first_without(ways, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
         const std::size_t way = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
-        // a path of a chart with timers may need impossible expiries
+        // In every_cycle mode, the path of a finding may be one instant longer.
         const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;
         if (first.empty()) text += "not lost: " + finding.message + '\n';
         else if (!first.contains(way) && !(cyclic && first.contains(way - 1)) && one_part)
             text += "not shortest: " + finding.message + ", " + std::to_string(way) + " instants\n";
     }
-    // If the chart has timers, a path may need impossible expiries.
+    // If the chart has timers, a path may need timer expiries in an impossible order.
     const bool timeless = timed_elements(chart).empty();
     std::set<std::string> open, steps;
     for (const OpenQuestion& question : analysis.open)
@@ -449,8 +454,8 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
     return text;
 }
 
-/// Returns the differences of the two results, which are empty if the results agree. Returns nothing if the chart is
-/// too large for the comparison.
+/// Returns the differences between the two results, or an empty string if the results agree. Returns nothing if the
+/// chart is too large for the comparison.
 std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
     if (chart.steps.empty()) return {};
     ExplicitSearch search(chart, mode);
@@ -476,8 +481,8 @@ std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, 
             .insert(fact_of(finding.code, finding.subject));
     }
     for (const OpenQuestion& question : analysis.open) open.insert(fact_of(question.code, question.subject));
-    // Timers may expire in orders that no times realize. The analysis does not report an event as never occurring if it
-    // occurs only in such an order.
+    // Timers may expire in an order that is impossible for every choice of times. The analysis does not report an event
+    // as never occurring if it occurs only in such an order.
     for (const auto& [fact, instant] : *expected)
         if (!found.contains(fact) && !unconfirmed.contains(fact) && !open.contains(fact) && unconfirmed.empty())
             text += "not found: " + fact + '\n';
@@ -513,7 +518,7 @@ TEST(RandomizedAnalyse, ResultsOfAStoppedAnalysisAreCorrect) {
     for (const int looks : {1, 2, 4, 7}) expect_agreement({.looks = looks}, 20);
 }
 
-TEST(RandomizedAnalyse, CountersFollowedToTheirThresholdsOnlyMakeNothingUp) {
+TEST(RandomizedAnalyse, AbstractedCountersGiveNoFalseFindings) {
     expect_agreement({.looks = -1, .longest_count = 0}, 40);
 }
 

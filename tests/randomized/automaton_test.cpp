@@ -16,7 +16,7 @@ namespace {
 
 constexpr int runs_per_chart = 3, cycles_per_run = 12;
 
-/// Counts of the situations in the random runs, so that the test fails if the generator no longer produces them.
+/// Counts the cases in the random runs, so that the test fails if the generator no longer produces them.
 struct Walked {
     int refused = 0, evolutions = 0, stays = 0, unstable = 0, conditional = 0, timed = 0, watched = 0, tests = 0,
         several = 0, waiting = 0, merged = 0, constrained = 0;
@@ -130,7 +130,7 @@ private:
     std::vector<std::int64_t> inputs_ = {};  ///< indexed by input of the automaton
 };
 
-/// Adds the constraint that two of the Boolean inputs are not true together, if the chart has two.
+/// If the chart has two Boolean inputs, adds the constraint that they are not true together.
 void constrain(Chart& chart, Random& random) {
     std::vector<Id<Expr>> inputs;
     for (const Id<Chart::Variable> id : chart.variables.ids())
@@ -167,7 +167,7 @@ std::string walk(const Chart& chart, const Equations& equations, const LocationA
     return {};
 }
 
-/// Replays tests of every coverage criterion.
+/// Replays the tests of every coverage criterion on the interpreter.
 std::string tested(const Chart& chart, const MealyMachine& machine, Walked& walked) {
     Diagnostics diagnostics;
     for (const TestCover cover : {TestCover::Transitions, TestCover::Evolutions, TestCover::Locations})
@@ -189,7 +189,7 @@ std::string tested(const Chart& chart, const MealyMachine& machine, Walked& walk
     return {};
 }
 
-/// Replays tests of the machine and of the minimized machine.
+/// Replays tests of the Mealy machine and of the minimized machine.
 std::string tested(const Chart& chart, const LocationAutomaton& automaton, Walked& walked) {
     Diagnostics diagnostics;
     const auto machine = mealy_machine(automaton, {.max_states = 300}, diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares every operation on random functions with truth tables. Collections and reorderings occur between the
+// Compares every operation on random functions with truth tables. Garbage collections and reorderings occur between the
 // operations, and the invariants of the space are checked after each operation.
 #include "bdd/bdd.hpp"
 
@@ -16,7 +16,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_variables = 10;
-// Bit n is the value for the assignment in which variable i is bit i of n.
+// A truth table: bit n is the value for the assignment in which variable i is bit i of n.
 using Truth = std::bitset<std::size_t{1} << most_variables>;
 
 struct Tabled {
@@ -153,7 +153,7 @@ private:
                 })};
     }
 
-    /// Tests operations that only read a function, and its simplification, which is arbitrary outside the care set.
+    /// Tests operations that only read a function, and simplification, whose result is arbitrary outside the care set.
     Tabled looked_at(const Tabled& f, const Tabled& care) {
         std::vector<std::uint32_t> all(variables_), used;
         std::iota(all.begin(), all.end(), 0U);
@@ -187,7 +187,7 @@ private:
     std::vector<Tabled> pool_ = {};
 };
 
-TEST(RandomizedBdd, OperationsAgreeWithTablesOfTruth) {
+TEST(RandomizedBdd, OperationsAgreeWithTruthTables) {
     const int worlds = test_size(30);
     for (int seed = 0; seed < worlds; ++seed) {
         SCOPED_TRACE(seed);
@@ -204,7 +204,7 @@ TEST(RandomizedBdd, OperationsAgreeWithTruthTablesIfMemoryIsScarce) {
     for (int seed = 0; seed < worlds; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        // The space holds some thousand nodes, so that collections occur within operations.
+        // The space is limited to some thousand nodes, so that garbage collections occur within operations.
         RandomSpace world(random, {.memory = 135'000});
         for (int i = 0; i < 100 && !testing::Test::HasFailure(); ++i) try {
                 world.step();

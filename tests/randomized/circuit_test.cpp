@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compares a circuit, its AIGER text and its BTOR2 text, read back by independent readers, with their system. Their
-// possible runs must be runs of the system, the properties must hold exactly in the states in which their terms hold,
-// and every state must be reached.
+// Compares a circuit, its AIGER text and its BTOR2 text with the transition system from which they were generated;
+// independent readers read the texts. The possible runs of each must be runs of the system, the properties must hold
+// exactly in the states in which their terms hold, and every state must be reached.
 #include "circuit/circuit.hpp"
 
 #include <gtest/gtest.h>
@@ -31,12 +31,12 @@ struct Seen {
     std::size_t systems = 0, steps = 0, targets = 0, hits = 0, starts = 0;
 };
 
-/// A random run of the circuit. It tries inputs until the current state is possible, and then makes a step.
+/// A random run of the circuit. It tries inputs until the current state is possible, and then executes a step.
 class Walk {
 public:
     Walk(const Circuit& circuit, Random& random) : circuit_(circuit), random_(random), values_(circuit.gates.size()) {}
 
-    /// Tries random inputs; true if a possible state was found.
+    /// Tries random inputs; returns true if a possible state was found.
     bool look() {
         for (int tries = 0; tries < 200; ++tries) {
             given_.assign(circuit_.inputs.size(), false);

@@ -27,9 +27,9 @@
 namespace grafverif {
 namespace {
 
-constexpr std::size_t most_steps = 6;  ///< the number of steps of a chart that is compared
+constexpr std::size_t most_steps = 6;  ///< maximum number of steps of a chart that is compared
 
-/// Counts of the situations in the random charts.
+/// Counts the cases in the random charts.
 struct Met {
     int equal = 0, different = 0, timed = 0, stops = 0, long_ones = 0, shortest = 0, unknown = 0;
 };
@@ -63,7 +63,7 @@ private:
     State state_;
 };
 
-/// Returns the first scan with different outputs.
+/// Returns the index of the first scan with different outputs.
 std::optional<std::size_t> difference(const Chart& a, const Chart& b, ExecutionMode mode,
                                       const std::vector<Comparison::Scan>& scans) {
     Plc one(a, mode), other(b, mode);

@@ -122,7 +122,7 @@ DrawOptions random_options(const Chart& chart, Random& random) {
     return options;
 }
 
-TEST(RandomizedDrawing, ChartsOfEveryElementAreDrawnWholeAndNothingLiesOnAnythingElse) {
+TEST(RandomizedDrawing, ChartsOfEveryElementAreDrawnCompletelyWithoutOverlaps) {
     for (int seed = 1; seed <= test_size(300) && !testing::Test::HasFailure(); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Chart chart = random_chart(random);
@@ -130,7 +130,7 @@ TEST(RandomizedDrawing, ChartsOfEveryElementAreDrawnWholeAndNothingLiesOnAnythin
     }
 }
 
-TEST(RandomizedDrawing, SoAreTangles) {
+TEST(RandomizedDrawing, ArbitrarilyConnectedChartsAreDrawnWithoutOverlaps) {
     for (int seed = 1; seed <= test_size(600) && !testing::Test::HasFailure(); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Chart chart = tangle(random);
@@ -138,7 +138,7 @@ TEST(RandomizedDrawing, SoAreTangles) {
     }
 }
 
-TEST(RandomizedDrawing, SoAreLongRingsThatAreFolded) {
+TEST(RandomizedDrawing, LongFoldedRingsAreDrawnWithoutOverlaps) {
     for (int seed = 1; seed <= test_size(10) && !testing::Test::HasFailure(); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Chart chart = long_ring(400, random);

@@ -68,7 +68,7 @@ struct Pair {
         return false;
     }
 
-    /// Executes cycles of the equations until one is stable. Returns false as settle does.
+    /// Executes cycles of the equations until one is stable. Returns false under the same conditions as settle.
     bool run_cycles() {
         for (int count = 0; count < many_edges; ++count) {
             const EquationsCycle done = cycle(equations, expected, inputs, mode);
@@ -89,7 +89,7 @@ struct Pair {
         state.variables[tadd.variable_id("EVOL_PL").index] = 1;
     }
 
-    /// Lets one unit of time pass; true if a timer expires.
+    /// Lets one unit of time pass; returns true if a timer expires.
     bool pass_unit() {
         state = std::move(tadd.successors(state).back().next);
         const EquationsState before = expected;
@@ -136,7 +136,7 @@ void check(std::uint64_t seed, Grain grain, ExecutionMode mode, int& completed) 
     const Model model = lone_controller(chart);
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);
-    if (!equations) return;  // derive rejects outputs that read each other
+    if (!equations) return;  // `derive` rejects outputs that read each other
     const ClosedLoop& loop = model.loops[{0}];
     const auto alone = plant(model, loop, diagnostics);
     ASSERT_TRUE(alone);

@@ -47,7 +47,7 @@ TimedResult searched(const Network& network) {
     return check_timed(network, options);
 }
 
-/// Checks the properties of these patterns. The memory limit bounds the time of the test.
+/// Searches `system` and checks only the properties with these patterns. The memory limit bounds the time of the test.
 SymbolicResult searched(const TransitionSystem& system, const std::vector<Pattern>& patterns) {
     SymbolicOptions options;
     options.witnesses = false;
@@ -103,7 +103,7 @@ Id<Expr> random_term(Random& random, Exprs& exprs, std::size_t variables, int de
     return below(random, 2) == 0 ? exprs.conjunction(left, right) : exprs.disjunction(left, right);
 }
 
-using Pair = std::pair<std::uint32_t, std::size_t>;  // a term and a state
+using Pair = std::pair<std::uint32_t, std::size_t>;  // index of a term, and of a state
 
 /// Computes causes by their literal definition, for a run of states on which a property fails.
 class Enumeration {
@@ -140,7 +140,8 @@ public:
 private:
     bool responds() const { return property_.pattern == Pattern::LeadsTo; }
 
-    /// Returns the pairs whose values may be changed. For `leads to` these include all following states.
+    /// Returns the pairs of a term and a state whose values may be changed. For `leads to` these include all following
+    /// states.
     std::vector<std::size_t> pairs_of() const {
         std::vector<std::size_t> list = {explained_};
         for (std::size_t k = 0; k < count_ && responds(); ++k)
@@ -335,7 +336,7 @@ void expect_smallest(const Network& network, const Network& timed, const Propert
     EXPECT_TRUE(std::ranges::all_of(*states, good));
 }
 
-TEST(RandomizedExplain, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsTheRun) {
+TEST(RandomizedExplain, TheShortestChangeIsTheSmallestSetOfFreeMovesThatAvoidsTheViolation) {
     ChangeCounts counts;
     for (int seed = 1; seed <= test_size(150); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -357,8 +358,8 @@ TEST(RandomizedExplain, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsThe
 // -- proof cores
 // -------------------------------------------------------------------------------------------------------
 
-/// Returns the properties about single states that hold, by the reference semantics. Returns nothing if there are too
-/// many states or a model error.
+/// Returns the state properties that hold according to the reference semantics. Returns nothing if there are too many
+/// states or a model error.
 std::optional<std::set<std::string>> hold_naively(const Network& network, std::size_t most = 4000) {
     const NaiveTadd naive(network);
     std::set<TaddState> seen = {naive.initial()};
@@ -397,7 +398,7 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// Returns the network without all processes except `ground.parts` and `also`.
+/// Returns the network without timers, instances and timings that are not in `ground`, and without `also`.
 Network left_open(const Network& network, const ProofExplanation::ProofCore& ground, const std::string& also) {
     Network open = network;
     const std::vector<std::string> told = display_names(network);
@@ -445,7 +446,7 @@ std::string random_cylinder(Random& random, bool possible = false) {
     return text + "}\n";
 }
 
-TEST(RandomizedExplain, ARunOfAnUntimedLoopIsOneOfItsNetworkAndItsShortestChangeTheSmallestThere) {
+TEST(RandomizedExplain, RunOfAnUntimedLoopIsARunOfItsNetworkWithTheSameSmallestChange) {
     ChangeCounts counts;
     for (int seed = 1; seed <= test_size(24); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -479,7 +480,7 @@ TEST(RandomizedExplain, ARunOfAnUntimedLoopIsOneOfItsNetworkAndItsShortestChange
     EXPECT_GT(counts.hopeless, 0);
 }
 
-/// Names of instances on random levels.
+/// Returns the names of random instances, each with a random level of abstraction.
 InputsAbstracted random_abstraction(Random& random, const Model& model) {
     InputsAbstracted made;
     for (const ClosedLoop::Instance& instance : model.loops[{0}].instances)
@@ -491,7 +492,8 @@ InputsAbstracted random_abstraction(Random& random, const Model& model) {
     return made;
 }
 
-/// The elements that `why_it_holds` removes separately, in its order, each with its reported kind.
+/// Returns the variants of the model in the order of `why_it_holds`. Each variant lacks one element and is paired with
+/// the reported kind of this element.
 std::vector<std::pair<ProofExplanation::Kind, Model>> left_out_one_by_one(const Model& model) {
     std::vector<std::pair<ProofExplanation::Kind, Model>> all;
     const auto add = [&](ProofExplanation::Kind kind, const auto& leave_out) {
@@ -536,7 +538,8 @@ TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
         Diagnostics diagnostics;
         const auto report = check(model, {0}, how, options, diagnostics);
         ASSERT_TRUE(report);
-        // Odd seeds: in passes, with abstractions of the variants; the first pass begins with any abstraction.
+        // With odd seeds, the explanation is computed in passes with abstractions of the variants; the first pass
+        // begins with a random abstraction.
         const VariantBounds in_passes{.few_states = 0, .brief = 8};
         Report known = *report;
         for (PropertyResult& answer : known.answers) answer.verdict.abstraction = random_abstraction(random, model);
@@ -627,8 +630,8 @@ TEST(RandomizedExplain, RemovingATermAgreesWithTheTextWithoutIt) {
     EXPECT_GT(same, test_size(25));
 }
 
-/// Returns the states of `network`, without clocks and without the locations of the processes in `left_out`. Returns
-/// nothing if there are too many.
+/// Returns the states of `network`, without clocks and without the location of the process `left_out`. Returns nothing
+/// if there are too many states.
 std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network::Process> left_out = {}) {
     const NaiveTadd naive(network);
     std::set<TaddState> seen = {naive.initial()}, places;
@@ -647,8 +650,9 @@ std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network:
     return places;
 }
 
-// Tests the premise of proofs without an instance or a timing: the removal only adds states.
-TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATiming) {
+// Tests the premise of proofs in which an instance, or the clocks of a process, are removed: the removal only adds
+// reachable states.
+TEST(RandomizedExplain, RemovalOfAnInstanceOrATimingOnlyAddsStates) {
     int instances = 0, timings = 0;
     for (int seed = 1; seed <= test_size(8); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -677,7 +681,7 @@ TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATimin
 
 // Tests the same premise for a guard. The removal of an edge that is not forced needs no search, because all states
 // without it are states of the loop.
-TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAnEdgeMoreThatNothingForces) {
+TEST(RandomizedExplain, RemovalOfAGuardOnlyAddsStatesAndRemovalOfAnUnforcedEdgeAddsNone) {
     int guards = 0, edges = 0;
     for (int seed = 1; seed <= test_size(6); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -715,7 +719,7 @@ TEST(RandomizedExplain, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAn
     EXPECT_GT(edges, test_size(6) / 2);
 }
 
-/// Returns the end of a run, computed by the reference semantics.
+/// Returns the last state of a run, computed by the reference semantics.
 TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     TaddState state = naive.initial();
     const auto take = [&](const Fire* fire) {

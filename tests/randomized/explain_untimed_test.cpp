@@ -30,7 +30,7 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Returns nothing if there is no such model.
+/// Returns the system of the loop, or nothing if the loop cannot be translated.
 std::optional<System> system_for(const Model& model, const ScheduleOptions& options) {
     try {
         return untimed_loop(model, options);
@@ -41,7 +41,7 @@ std::optional<System> system_for(const Model& model, const ScheduleOptions& opti
 
 bool is_possible(const Property& property) { return property.pattern == Pattern::AlwaysPossible; }
 
-/// Checks the properties of these patterns. The memory limit bounds the time of the test.
+/// Searches `system` and checks only the requested properties. The memory limit bounds the time of the test.
 SymbolicResult searched(const System& system, bool (*requested)(const Property&)) {
     SymbolicOptions options;
     options.witnesses = false;
@@ -53,7 +53,7 @@ SymbolicResult searched(const System& system, bool (*requested)(const Property&)
 
 // -- the shortest change ----------------------------------------------------------------------------------------------
 
-/// The changes of the free variables in a run of controllers alone. It implements the definition in
+/// The changes of the free variables in a run of controllers alone. The class implements the definition in
 /// explain/inputs.hpp, in the order of its sentences.
 class Told {
 public:
@@ -85,8 +85,8 @@ public:
         return true;
     }
 
-    /// Returns the states without some events and the index of the state after which they repeat. Returns nothing if
-    /// there is no such run.
+    /// Returns the states of the run without the events `left_out`, and the index of the state after which they repeat.
+    /// Returns nothing if there is no such run.
     std::optional<std::pair<std::vector<SystemState>, std::size_t>> made_again(const std::set<Event>& left_out,
                                                                                const Property& property) const {
         std::map<std::string, std::int64_t> now;
@@ -142,7 +142,7 @@ private:
             if (told(name, state) != 0 && (state == 0 || told(name, state - 1) == 0)) events_.push_back({name, state});
     }
 
-    /// Returns the value in a state of the run. `before` is the previous value.
+    /// Returns the value of `name` in a state of the run without the events `left_out`. `before` is the previous value.
     std::int64_t value(const std::set<Event>& left_out, const std::string& name, std::size_t state,
                        const std::map<std::string, std::int64_t>& before) const {
         const Event* last = nullptr;
@@ -169,7 +169,7 @@ private:
     std::vector<Event> events_ = {};
 };
 
-/// True if some plant can produce the run, as far as the test can decide it.
+/// True if some plant can produce the run, as far as this test can decide.
 bool is_timely(const System& system, const std::pair<std::vector<SystemState>, std::size_t>& made) {
     SystemRun run{{}, made.second};
     for (const SystemState& state : made.first) {
@@ -370,7 +370,8 @@ TEST(RandomizedExplainUntimed, DeadTransitionsAreNeverClearedAfterThePointOfNoRe
 
 // -- a chart alone ----------------------------------------------------------------------------------------------------
 
-/// Evaluates the chart evolution by evolution; true if every instant of the run ends without some of its changes.
+/// Evaluates the chart evolution by evolution; returns true if every instant of the run ends although the changes
+/// `left_out` do not occur.
 bool settles_without(const Chart& chart,
                      const std::vector<std::pair<std::int64_t, std::vector<std::int64_t>>>& instants,
                      const std::set<std::pair<std::size_t, std::size_t>>& left_out) {
@@ -395,7 +396,7 @@ bool settles_without(const Chart& chart,
     return true;
 }
 
-TEST(RandomizedExplainUntimed, TheFewestChangesThatAChartBecomesStableWithoutAreThoseOfAllSets) {
+TEST(RandomizedExplainUntimed, FewestChangesWithoutWhichAChartIsStableAgreeWithEnumeration) {
     std::map<std::string, int> counts;
     for (int seed = 1; seed <= test_size(150); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

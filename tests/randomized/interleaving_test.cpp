@@ -45,7 +45,7 @@ ClosedLoop loop_around(const Network& network) {
         const bool race = network.race.valid() && property.pattern == Pattern::Never &&
                           network.exprs[property.operands[0]].op == Op::Variable &&
                           network.exprs[property.operands[0]].value == network.race.index;
-        if (race) continue;  // every model contains the property of races
+        if (race) continue;  // every model already contains the property about races
         for (Id<Expr>& operand : property.operands) operand = translate(network.exprs, operand, loop.exprs, leaf);
         loop.properties.add(std::move(property));
     }
@@ -60,8 +60,8 @@ System random_system(Random& random, int parts, TimeModel time) {
     return schedule_network({}, loop_around(network), {}, network, options, diagnostics).value();
 }
 
-/// Follows `run` in the system. Its result is the set of states, given by the symbols of main, to which `run` may lead;
-/// an empty set means that `run` is not a run of the system.
+/// Follows `run` in the system: computes the set of states, given by the symbols of main, to which `run` may lead. An
+/// empty set means that `run` is not a run of the system.
 class Follower {
 public:
     Follower(const System& system, const SystemRun& run) : system_(system) {
@@ -104,7 +104,7 @@ private:
     std::vector<SystemState> loop_ = {}, end_ = {};
 };
 
-/// Checks that the run is a run of the complete model and shows the verdict on the property.
+/// Checks that the run is a run of the complete model and proves the verdict on the property.
 void confirm(const System& system, const Property& property, const SystemRun& run) {
     EXPECT_FALSE(Follower(system, run).end().empty()) << "it is no run of the whole";
     const auto holds = [&](std::size_t state, std::size_t operand) {
@@ -153,7 +153,7 @@ void compare(const SymbolicResult& apart, const SymbolicResult& whole, const Sys
         EXPECT_EQ(here.property, there.property);
         if (apart.runs[i]) confirm(system, property, *apart.runs[i]);
         if (apart.runs[i]) ++seen["runs"];
-        // The property of the parts is stronger.
+        // The property `can_move` of each part is stronger than that of the complete model.
         if (!property.operands.empty() && property.operands[0] == system.parts.can_move) {
             EXPECT_FALSE(here.outcome == Outcome::Holds && there.outcome == Outcome::Violated);
             continue;
@@ -223,7 +223,7 @@ TEST(RandomizedInterleaving, PortfolioGivesTheVerdictsAndRunsOfTheCompleteModel)
     print_counts(seen);
 }
 
-/// A premise that is omitted, which means that it is assumed of every neighbour.
+/// A premise that the test omits: it is assumed to hold for every omitted subsystem.
 struct Premise {
     const char* name = "";
     void (*grant)(OmittedSubsystem&) = nullptr;
@@ -235,7 +235,8 @@ const Premise premises[] = {
     {"the others are settled where time passes", [](OmittedSubsystem& other) { other.settles = true; }},
 };
 
-/// A part of a system, with the properties that read only this part, and with its premises for neighbours.
+/// A part of a system: the verdicts on the properties that read only this part, and the premises that the part fulfils
+/// if it is omitted.
 struct Alone {
     SymbolicResult result = {};
     OmittedSubsystem as = {};

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int cycles_per_run = 14;
 
-/// Counts of the situations in the random runs, so that the test fails if the generator no longer produces them.
+/// Counts the cases in the random runs, so that the test fails if the generator no longer produces them.
 struct Met {
     int fired = 0, several = 0, transients = 0, endless = 0, races = 0, out_of_range = 0, stored = 0, outputs = 0,
         timed = 0, edges = 0, macros = 0, enclosed = 0, forced = 0, apart = 0;
@@ -97,7 +97,8 @@ void meet(const Chart& chart, const State& before, const Cycle& run, Met& met) {
         if (run.state.situation[order.step.index] && !before.situation[order.step.index]) ++met.forced;
 }
 
-/// Runs both with the inputs and delays of `seed`. Returns the first difference, or an empty string.
+/// Runs the interpreter and the equations with the inputs and delays of `seed`. Returns the first difference, or an
+/// empty string.
 std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode, Met& met) {
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);

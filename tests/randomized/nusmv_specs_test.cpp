@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Randomized test of the specifications in a NuSMV text. A model checker's verdicts on the specifications must equal
-// the engine's verdicts on the properties of the same name, for each approach, schedule, number of initial states and
-// fairness.
+// the engine's verdicts on the properties of the same name. The test covers each approach and schedule, one and several
+// initial states, and models with and without fairness.
 #include "support/nusmv_specs.hpp"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ struct Compared {
     std::size_t systems = 0, verdicts = 0, several_starts = 0, nothing_fair = 0;
 };
 
-/// The source of our verdicts: the engine that users run, or the explicit search that is its reference in other tests.
-/// The engine is slow on some small models.
+/// The source of the verdicts of grafverif: the engine that users run, or the explicit search that is its reference in
+/// other tests. The engine is slow on some small models.
 enum class Ours { Engine, ExplicitSearch };
 
 void expect_agreement(const System& system, Compared& compared, Ours of = Ours::Engine) {

@@ -19,7 +19,8 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Returns the difference between the text of one symbol and the system, or an empty string.
+/// Returns which property of the symbol (definition, initial value, next value or declaration) differs between the text
+/// and the system, or an empty string if none differs.
 std::string difference(const System& system, const System::Module& module, const System::Symbol& symbol,
                        NusmvModel& text, NusmvModel::Module& there) {
     const auto same = [&](Id<Expr> term, std::map<std::string, Id<Expr>>& found) {

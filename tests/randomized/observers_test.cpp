@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compares observers with their sentences. A loop with an observer has exactly the runs of the loop. On each run the
-// observer can fail if and only if the run violates the formula of docs/reference/properties.md, which the test
-// evaluates naively on the states of the run.
+// Compares observers with the sentences that they check. A loop with an observer has exactly the runs of the loop
+// without it. On each run the observer can fail if and only if the run violates the formula of
+// docs/reference/properties.md, which the test evaluates naively on the states of the run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,8 +56,8 @@ struct Seen {
     std::int64_t over = 0;             ///< the end of the run, in time units
 };
 
-/// Evaluates `p at most count times`. The formula generalizes that of the pattern catalogue for two: phases without p
-/// and with p alternate.
+/// Evaluates `p at most count times`. It generalizes the formula of the pattern catalogue for a count of two: phases
+/// without p and with p alternate.
 bool holds_counted(const Sentence& watch, const Seen& seen) {
     using enum Sentence::Scope;
     if (seen.begin.empty()) return true;
@@ -187,7 +187,7 @@ bool holds_timed(const Sentence& watch, std::int64_t d, const Seen& seen) {
             if (watch.kind == Sentence::Kind::HoldsFor ? j < size && lasted < d : lasted > d) return false;
         }
         return true;
-    default:  // the pattern is `p at most d after q`
+    default:  // the pattern is `p at most d since q`
         for (std::size_t i = 0; i < size; ++i) {
             if (!p[i] || q[i]) continue;
             std::size_t j = i;
@@ -218,7 +218,7 @@ public:
         arrive();
     }
 
-    /// Performs an event that is possible in both networks; true if there is one.
+    /// Performs an event that is possible in both networks; returns false if there is none.
     bool move(Random& random) {
         std::vector<Fire> choices = enabled(plain_, state_), beside = enabled(watched_, beside_);
         std::erase_if(beside, [&](const Fire& fire) { return fire.process.index == observer_; });
@@ -279,7 +279,8 @@ private:
             look_where_spoilt();
         }
     }
-    /// The time limit of the observer has expired, which causes it to move. It fails if the scope is closed.
+    /// Takes the urgent edges of the observer after its time limit has expired. The observer then fails if the scope is
+    /// closed.
     void look_where_spoilt() {
         for (bool looks = spoilt_concurrently_.has_value(); looks;) {
             looks = false;

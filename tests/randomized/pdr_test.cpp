@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Compares the PDR engine and BMC with an explicit search and the symbolic engine, on random systems and on random
-// loops in every approach and schedule. The faults and verdicts must be equal, and all runs valid. Runs reported as
-// shortest must be shortest, and lengths that BMC excludes must be impossible. A certificate with a removed part must
-// be rejected.
+// loops in every approach and schedule. The faults and verdicts must be equal, and all runs must be valid. Runs
+// reported as shortest must be shortest, and lengths that BMC excludes must be impossible. A certificate with a removed
+// part must be rejected.
 #include "check/pdr/pdr.hpp"
 
 #include <gtest/gtest.h>
@@ -30,10 +30,10 @@ using System = TransitionSystem;
 
 struct Compared {
     std::size_t systems = 0, verdicts = 0, violated = 0, faults = 0, given_up = 0;
-    std::size_t bounded = 0;  ///< number of verdicts that BMC did not decide within its limit of steps
+    std::size_t bounded = 0;  ///< number of verdicts that BMC did not determine within its step limit
 };
 
-/// The engines need minutes for some small models.
+/// Time limit of each engine, because the engines need minutes for some small models.
 constexpr std::chrono::milliseconds patience(200);
 
 bool gave_up(const std::vector<Verdict>& verdicts) {
@@ -50,7 +50,7 @@ bool says(const std::vector<std::string>& notes, const char* what) {
     return std::ranges::find(notes, what) != notes.end();
 }
 
-/// Compares the runs of at most that many steps with those of the symbolic engine, which are shortest.
+/// Compares the runs of BMC with at most `steps` steps with those of the symbolic engine, which are shortest.
 void compare_bounded(const System& system, const SymbolicResult& symbolic, std::size_t steps, Compared& compared) {
     PdrOptions options;
     options.method = PdrOptions::Method::Bmc;
@@ -76,8 +76,8 @@ void compare_bounded(const System& system, const SymbolicResult& symbolic, std::
     }
 }
 
-/// Compares with the symbolic engine, and with `graph` if there is one. The engine does not detect dead ends, so a
-/// system with one is compared with the graph only.
+/// Compares the results with those of the symbolic engine, and with `graph` if it is given. The engine does not detect
+/// dead ends, so a system with one is compared with the graph only.
 void compare(const System& system, const std::optional<SystemGraph>& graph, const PdrResult& found,
              Compared& compared) {
     const SymbolicResult symbolic = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
@@ -240,8 +240,8 @@ TEST(RandomizedPdr, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
     EXPECT_GT(rejected, 50u);
 }
 
-/// Returns a search that gives the correct result or one of two wrong results. For the quiescent states it always
-/// reports that one is reached.
+/// Returns a search that gives the correct result or one of two wrong results. It always reports that a quiescent state
+/// is reached.
 decltype(PdrOptions::reach) liar(Random& random) {
     return [&random](const Circuit& circuit, Gates::Literal bad, pdr::LimitMonitor& watch) -> pdr::PdrAnswer {
         const std::int64_t choice = bad == circuit.settled ? 0 : static_cast<std::int64_t>(random() % 4);

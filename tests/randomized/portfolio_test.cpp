@@ -59,7 +59,7 @@ void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run
     ++compared.runs;
 }
 
-/// Skips a system with a dead end, which only one of the engines searches for.
+/// Compares both engines on `system`; skips a system with a dead end, which only one of the engines detects.
 std::optional<PdrResult> compare(const System& system, Compared& compared, const PortfolioOptions& how = {}) {
     constexpr std::chrono::milliseconds patience(300);
     const SymbolicResult alone = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
@@ -106,7 +106,7 @@ TEST(RandomizedPortfolio, AgreesWithTheSymbolicEngineAloneOnRandomSystems) {
 }
 
 /// Tests the portfolio without threads, with engines that join at any time, and with PDR alone.
-TEST(RandomizedPortfolio, VerdictsDoNotDependOnWhoWorksWhen) {
+TEST(RandomizedPortfolio, VerdictsDoNotDependOnTheOrderOfEngines) {
     Compared compared;
     std::size_t by_pdr = 0;
     for (int seed = 1; seed <= test_size(100) && !HasFatalFailure(); ++seed) {

@@ -23,7 +23,7 @@
 namespace grafverif {
 namespace {
 
-/// A component that outputs true while A holds and X is at least 1.
+/// Returns a component that outputs true while A holds and X is at least 1.
 Component watcher() {
     ComponentBuilder build{{.name = "watcher"}};
     Exprs& exprs = build.component.exprs;
@@ -181,7 +181,7 @@ std::string symbolic_verdicts(const Model& model) {
     return system ? verdicts(check_symbolic(*system)) : "no system";
 }
 
-TEST(RandomizedPorts, AnInputThatIsATermIsAWire) {
+TEST(RandomizedPorts, InputBoundToATermAgreesWithASeparateComponent) {
     int compared = 0, symbolic = 0;
     for (int seed = 1; seed <= test_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -66,7 +66,7 @@ bool is_liveness(const Verdict& verdict) {
     return verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
 }
 
-/// True if some controller could continue throughout the loop of the run, and never does.
+/// True if some controller can take an edge throughout the loop of the run, and never does.
 bool starves_a_controller(const Network& network, const Run& run) {
     const auto states = replay(network, run);
     if (!run.loop || !states) return false;
@@ -115,8 +115,8 @@ public:
         return true;
     }
 
-    /// For each statement: the number of times that the other model had the same verdict, and the number of times that
-    /// it had the opposite one.
+    /// Counts, for each statement, how often the other model had the same verdict, and how often it had the opposite
+    /// one.
     using Tally = std::map<std::string, std::pair<int, int>>;
     static Tally tally;
     static int replayed;
@@ -243,7 +243,7 @@ private:
         EXPECT_TRUE(same) << verdict.property << " " << word(verdict.outcome) << ": " << words;
     }
 
-    /// Only counts a statement that may be true or false.
+    /// Counts a statement that may be true or false, without checking it.
     static void count(const std::string& words, const Verdict& verdict, const Verdicts& there) {
         const Outcome found = outcome(there, verdict.property);
         if (found == Outcome::Unknown) return;
@@ -295,7 +295,7 @@ private:
     }
 
     /// Checks a statement of docs/explanation/semantics.md: a property that is violated (always, never) or reachable in
-    /// atomic grain is so in phased grain, too.
+    /// atomic grain has the same verdict in phased grain.
     void try_grains() {
         for (const auto& [name, verdict] : atomic_.verdicts) {
             const bool of_states = verdict.pattern == Pattern::Always || verdict.pattern == Pattern::Never ||

@@ -69,7 +69,7 @@ std::string disagreement(const Program& program, const Scan& scan, Random& rando
         met.timers += scan.layout.timers.empty() ? 0 : 1;
         met.intervals += program.interval_ms ? 1 : 0;
         for (std::size_t i = 0; i < cells; ++i) {
-            if (scan.layout.cells[i].temporary) continue;  // the value of a temporary variable ends with the call
+            if (scan.layout.cells[i].temporary) continue;  // its value is discarded after the call
             if (terms[scan.after[i].index] != run.cells()[i])
                 return scan.layout.cells[i].name + where + ": the equations give " +
                        (terms[scan.after[i].index] ? std::to_string(*terms[scan.after[i].index]) : "nothing") +

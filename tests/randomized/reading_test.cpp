@@ -25,7 +25,7 @@ std::string equations_text(const Chart& chart) {
     return out.str();
 }
 
-TEST(RandomizedReading, AChartWrittenDownAndReadAgainIsTheSameChart) {
+TEST(RandomizedReading, PrintedChartIsReadBackUnchanged) {
     int read = 0;
     std::map<std::string, int> rejected;
     for (int seed = 1; seed <= test_size(500); ++seed) {

@@ -25,7 +25,7 @@ bool reads_timer(const Equations& equations, Id<Expr> term) {
     });
 }
 
-/// The system with the same inputs as the equations. The test simulates its timers here.
+/// The transition system, executed with the same inputs as the equations. The test simulates its timers.
 struct Twin {
     const Equations& equations;
     TransitionSystem system = {};
@@ -110,7 +110,7 @@ struct Twin {
 /// Returns the first difference after a cycle of the equations, or an empty string.
 std::string disagreement(const Twin& twin, const EquationsCycle& cycle, ExecutionMode mode) {
     const Equations& equations = twin.equations;
-    // A certain race may hide that another value of the same cycle is undefined.
+    // A definite race may hide that another value of the same cycle is undefined.
     const bool faulty = twin.flag("out_of_range") || (cycle.no_value && twin.flag("race"));
     if ((cycle.no_value || cycle.out_of_range) && !faulty) return "out_of_range is not set";
     if ((cycle.race || cycle.conflict) && !twin.flag("race")) return "race is not set";
@@ -121,8 +121,8 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
         const Equations::Variable& variable = equations.variables[id];
         if (!Twin::is_kept(variable.role)) continue;
         const auto output = std::ranges::find(equations.outputs, id, &Equations::Output::variable);
-        // The system samples the timer outputs that an output reads with the inputs. In contrast, run_equations reads
-        // them after the cycle.
+        // The system samples the inputs and, at the same time, the timer outputs that an output reads. In contrast,
+        // run_equations reads the timer outputs after the cycle.
         if (mode == ExecutionMode::EveryCycle && twin.ends_moved && output != equations.outputs.end() &&
             reads_timer(equations, output->value))
             continue;

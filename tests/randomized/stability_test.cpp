@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests of the interpreter alone: the meaning of `stable`, and the reported total instabilities, which must
-// be genuine.
+// Randomized tests of the interpreter alone: the meaning of `stable`, and reported total instabilities, which must be
+// real.
 #include <gtest/gtest.h>
 
 #include "run/interpreter.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: a small PLC simulator without knowledge of charts executes the controller in Structured Text. It
-// agrees with the interpreter cycle by cycle, in both execution modes and both forms, in the outputs, the situation,
-// and the point at which the controller stops.
+// Randomized test: a small PLC simulator that does not use charts executes the controller in Structured Text. It agrees
+// with the interpreter cycle by cycle, in both execution modes and both forms, in the outputs, the situation, and the
+// point at which the controller stops.
 #include "emit/structured_text/structured_text.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using structured_text::Form;
 
-/// Counts of the situations in the random runs, so that the test fails if the generator no longer produces them.
+/// Counts the cases in the random runs, so that the test fails if the generator no longer produces them.
 struct Met {
     int refused = 0, transients = 0, endless = 0, races = 0, out_of_range = 0, outputs = 0, timed = 0;
 };
@@ -40,7 +40,7 @@ int fault_of(const Cycle& run) {
 std::string disagreement(const Chart& chart, const Equations& equations, const Cycle& run, const SmallPlc& plc) {
     const int fault = fault_of(run);
     const auto found = plc.value("FAULT");
-    const bool either = fault > 1 && found > 1;  // the order of several faults in one evolution is arbitrary
+    const bool either = fault > 1 && found > 1;  // any of several faults in one evolution may be reported
     if (found != fault && !either) return "fault " + std::to_string(found) + " instead of " + std::to_string(fault);
     for (const Id<Chart::Variable> id : chart.variables.ids())
         if (chart.variables[id].kind == Chart::VariableKind::Output &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compares supervisors with a naive game and with all other supervisors, on random plants with one hidden bit. On
-// random loops two engines prove the charts with the added conditions again.
+// random loops, two engines verify the charts with the added conditions.
 #include "check/supervise/supervise.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 using System = TransitionSystem;
 
 // The bits of a state are the observable and the unobservable bit of the plant, two steps, and an output. The choices
-// are whether the chart evolves, the direction of the plant, and the permissions of two transitions and of the output.
+// are the evolution of the chart, the direction of the plant, and the permissions of two transitions and of the output.
 enum Bit { Input, Hidden, Step1, Step2, Out, Evolves, Way, May1, May2, MayOut };
 constexpr unsigned states = 32, permitted = 8;
 constexpr unsigned all_permitted = permitted - 1;
@@ -35,7 +35,7 @@ struct Toy {
     std::array<Id<Expr>, 5> next = {};  ///< the next value of each bit of a state
     Id<Expr> fires1 = {}, fires2 = {};
 
-    /// The bits of `may` are the permissions of transition 1, of transition 2 and of the output.
+    /// Evaluates `term`. The bits of `may` are the permissions of transition 1, of transition 2 and of the output.
     bool value(Id<Expr> term, unsigned state, bool evolves = false, bool way = false, unsigned may = 0) const {
         return *evaluate(system.exprs, term, [&](const Expr& leaf) -> std::int64_t {
             const auto index = static_cast<unsigned>(leaf.value);
@@ -154,7 +154,7 @@ struct Naive {
         return more;
     }
 
-    /// Returns `may` with the permissions that have no effect set to given.
+    /// Returns `may` with the permissions added that have no effect in `state`.
     unsigned normal(unsigned state, unsigned may) const {
         for (const unsigned index : {0U, 1U})
             if (!toy.value(index == 0 ? toy.fires1 : toy.fires2, state, true, false, all_permitted)) may |= 1U << index;
@@ -167,7 +167,7 @@ struct Naive {
 
 unsigned sight(unsigned state) { return (state & 1U) | ((state >> 1U) & 6U); }
 
-/// A bit set for each permission, which contains the observations for which it is given.
+/// A bit set for each permission: the observations for which it is granted.
 using Policy = std::array<unsigned, 3>;
 
 unsigned chosen(const Toy& toy, const Policy& policy, unsigned state) {
@@ -229,7 +229,8 @@ struct Counts {
     int none = 0, unknown = 0, free = 0, least = 0, several = 0, cautious = 0, others = 0, disabled = 0, lost = 0;
 };
 
-/// Elements that the conditions disable, observations that they make unreachable, and whether the plant alone violates.
+/// Checks the reported elements that the conditions disable, observations that they make unreachable, and properties
+/// that are violated without the conditions.
 void expect_losses(const Toy& toy, const Supervisor& found, const Policy& policy, Counts& counts) {
     const Closed ours = closed(toy, policy), free = closed(toy, {0xFF, 0xFF, 0xFF});
     if (found.conditions.empty()) {
@@ -314,7 +315,7 @@ void expect_run(const Toy& toy, const Naive& naive, const Supervisor& found) {
     }
 }
 
-TEST(RandomizedSupervise, ConditionsAreThoseOfANaiveGameAndNoOtherForbidsLess) {
+TEST(RandomizedSupervise, ConditionsAgreeWithANaiveGameAndAreLeastRestrictive) {
     Counts counts;
     for (int seed = 1; seed <= test_size(400); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -93,10 +93,10 @@ void expect_shown(const System& system, const SystemGraph& graph, const Property
 
 struct Compared {
     std::size_t systems = 0, states = 0, verdicts = 0, faults = 0, violated = 0;
-    std::size_t saturated = 0;  ///< number of cases in which not every ring was needed
+    std::size_t saturated = 0;  ///< number of cases in which the search needed fewer rounds than the greatest distance
 };
 
-/// The options compare a breadth-first search alone with event clusters from the first state on.
+/// The tested options: breadth-first search alone, and event clusters from the first state on.
 const SymbolicOptions plain{.by_kind = false}, by_kind{.one_by_one = 0};
 
 void compare(const System& system, std::size_t limit, Compared& compared, const SymbolicOptions& options) {
@@ -287,7 +287,7 @@ struct Cut {
     std::size_t said = 0, unsaid = 0;
 };
 
-/// Checks that, with insufficient memory, each verdict is that of the complete search or unknown.
+/// Checks that, with insufficient memory, each verdict is unknown or equals that of the complete search.
 void expect_no_more_said(const System& system, const SymbolicResult& whole, Cut& cut) {
     for (const std::uint64_t part : {40u, 15u}) {
         SymbolicOptions little = by_kind;

@@ -92,7 +92,7 @@ std::vector<bool> possible(const Explored& all, std::vector<bool> goal, const By
     return goal;
 }
 
-/// True if the property holds in integer time. If it does in a model with a model error, the test concludes nothing.
+/// True if the property holds in integer time. If it holds in a model with a model error, the test draws no conclusion.
 bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& property) {
     const auto where = [&](std::size_t operand) {
         std::vector<bool> set;
@@ -152,7 +152,7 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
 }
 
 /// Returns the least number of moves to a state of `goal`. A delay of any length counts as one move. The search is
-/// breadth-first over pairs of a state and the information whether the last move was a delay.
+/// breadth-first over pairs of a state and a flag, which is true if the last move was a delay.
 std::optional<std::size_t> fewest_moves(const Explored& all, const std::vector<bool>& goal) {
     std::set<std::pair<std::size_t, bool>> seen, level = {{0, false}};
     for (std::size_t moves = 0; !level.empty(); ++moves) {
@@ -179,7 +179,7 @@ bool about_all_states(Pattern pattern) {
     return pattern != Pattern::Reachable && pattern != Pattern::ReachableAllSteps;
 }
 
-/// Adds every pattern over the network's own operands, so that each test covers every kind of property.
+/// Adds every pattern over the operands of the network, so that each test covers every kind of property.
 void add_queries(Network& network, Random& random) {
     std::vector<Id<Expr>> terms;
     for (const Id<Network::Variable> id : network.variables.ids())
@@ -236,7 +236,7 @@ void compare(const Network& network, const NaiveTadd& tadd, const Explored& all,
     ++seen.compared;
 }
 
-/// Checks that any number of threads finds the same states in the same order, with the same verdicts.
+/// Checks that searches with any number of threads find the same states in the same order, with the same verdicts.
 void compare_jobs(const Network& network, const TimedResult& one, bool links) {
     for (const unsigned jobs : {2U, 3U, 5U}) {
         SCOPED_TRACE(std::to_string(jobs) + " threads");

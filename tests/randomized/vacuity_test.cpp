@@ -49,7 +49,7 @@ struct Graph {
     }
 };
 
-/// Returns nothing if there are more than `limit` states or the model has an error.
+/// Returns the graph, or nothing if there are more than `limit` states or the model has an error.
 std::optional<Graph> graph_of(const NaiveTadd& tadd, std::size_t limit) {
     Graph graph;
     std::map<TaddState, std::size_t> numbers;
@@ -125,7 +125,7 @@ struct Tally {
     std::size_t violated = 0, by_symbolic = 0, by_pdr = 0, together = 0;
 };
 
-/// The verdict on the property. It does not count a property as vacuous because no time passes.
+/// The verdict on the property. `vacuous` is false if the only reason is that no time passes.
 struct Found {
     Outcome outcome = Outcome::Unknown;
     bool vacuous = false;
@@ -169,7 +169,8 @@ void check_untimed(Model model, const Network& watched, const Property& property
     };
     compare("symbolic", check_symbolic(*system).verdicts, tally.by_symbolic);
     if (tally.together >= static_cast<std::size_t>(test_size(20))) return;
-    // PDR may not end on discrete clocks. The test does not compare properties that PDR does not decide soon.
+    // PDR may not terminate for clocks in discrete time. The test ignores properties that PDR does not decide within
+    // the time limit.
     PdrOptions pdr;
     pdr.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     compare("pdr", check_pdr(*system, pdr).verdicts, tally.by_pdr);

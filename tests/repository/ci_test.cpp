@@ -36,7 +36,7 @@ std::string value(const std::string& line, const std::string& key) {
     return at == std::string::npos ? "" : line.substr(at + key.size());
 }
 
-/// A project with these charts in a separate folder, and a shell that runs in it.
+/// A project with the given charts in a separate folder, and a shell that runs in this folder.
 class Project {
 public:
     explicit Project(const std::map<std::string, std::string>& charts) {
@@ -90,7 +90,7 @@ std::map<std::string, std::string> faulty() {
     return {{"charts/gate.grafcet", gate}, {"charts/gate_controller.grafcet", wrong}};
 }
 
-/// Returns a step of the action as a shell script. Its `env` has the given inputs, or their defaults.
+/// A step of the action as a shell script. Its environment contains the default values of the inputs.
 struct Step {
     std::string name = {}, script = {};
     std::map<std::string, std::string> environment = {};

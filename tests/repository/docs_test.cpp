@@ -80,7 +80,7 @@ std::string name_of(const Block& block) {
     return name;
 }
 
-/// A folder in which the documents' commands run. It contains the samples in the same place as the repository.
+/// A folder in which the documents' commands run. It contains the samples at the same relative path as the repository.
 class Workplace {
 public:
     Workplace() {
@@ -155,7 +155,8 @@ std::size_t run_commands(const fs::path& document, const Block& block, const Wor
     return commands;
 }
 
-/// Tutorials run from beginning to end in one folder: `grafcet` blocks are written and `diff` blocks are applied there.
+/// True for a tutorial, which runs from beginning to end in one folder: `grafcet` blocks are written and `diff` blocks
+/// are applied there.
 bool is_tutorial(const fs::path& document) { return document.parent_path().filename() == "tutorials"; }
 
 std::size_t run_tutorial(const fs::path& document) {
@@ -216,7 +217,7 @@ TEST(Documents, ShowCanonicalText) {
     EXPECT_GT(charts, 15u);
 }
 
-TEST(Documents, ClaimVerdictsOfTheirLoopsThatCheckFinds) {
+TEST(Documents, StateTheVerdictsThatCheckFinds) {
     std::size_t loops = 0;
     for (const fs::path& document : documents()) {
         for (const Block& block : blocks_of(document)) {

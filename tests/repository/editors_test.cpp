@@ -73,7 +73,7 @@ std::string in_place(const std::string& text) {
     return "grafcet g {\n" + text + "\n}";
 }
 
-TEST(Editors, WriteSnippetsThatTheParserTakes) {
+TEST(Editors, WriteSnippetsThatTheParserAccepts) {
     const fs::path file = fs::temp_directory_path() / "grafverif-snippet.grafcet";
     const json snippets = json::parse(text_of(root / "editors/vscode/snippets/grafcet.json"));
     for (const auto& [name, snippet] : snippets.items()) {

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-# samples/integration as a project of a user who has installed the package: built by Ninja, by CMake's Makefiles, and by
-# its Makefile. After each change exactly the dependent files are built again, and errors fail the build.
+# Tests samples/integration as a project of a user who has installed the package: it is built by Ninja, by CMake's
+# Makefiles, and by its Makefile. After each change exactly the dependent files are built again, and errors fail the
+# build.
 set(work "${BUILD}/integration-test")
 file(REMOVE_RECURSE "${work}")
 set(ENV{PATH} "${work}/prefix/bin:$ENV{PATH}")
 
-# run(COMMAND...): sets output and result; must_run: requires success.
+# run(COMMAND...) sets `output` and `result`; must_run also requires success.
 function(run)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
     set(result "${result}" PARENT_SCOPE)
@@ -31,7 +32,7 @@ function(expect_output pattern)
     endif()
 endfunction()
 
-# The files that were built since the last call: marks each file, and returns those without a mark.
+# Returns the files that were built since the last call, and remembers the times of all files.
 function(made_anew folder)
     set(made "")
     foreach(file IN LISTS ARGN)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Report unclear wording in documents, messages, comments and test names.
+"""Reports unclear wording in documents, messages, comments and test names.
 
     language_lint.py [--all] [--count] [--update] [FILE...]
 
@@ -89,7 +89,7 @@ class Terms:
 
 
 def markdown_texts(source, path):
-    """Prose of a Markdown document: no fenced blocks, code spans, link targets, HTML comments."""
+    """Yields the prose of a Markdown document, without fenced blocks, code spans, link targets and HTML comments."""
     fenced, wanted, text = None, path != "CHANGELOG.md", None
     for number, line in enumerate(source.split("\n"), 1):
         fence = re.match(r"\s*(```+|~~~+)", line)
@@ -131,7 +131,7 @@ def split_name(name):
 
 
 def code_texts(source, path, token):
-    """String literals, comments and test names of a C++ or JavaScript source."""
+    """Yields the string literals, comments and test names of a C++ or JavaScript source."""
     newlines = [match.start() for match in re.finditer("\n", source)]
 
     def line_of(offset):
@@ -191,7 +191,7 @@ def code_texts(source, path, token):
 
 
 def python_texts(source, path):
-    """String literals (messages), comments, docstrings and test names of a Python source."""
+    """Yields the string literals (messages), comments, docstrings and test names of a Python source."""
     public = path.startswith("python/")
     comment, previous = None, None
     for item in tokenize.generate_tokens(io.StringIO(source).readline):
@@ -222,7 +222,7 @@ def python_texts(source, path):
 
 
 def hash_texts(source, path):
-    """Comments of CMake files and scripts that occupy complete lines."""
+    """Yields the comments of CMake files and scripts that occupy complete lines."""
     text = None
     for number, line in enumerate(source.split("\n"), 1):
         match = re.match(r"\s*# ?(?!!)(.*)", line)
@@ -259,7 +259,7 @@ SENTENCE_END = re.compile(r"[.?!:;](?=\s|$)|\n\s*\n|\n {2,}|\n(?=[-*.<])")
 
 
 def blank(match):
-    """Replaces a code span by one word of the same length, so that offsets stay."""
+    """Replaces a code span by one word of the same length, so that offsets are unchanged."""
     text = match.group(0)
     return "".join("\n" if c == "\n" else "`" if 0 < i < len(text) - 1 else " " for i, c in enumerate(text))
 
@@ -275,7 +275,7 @@ def file_findings(source, path, terms):
     for text in texts_of(source, path):
         prose = CODE_SPAN.sub(blank, re.sub(r"lint-ok: .*", lambda m: "." * len(m.group(0)), str(text)))
         if text.area == "M" and not re.search(r"\S\s+\S", prose.strip()):
-            continue  # an identifier, a key, a code
+            continue  # not a sentence, but an identifier, a key or a code
         flat = prose.replace("\n", " ")
         found = list(terms.find(flat, text.area, path))
         if text.area != "T":
@@ -313,7 +313,7 @@ def repository_files(root):
 
 
 def lint(root, paths, terms):
-    """All findings: (path, area, line, phrase, remedy)."""
+    """Yields all findings as (path, area, line, phrase, remedy)."""
     for path in paths:
         try:
             source = (root / path).read_text(encoding="utf-8")

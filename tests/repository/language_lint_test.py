@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Tests of language_lint.py: findings in bad inputs, none in good ones, and the baseline."""
+"""Tests of language_lint.py: findings in incorrect texts, no findings in correct texts, and the baseline."""
 
 import contextlib
 import io

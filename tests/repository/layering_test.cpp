@@ -74,7 +74,7 @@ std::string room_of(const std::string& header) {
     return rungs.contains(first) && path.has_parent_path() ? first : "";
 }
 
-TEST(Layering, EveryFolderIsARoomWithARung) {
+TEST(Layering, EveryFolderIsAModuleWithALayer) {
     for (const fs::path& file : sources({"include/grafverif", "src"}))
         EXPECT_TRUE(rungs.contains(memory_with(file))) << file;
 }
@@ -90,7 +90,7 @@ TEST(Layering, NoModuleIncludesAHigherModuleOrAnotherCommand) {
     }
 }
 
-TEST(Layering, IsDrawnAsItIs) {
+TEST(Layering, DrawingIsUpToDate) {
     const fs::path drawn = fs::temp_directory_path() / "grafverif-modules.svg";
     ASSERT_EQ(
         std::system(("'" + (root / "docs/module_dependencies.sh").string() + "' >'" + drawn.string() + "'").c_str()),
@@ -114,7 +114,7 @@ TEST(Layering, EveryPathNamedByTheArchitecturePageExists) {
 TEST(Layering, ThirdPartyLibrariesStayInTheirModules) {
     struct Rule {
         std::string prefix = {};
-        std::set<std::string> places = {};  ///< the modules or their folders
+        std::set<std::string> places = {};  ///< modules, or folders of modules
     };
     const std::vector<Rule> rules = {
         {"pugixml", {"read", "emit/uppaal"}},
@@ -150,7 +150,7 @@ TEST(Layering, PublicHeadersNameNoThirdParty) {
     }
 }
 
-TEST(Layering, OnlyTheAppSeesStreamsOfTheProcessAndOnlyThePipelineReadsFilesBesides) {
+TEST(Layering, OnlyTheAppUsesProcessStreamsAndOnlyThePipelineAlsoReadsFiles) {
     static const std::regex streams(R"(std::c(in|out|err)\b|\bgetenv\b)"),
         files(R"(std::(i|o)?fstream|std::filesystem(?!::path)|[^\w]::open\()");
     for (const fs::path& file : sources({"include/grafverif", "src"})) {
@@ -166,7 +166,7 @@ TEST(Repository, EveryFileBeginsWithItsLicence) {
         EXPECT_TRUE(text_of(file).starts_with("// SPDX-License-Identifier: MIT\n")) << file;
 }
 
-TEST(Repository, SourcesAreAsTheFormatterHasThem) {
+TEST(Repository, SourcesAreFormatted) {
     const std::string formatter = "clang-format-14";  // other versions of clang-format break lines differently
     if (std::system((formatter + " --version >/dev/null 2>&1").c_str()) != 0)
         GTEST_SKIP() << "there is no " << formatter;
@@ -176,7 +176,7 @@ TEST(Repository, SourcesAreAsTheFormatterHasThem) {
     EXPECT_EQ(std::system(command.c_str()), 0) << "clang-format-14 -i the files named above";
 }
 
-TEST(Repository, NoSourceGrowsOutOfHand) {
+TEST(Repository, NoSourceIsTooLong) {
     for (const fs::path& file : sources({"include", "src"})) {
         const std::string text = text_of(file);
         EXPECT_LE(std::ranges::count(text, '\n'), 500) << file << ": split it by idea";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests the language server while memory is refused. Every request must be answered, and every document must have its
-// diagnostics once memory is available again.
+// Tests the language server while memory allocations fail. Every request must be answered, and every document must have
+// its diagnostics once memory is available again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -62,8 +62,8 @@ Json changed(const std::string& uri, const std::string& text) {
                                            {"contentChanges", Json::array({{{"text", text}}})}});
 }
 
-/// The messages that the client sends while memory may be refused. They contain every kind of request, for a document
-/// with errors and for one without errors.
+/// Returns the messages that the client sends while memory may be refused. They contain every kind of request, for a
+/// document with errors and for one without errors.
 const std::vector<Json>& conversation() {
     static const std::vector<Json> all = [] {
         std::vector<Json> messages = {opened(lamp, lamp_text), opened(press, press_text("G"))};
@@ -152,7 +152,7 @@ public:
                 EXPECT_EQ(open_.erase(message["id"].get<int>()), 1U) << message;
                 begun = message["id"] == 1;
             } else if (!message.contains("method")) {
-                ++lost_;  // there was no memory for the message, nor for its id
+                ++lost_;  // there was no memory for the message or for its id
             }
         }
         wake_.notify_all();
@@ -188,7 +188,7 @@ private:
     }
 
     Limit session_, receiver_, over_;
-    /// The initialization, the requests without memory, the corrections, the end.
+    /// The parts of the dialogue: initialization, requests without memory, corrections, end.
     std::array<std::string, 4> parts_ = {};
     std::size_t part_ = 0, at_ = 0;
     std::mutex door_ = {};
@@ -262,7 +262,7 @@ TEST_F(LspRefusals, OfAThreadEndsTheServerWithAMessage) {
     }
 }
 
-TEST(LspServer, LeavesByAnExceptionWithItsThreadsJoined) {
+TEST(LspServer, JoinsItsThreadsIfAnExceptionIsThrown) {
     const std::string first =
         framed(request(1, "initialize", {{"processId", nullptr}, {"capabilities", Json::object()}}).dump());
     bool given = false;

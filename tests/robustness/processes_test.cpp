@@ -38,7 +38,7 @@ constexpr bool sanitized = false;
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 
-/// Every command, limited to some seconds. FOLDER stands for an output folder.
+/// Returns a call of every command, with a limit of some seconds. FOLDER stands for an output folder.
 const std::vector<Words>& verbs() {
     static const std::vector<Words> all{
         {"fmt", tanks},
@@ -97,7 +97,7 @@ std::string comparable(std::string text, const Folder& folder) {
     return result;
 }
 
-TEST(Memory, ThatIsNeverCleanChangesNothing) {
+TEST(Memory, FilledWithGarbageChangesNothing) {
     for (const Words& verb : verbs()) {
         SCOPED_TRACE(verb[0]);
         std::string seen;
@@ -156,7 +156,7 @@ TEST(Memory, OfASmallStackIsEnough) {
     }
 }
 
-TEST(Memory, IsUsedAsValgrindLikesIt) {
+TEST(Memory, HasNoErrorsUnderValgrind) {
     if (sanitized) GTEST_SKIP() << "sanitizers and valgrind exclude each other";
     const auto valgrind = find_program("valgrind");
     if (!valgrind) GTEST_SKIP() << "valgrind is not installed";
@@ -181,8 +181,8 @@ TEST(Memory, IsUsedAsValgrindLikesIt) {
     }
 }
 
-/// `serve` listens and answers requests, but nothing connects to it.
-TEST(Program, CallsNothingThatReachesForTheNetworkOrAShell) {
+/// Checks that `serve` only listens and answers requests: the program makes no outgoing connections.
+TEST(Program, ConnectsToNoNetworkAndStartsNoShell) {
     if (sanitized) GTEST_SKIP() << "sanitizers bring calls of their own";
     const auto nm = find_program("nm");
     if (!nm) GTEST_SKIP() << "nm is not installed";
@@ -298,7 +298,8 @@ TEST(Init, TwoConcurrentRunsLeaveOneCompleteProjectAndOverwriteNothing) {
     EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "where one file is there, none is written";
 }
 
-/// Two of the runs have unreadable input, and two run concurrently on one file. They end on request.
+/// Two of the runs of `watch` have unreadable input, and two others run concurrently on one file. All of them end on
+/// request.
 TEST(Watch, SurvivesUnreadableInputAndLeavesNoProcesses) {
     const Folder folder;
     folder.write("lamp.grafcet",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Refusals of memory and threads inside this process. As in the standard library, a refused allocation calls the
-// new-handler before it fails, and is repeated if the handler returns.
+// Simulates that the operating system refuses memory and threads to this process. As in the standard library, a refused
+// allocation calls the new-handler before it fails, and is repeated if the handler returns.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@ inline constexpr bool sanitized = true;  ///< nothing is refused, because saniti
 inline constexpr bool sanitized = false;
 #endif
 
-/// Refuses one allocation of this thread: that which follows `after` others during the lifetime of the object.
+/// Refuses one allocation of this thread: the one that follows `after` others during the lifetime of the object.
 class Refusal {
 public:
     explicit Refusal(std::int64_t after);
     ~Refusal();
     Refusal(const Refusal&) = delete;
     Refusal& operator=(const Refusal&) = delete;
-    /// The number of allocations until one is refused.
+    /// Returns the number of allocations until one is refused.
     std::int64_t left() const;
 };
 
@@ -39,13 +39,13 @@ private:
 
 /// Limits the heap of all threads to its current size plus `bytes`.
 void limit_heap(std::size_t bytes);
-/// Removes this limit, and the refusals that have not occurred yet in any thread.
+/// Removes the limit of limit_heap and all refusals that are still pending in any thread.
 void lift_limits();
-/// The maximum number of bytes in use since the last call.
+/// Returns the maximum number of bytes in use since the last call.
 std::size_t peak_of_heap();
 std::size_t heap_in_use();
 
-/// Refuses the threads beyond `count` that this thread starts during the lifetime of the object.
+/// Refuses all threads except the first `count` ones that this thread starts during the lifetime of the object.
 class FewThreads {
 public:
     explicit FewThreads(int count);

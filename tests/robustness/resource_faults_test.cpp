@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests refusals of the system in this process: each allocation of the SAT engines in turn, and threads.
+// Tests the process while the system refuses resources: each allocation of the SAT engines separately, and threads.
 #include "robustness/resource_faults.hpp"
 
 #include <gtest/gtest.h>

@@ -29,7 +29,7 @@ constexpr std::array actions = {"",
                                 "o := {} on deactivation;",
                                 "o := false on event rise({});"};
 
-/// The possible conditions in a chart with these elements.
+/// Returns the possible conditions in a chart with these elements.
 std::vector<std::string> conditions(bool input, bool output, std::size_t steps) {
     std::vector<std::string> list{"true", "false"};
     if (input) list.insert(list.end(), {"a", "!a", "rise(a)", "1s/a"});
@@ -38,7 +38,8 @@ std::vector<std::string> conditions(bool input, bool output, std::size_t steps) 
     return list;
 }
 
-/// Returns the possible sets of transitions: none, and each single transition from some of the steps to some of them.
+/// Returns the possible sets of transitions: the empty set, and each single transition from some of the steps to some
+/// of the steps.
 std::vector<std::string> transitions(const std::vector<std::string>& conditions, std::size_t steps) {
     std::vector<std::string> list{""};
     const std::vector<std::string> sets = steps == 0   ? std::vector<std::string>{""}
@@ -93,7 +94,7 @@ std::optional<Model> read(const std::string& text) {
     return read_text(sources.add({"small.grafcet", text}), sources, {}, diagnostics);
 }
 
-/// Returns a loop of the chart and a plant that may do anything.
+/// Returns a closed loop of the chart and a plant with arbitrary behaviour.
 std::string loop_of(const std::string& chart) {
     return "component any(output OUT) {\n    initial location on;\n    timed on -> on when true do OUT := !OUT;\n}\n" +
            chart + "closed_loop smallest {\n    controller small;\n" +
@@ -106,7 +107,7 @@ TEST(SmallShapes, AreAcceptedByEveryCommand) {
     const std::span<const fuzz::VerbRun> runs = fuzz::command_runs();
     const std::vector<std::string> all = shapes();
     const std::size_t law = static_cast<std::size_t>(test_size(1));
-    // Every stride-th chart is tested; all charts from GRAFVERIF_TEST_SIZE=8 on.
+    // Every stride-th chart is tested; with GRAFVERIF_TEST_SIZE=8 or more, every chart is tested.
     const std::size_t stride = law >= 8 ? 1 : 8 / law;
     const std::size_t each = (law + 7) / 8;  // number of runs, which depends on the test size in the same way
     std::size_t legal = 0, next = 0;

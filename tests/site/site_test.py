@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""site_test.py GRAFVERIF: the sources of the site are complete, and each kind of error in them fails the build.
+"""site_test.py GRAFVERIF: tests that the sources of the site are complete, and that each kind of error in them fails
+the build.
 
 The tests of the finished site need Sphinx with MyST and Furo; without them they are skipped with a message.
 """
@@ -32,7 +33,7 @@ class Site(unittest.TestCase):
         self.folder.cleanup()
 
     def build(self, program=PROGRAM):
-        """(exit code, errors) of a build of `root`."""
+        """Returns (exit code, errors) of a build of `root`."""
         target = Path(self.folder.name) / "target"
         done = subprocess.run([sys.executable, "-B", self.root / "docs/site/build.py", program, target, "--root", self.root, "--quick"],
                               capture_output=True, text=True)
@@ -119,7 +120,7 @@ class Site(unittest.TestCase):
 
 
 def missing_for_sphinx():
-    """Why the finished site cannot be built; empty if it can."""
+    """Returns the reason why the finished site cannot be built, or an empty string."""
     missing = [name for name in ["sphinx", "myst_parser", "furo"]
                if subprocess.run(["/usr/bin/python3", "-c", f"import {name}"], capture_output=True).returncode]
     return f"not installed: {', '.join(missing)}" if missing else ""

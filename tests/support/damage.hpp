@@ -9,8 +9,8 @@
 namespace grafverif {
 
 struct Damage {
-    std::string_view likely = {};    ///< bytes that have a meaning in such a text
-    std::size_t most_changes = 3;    ///< number of bytes changed or deleted, or of pieces copied elsewhere
+    std::string_view likely = {};    ///< bytes with a syntactic meaning in the text
+    std::size_t most_changes = 3;    ///< number of changed bytes, deleted bytes and copied pieces
     std::size_t longest_piece = 60;  ///< length of copied pieces, minus one
 };
 

@@ -109,7 +109,7 @@ private:
         });
     }
 
-    /// A line may end at a box, and may run along the edge of the element that it belongs to.
+    /// Checks the lines. A line may end at a box, and may run along the edge of the element that it belongs to.
     void look_at_lines() {
         std::vector<Area> areas;
         for (const auto* list : {&boxes_, &texts_})
@@ -118,7 +118,7 @@ private:
         const std::size_t count = areas.size();
         std::vector<Area> all = areas;
         all.insert(all.end(), lines_.begin(), lines_.end());
-        for (std::size_t k = count; k < all.size(); ++k) all[k].frame = true;  // `frame` here means a line
+        for (std::size_t k = count; k < all.size(); ++k) all[k].frame = true;  // here, `frame` marks lines
         for (Area& area : all)
             if (area.frame) --area.left, ++area.right;  // a vertical line gets a positive width for the sweep
         each_pair(std::move(all), [&](const Area& a, const Area& b) {

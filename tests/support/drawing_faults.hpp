@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks the readability of a drawing, based on its marks alone. Faults are overlapping boxes or texts, lines through
-// them, oblique lines, and upward links without an arrow.
+// Checks the readability of a drawing, based only on the elements in the drawing. Faults are overlapping boxes or
+// texts, lines through them, oblique lines, and upward links without an arrow.
 #pragma once
 
 #include <string>

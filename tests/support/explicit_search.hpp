@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Explicit-state search of a TransitionSystem, which reads the verdicts from its graph. It is the reference for
-// symbolic engines and model checkers. Free variables and choices take every value in every step.
+// Explicit-state search of a TransitionSystem, which computes its graph and determines the verdicts from the graph. It
+// is the reference for symbolic engines and model checkers. Free variables and choices take every value in every step.
 #pragma once
 
 #include <cstddef>

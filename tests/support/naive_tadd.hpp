@@ -50,7 +50,7 @@ public:
     }
     bool settled(const TaddState& state) const { return holds(network_.settled, state); }
 
-    /// Returns the value of the variable of that name.
+    /// Returns the value of the variable `name`.
     std::int64_t variable(const TaddState& state, const std::string& name) const;
     Id<Network::Variable> variable_id(const std::string& name) const;
     std::string location(const TaddState& state, const std::string& process) const;
@@ -73,15 +73,16 @@ private:
     std::vector<std::vector<std::vector<Id<Network::Edge>>>> leaving_ = {};  // indexed by template and location
 };
 
-/// Returns all reachable states, but at most `limit` of them.
+/// Reachable states of a network.
 struct Reachable {
     std::set<TaddState> states = {};
-    bool complete = false;
+    bool complete = false;  ///< true if the set contains all reachable states
     bool out_of_range = false;
 };
+/// Returns the reachable states. The search ends when it has found `limit` states.
 Reachable reachable(const Network& network, std::size_t limit);
 
-/// A network under test: the test sets inputs and lets time pass. The bench keeps every possible state, so that a
+/// A network under test: the test sets inputs and lets time pass. The object stores every possible state, so that a
 /// variable may have several values after a free choice.
 class Bench {
 public:
@@ -89,7 +90,7 @@ public:
 
     /// Writes an input, and then executes all events of this instant.
     void set(const std::string& variable, std::int64_t value);
-    /// Lets time pass, one unit after another. No values remain if time cannot pass.
+    /// Lets time pass, one unit after another. No state remains if time cannot pass.
     void wait(std::int64_t units);
     std::set<std::int64_t> values(const std::string& variable) const;
     std::set<std::string> locations(const std::string& process) const;
@@ -103,9 +104,9 @@ private:
     std::set<TaddState> states_ = {};
 };
 
-/// Returns the plant of one instance of `component`, named `it`. Its parameters become variables of the same names, and
-/// its constants have the given values or their defaults. The time unit is the greatest common divisor of its
-/// durations.
+/// Returns the plant of one instance of `component`, named `it`. The parameters of the component become variables of
+/// the same names, and its constants have the given values or their defaults. The time unit is the greatest common
+/// divisor of the durations.
 Network lone_component(const Component& component, const std::map<std::string, std::int64_t>& constants = {},
                        const std::string& initially = "");
 

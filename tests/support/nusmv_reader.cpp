@@ -11,7 +11,7 @@ namespace grafverif {
 namespace {
 
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-/// NuSMV reads `a-b` as one identifier.
+/// True if `c` may be part of a name; NuSMV reads `a-b` as one identifier.
 bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' || c == '#' || c == '-';
 }

@@ -202,7 +202,7 @@ private:
         for (std::size_t i = 0; i < condition.size(); ++i) result.push_back(condition[i] ? then[i] : otherwise[i]);
         return result;
     }
-    /// Returns the values of a condition or of a number.
+    /// Returns the values of a term, which is a condition or a number.
     Values value_of_either(const SpecTerm& term) {
         static const std::array<std::string_view, 5> logical{"&", "|", "->", "!", "xor"};
         if (std::ranges::find(logical, term.op) == logical.end()) return values(term);
@@ -240,7 +240,7 @@ private:
         return left;
     }
 
-    /// A name that is not the name of a variable is a value of the other operand's type.
+    /// Evaluates a comparison. A name that is not the name of a variable is a value of the other operand's type.
     Values compared(const SpecTerm& term) {
         const auto side = [&](std::size_t k) {
             const SpecTerm& here = term.operands[k];

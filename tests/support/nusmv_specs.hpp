@@ -15,8 +15,8 @@
 
 namespace grafverif {
 
-/// A formula: an operator with operands, or a name or number without operands. NuSMV's spelling of the operators is
-/// used.
+/// A formula: an operator with operands, or a name or number without operands. The operators have the spelling of
+/// NuSMV.
 struct SpecTerm {
     std::string op = {};
     std::vector<SpecTerm> operands = {};
@@ -26,9 +26,9 @@ struct SpecTerm {
 /// Reads a CTL formula. Returns nothing if the text has a form that neither the emitter nor NuSMV writes.
 std::optional<SpecTerm> read_spec(std::string_view text);
 
-/// Returns a model checker's verdict on the specification. Fails the test if the formula is not about states alone.
-/// Also fails it if the verdict depends on the treatment of initial states without a fair run, because tools differ
-/// there.
+/// Returns a model checker's verdict on the specification. Fails the test if the formula contains an operator that is
+/// not an operator on states. The test also fails if the verdict depends on the treatment of initial states without a
+/// fair run, because tools differ in this treatment.
 bool spec_is_true(const TransitionSystem& system, const SystemGraph& graph, const NusmvModel::Specification& spec);
 
 /// Returns the verdict on the property of the specification. The name of a negated specification begins with `never_`,

@@ -13,8 +13,8 @@
 
 namespace grafverif {
 
-/// Returns the only chart of `text`, which contains the declarations of a grafcet without its frame. Fails the test,
-/// with the rendered diagnostics, if the chart is invalid.
+/// Returns the only chart of `text`, which contains the declarations of a grafcet without the enclosing `grafcet NAME {
+/// }`. Fails the test, with the rendered diagnostics, if the chart is invalid.
 Chart chart(std::string_view text);
 
 /// Returns the equations of chart(text). Fails the test if derive rejects the chart or computes malformed equations.

@@ -75,7 +75,7 @@ private:
 
     // -- conditions ---------------------------------------------------------------------------------------------------
 
-    /// Returns `X2`, with the name of its partial chart if the plain name would not refer to it.
+    /// Returns `X2`, with the name of its partial chart if the plain name does not refer to this step.
     Id<tree::Expr> step_variable_in(Id<Chart::Step> id, Id<Chart::PartialChart> here) {
         const Chart::Step& step = chart_.steps[id];
         if (step.chart == here || namesakes_.at(step.name) == 1) return trees_.path("X" + step.name);

@@ -21,7 +21,7 @@ struct Generator {
     Random& random;
     TimedTerms timed;
     Chart chart = {};
-    /// For each partial chart: the one that contains its owner step; -1: it has no owner.
+    /// For each partial chart, the partial chart that contains its owner step, or -1 if it has no owner step.
     std::vector<std::int64_t> outer = {};
     std::vector<Id<Chart::Variable>> inputs = {}, continuous = {}, stored_bools = {}, stored_ints = {}, numbers = {};
 

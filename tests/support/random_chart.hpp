@@ -32,8 +32,8 @@ enum class TimedTerms { Any, Steps };
 
 Chart random_chart(Random& random, TimedTerms timed = TimedTerms::Any);
 
-/// Returns the same chart without unused terms and time conditions. The others are in the order of their first use, as
-/// if the chart was read from its text.
+/// Returns the same chart without unused terms and time conditions. The remaining ones are in the order of their first
+/// use, as if the chart was read from its text.
 Chart tidied(const Chart& chart);
 
 /// Returns a smaller chart for which `fails` is still true. The function removes steps, transitions and actions, and

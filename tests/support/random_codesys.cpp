@@ -29,7 +29,7 @@ void RandomCodesys::control(Chart& chart, const std::string& name, Control& one)
     one.q =
         !reset && (active("N") || stored[name] || one.pulse.rises || (one.delay.on && now - one.delay.since >= delay) ||
                    (one.limit.on && now - one.limit.since < delay));
-    if (is_variable(name) && reset) one.before = true;  // the variable becomes false
+    if (is_variable(name) && reset) one.before = true;  // R sets the variable to false
 }
 
 bool RandomCodesys::is_true(const Chart& chart, const Transition& one) {

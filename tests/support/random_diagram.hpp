@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generates random ladder diagrams as PLCopen XML, and evaluates their rungs without using the program.
+// Generates random ladder diagrams as PLCopen XML, and evaluates their rungs independently of grafverif.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Rungs {
     struct Rung {
         Circuit set = {}, reset = {};  ///< `reset` is used only if an instance of SR precedes the coil
         bool latch = false;
-        bool latched = false;  ///< the state of the instance
+        bool latched = false;  ///< the state of the SR instance
         bool before = false;   ///< the last value of a coil that detects edges
         Coil coil = Coil::Plain;
         std::size_t variable = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generates random well-formed closed loops for randomized tests of plant, compose, engines and emitters. A loop has
-// one or two random charts, the second of which may read outputs of the first. Every input is driven by a plant of
-// small components: switches, varying levels, and actuators that follow an output after a delay. The properties use all
+// one or two random charts; the second chart may read outputs of the first. Every input is driven by a plant of small
+// components: switches, varying levels, and actuators that follow an output after a delay. The properties use all
 // elements that a property can name.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace grafverif {
 /// Returns a model with one loop.
 Model random_loop(Random& random);
 
-/// Returns a model with one loop and `questions` additional properties, of every pattern and also over internal
+/// Returns a model with one loop and `questions` additional properties with every pattern, also over internal
 /// variables. Some loops have a constraint on inputs and an observer that properties read.
 Model random_loop_asked(Random& random, int questions);
 

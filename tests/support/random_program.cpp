@@ -43,9 +43,9 @@ public:
         return text;
     }
 
-    /// Declares an action and calls it in statements that follow.
+    /// Declares an action and calls it in the following statements.
     std::string action() {
-        in_action_ = true;  // without loops, whose variable a loop around the call may share
+        in_action_ = true;  // no loops, because a loop around the call may use the same variable
         std::string text = "ACTION act:\n" + statements(1) + statements(2) + "END_ACTION\n";
         for (std::size_t at = 0; (at = text.find('y', at)) != std::string::npos; ++at)  // temporary variables
             if (text[at + 1] == '0' || text[at + 1] == '1') text[at] = text[at + 1] == '0' ? 'x' : 'n';
@@ -108,12 +108,12 @@ private:
         static constexpr std::array words = {"Red", "green", "BLUE", "Colour#Blue"};
         return words[static_cast<std::size_t>(below(4))];
     }
-    /// An index that is seldom outside of the array.
+    /// Returns an index that is rarely outside of the array.
     std::string index(const std::string& variable, int low, int high) {
         if (is(50)) return std::to_string(low + below(high - low + 1));
         return is(97) ? fmt::format("LIMIT({}, {}, {})", low, variable, high) : variable;
     }
-    /// A term of the type BYTE.
+    /// Returns a term of the type BYTE.
     std::string bits() {
         switch (below(7)) {
         case 0: return "(NOT b0)";

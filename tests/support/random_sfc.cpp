@@ -263,7 +263,7 @@ private:
             }
             const std::size_t next = add_step();
             if (form == 0) add({step}, {next});
-            if (form == 1) {  // this form is a selection
+            if (form == 1) {  // a selection of sequences
                 for (std::size_t i = 0; i < 2; ++i) add({step}, {firsts[i]}), add({lasts[i]}, {next});
                 if (is(40)) add({step}, {next});
             }

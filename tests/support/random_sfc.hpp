@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Generates random Sequential Function Charts as text, and executes them by the rules of IEC 61131-3, 2.6, without the
-// program. Action qualifiers are evaluated from the times of activation, and not with the function blocks of the
-// standard.
+// Generates random Sequential Function Charts as text, and executes them by the rules of IEC 61131-3, 2.6,
+// independently of grafverif. Action qualifiers are evaluated from the times of activation, and not with the function
+// blocks of the standard.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ struct RandomSfc {
     std::int64_t now = 0;
     bool started = false;
     int cleared = 0;        ///< number of transitions cleared in the last scan
-    bool selected = false;  ///< true if an enabled transition gave way to another one in the last scan
+    bool selected = false;  ///< true if a transition had priority over another one in the last scan
 
     void scan(const std::vector<std::int64_t>& sampled, std::int64_t elapsed);
     std::string text() const;

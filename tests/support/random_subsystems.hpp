@@ -14,11 +14,11 @@ namespace grafverif {
 /// Returns a network of `parts` parts with the term `settled` and sometimes `race`, but without properties.
 Network random_parts(Random& random, int parts);
 
-/// Returns a network whose parts read each other's flags, assign variables that they read, and set shared flags. It
-/// consists of at least `cells` fragments of a network without controllers.
+/// Returns a network whose parts read each other's flags, assign variables that they read, and set shared flags. The
+/// network has no controllers and consists of at least `cells` fragments.
 Network random_cells(Random& random, int cells);
 
-/// Adds properties of every kind: properties of single parts and of two of them, of all moves, and of quiescent states.
+/// Adds properties of every kind: about one part, about two parts, about all moves, and about quiescent states.
 void query_subsystems(Network& network, Random& random);
 
 /// Returns the text of a loop of several PLCs, each with a lamp and a button. The charts have cycles with delays,

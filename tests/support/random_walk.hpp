@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Generates random walks through a network, which are runs with all possible events, for randomized tests of traces and
-// replay.
+// Generates random walks, which are runs through a network with every possible kind of event, for randomized tests of
+// traces and replay.
 #pragma once
 
 #include <algorithm>

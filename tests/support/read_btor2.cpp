@@ -7,8 +7,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the last `width` bits of a number, with the first of them as its sign. The values of wider sorts must fit 64
-/// bits, as they do in all tests.
+/// Returns the last `width` bits of a number as a signed number. The values of wider sorts must fit 64 bits, as they do
+/// in all tests.
 std::int64_t cut(std::int64_t value, unsigned width) {
     if (width >= 64) return value;
     const unsigned gone = 64 - width;

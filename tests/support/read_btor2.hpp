@@ -17,10 +17,10 @@ public:
     explicit Btor2File(const std::string& text);
 
     const std::string& error_text() const { return complaint_; }
-    /// The names of the bad-state properties, in order.
+    /// Returns the names of the bad-state properties, in order.
     const std::vector<std::string>& bads() const { return bads_; }
-    /// Evaluates the current state with the inputs that `input` returns by name, and then executes one step. Returns
-    /// which bad-state properties were true.
+    /// Evaluates the current state with the inputs that `input` returns by name, and then executes one step. Returns,
+    /// for each bad-state property, true if it was true in this state.
     std::vector<bool> step(const std::function<std::int64_t(const std::string&)>& input);
 
 private:

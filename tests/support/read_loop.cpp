@@ -27,7 +27,7 @@ struct LibraryFile {
     std::string name = {}, text = {};
 };
 
-/// The files of templates/, cached.
+/// Returns the files of templates/, which are read only once.
 std::vector<LibraryFile> library() {
     std::vector<LibraryFile> found;
     for (const auto& entry : std::filesystem::directory_iterator(root / "templates"))

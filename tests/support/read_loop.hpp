@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads closed loops from text or from the samples and composes them. These are fixtures for tests of reports, replay
-// and engines.
+// Reads closed loops from text or from the samples and composes them. The functions are fixtures for tests of reports,
+// replay and engines.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct LoopUnderTest {
     Model model = {};
     Network network = {};
 
-    /// The charts of the controllers, in order.
+    /// Returns the charts of the controllers, in order.
     std::vector<const Chart*> charts() const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics of a randomized test: stored with the test's result, and printed if GRAFVERIF_TEST_COUNTS is set.
+// Statistics of a randomized test, which are stored with the test's result and printed if GRAFVERIF_TEST_COUNTS is set.
 #pragma once
 
 #include <gtest/gtest.h>

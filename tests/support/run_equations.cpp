@@ -14,7 +14,7 @@ struct Runner {
     std::span<const std::int64_t> inputs;
     EquationsCycle result;
 
-    /// Evaluates the term over `values`. If it is undefined, returns 0 and sets `no_value`.
+    /// Evaluates the term over `values`. If the term is undefined, returns 0 and sets `no_value`.
     std::int64_t value(Id<Expr> term, const std::vector<std::int64_t>& values) {
         const auto found = evaluate(equations.exprs, term,
                                     [&](const Expr& leaf) { return values[static_cast<std::size_t>(leaf.value)]; });

@@ -13,8 +13,7 @@
 
 namespace grafverif {
 
-/// The times for which the level that a timer watches has been true and false, in milliseconds; -1 means that the level
-/// is false.
+/// The times since the level that a timer watches became true and false, in milliseconds; -1 if a time does not apply.
 struct EquationsTiming {
     std::int64_t risen = -1;   ///< time since the level became true
     std::int64_t fallen = -1;  ///< time since the level became false after it had been true for t1
@@ -41,7 +40,7 @@ struct EquationsCycle {
     bool no_value = false;
     bool out_of_range = false;
     bool endless = false;
-    bool torn = false;  ///< `activated` or `deactivated` of a step contradicts its activity before and after
+    bool torn = false;  ///< an `activated` or `deactivated` value of a step contradicts its activity before and after
 };
 
 /// True if `timer` has expired.

@@ -17,8 +17,8 @@ namespace grafverif {
 /// Returns the textual form of the units of a PLCopen project. Throws std::runtime_error if the project is invalid.
 std::string units_of_plcopen(const std::string& xml);
 
-/// Executes program units. It throws std::runtime_error where a real compiler or PLC would report an error: unknown
-/// names, division by zero, values outside 32 bits, an endless loop.
+/// Executes program units. Throws std::runtime_error if a real compiler or PLC would report an error: unknown names,
+/// division by zero, values outside 32 bits, an endless loop.
 class SmallPlc {
 public:
     /// `units` contains the texts of programs and function blocks; `unit` names the one that is executed.

@@ -223,7 +223,7 @@ bool offers(const System& system, const SystemState& state, std::optional<std::s
 }
 
 /// Returns every permitted combination of choices, with those of main first, as states that contain them. Returns
-/// nothing if more than `limit` combinations would be needed together.
+/// nothing if more than `limit` combinations would have to be stored.
 std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state,
                                                         std::size_t limit) {
     std::vector<SystemState> found;

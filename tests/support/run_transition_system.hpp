@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Executes a TransitionSystem directly, state by state, without a model checker. This is the reference for its
-// comparison with the Equations, and for tests of single steps.
+// Executes a TransitionSystem directly, state by state, without a model checker. This is the reference for comparisons
+// with the Equations, and for tests of single steps.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,8 @@ SystemState first_state(const TransitionSystem& system, const Choose& choose);
 /// an invariant forbids the state. Requests every choice and every free variable, in a fixed order.
 std::optional<SystemState> step_taken(const TransitionSystem& system, const SystemState& state, const Choose& choose);
 /// Returns every successor state once. The function combines only permitted choices of each instance, so that automata
-/// without a move cost nothing. It returns nothing if free variables and choices have more than `limit` combinations.
+/// without a move do not increase the number of combinations. It returns nothing if free variables and choices have
+/// more than `limit` combinations.
 std::optional<std::vector<SystemState>> successors(const TransitionSystem& system, const SystemState& state,
                                                    std::size_t limit = 100'000);
 /// Returns every initial state, with the same limit.
@@ -43,14 +44,14 @@ SystemState next_state(const TransitionSystem& system, const SystemState& state,
 /// Returns the value of a term over the symbols of main.
 std::int64_t value_of(const TransitionSystem& system, const SystemState& state, Id<Expr> term);
 
-/// Returns the value of `START`, or of `station.X_2`, even if main has no symbol for it. Fails the test if there is no
-/// such name.
+/// Returns the value of `START`, or of `station.X_2`, even if main has no symbol for it. Fails the test if the name
+/// does not exist.
 std::int64_t value_of(const TransitionSystem& system, const SystemState& state, std::string_view path);
 
 /// Sets a state symbol, as if `choose` had chosen the value.
 void set_value(const TransitionSystem& system, SystemState& state, std::string_view path, std::int64_t value);
 
-/// True if there is such a name.
+/// True if the name exists.
 bool has_symbol(const TransitionSystem& system, std::string_view path);
 
 }  // namespace grafverif

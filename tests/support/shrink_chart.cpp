@@ -16,7 +16,7 @@ namespace {
 /// The elements that the copy omits, and the replacements of conditions, which are terms of the original.
 struct Cut {
     std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {}, forcing = {};
-    /// Replacements by index. An event is replaced only if there is one.
+    /// Replacements by index. An event is replaced only if it is present.
     std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};
 };
 

@@ -20,7 +20,7 @@ TransitionSystem untimed_loop(const Model& model, const ScheduleOptions& options
 /// an error.
 std::vector<TransitionSystem> untimed_models(const Model& model, bool fairness = false);
 
-/// The same functions for `text` and for samples/PATH, which may use components of templates/.
+/// These functions do the same for `text` and for samples/PATH, which may use components of templates/.
 TransitionSystem untimed_text(const std::string& text, const ScheduleOptions& options, Grain grain = Grain::Phased);
 TransitionSystem untimed_sample(const std::string& path, const ScheduleOptions& options, Grain grain = Grain::Phased);
 

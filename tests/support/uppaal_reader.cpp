@@ -159,7 +159,7 @@ private:
 
     // -- templates ------------------------------------------------------------------------------------------------
 
-    /// The meaning of the names in the current template.
+    /// Maps the names in the current template to their meanings.
     struct Scope {
         std::string name = {};
         std::unordered_map<std::string, Id<Network::Parameter>> parameters = {};
@@ -288,7 +288,7 @@ private:
         return assignment;
     }
 
-    /// Separates data and clocks of a guard or invariant; returns the data part.
+    /// Separates the conditions on data and on clocks of a guard or invariant; returns the condition on data.
     Id<Expr> read_guard(const std::string& text, const Scope& scope,
                         std::vector<Network::ClockConstraint>& constraints) {
         Cursor cursor(text);

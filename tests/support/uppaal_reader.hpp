@@ -16,8 +16,8 @@ namespace grafverif::test {
 /// Reads the project. Throws std::runtime_error if `xml` does not have the form that the emitter writes.
 Network read_uppaal(const std::string& xml);
 
-/// Returns the expected result of reading back `network`, which is the network without the elements that a project does
-/// not contain.
+/// Returns the expected result of reading `network` back: the network without the elements that a project does not
+/// contain.
 Network as_read_back(Network network);
 
 /// Returns the canonical text of a network with its variables sorted by name, because a project groups them by role.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads tokens and terms of the part of UPPAAL's language that the emitter writes, for the reader of tests. Errors
-// throw std::runtime_error, which fails the test.
+// Reads tokens and terms of the part of UPPAAL's language that the emitter writes, for the project reader of the tests.
+// Errors throw std::runtime_error, which fails the test.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`simulate` at a terminal: lines are edited and remembered, words completed, a session saved."""
+"""Tests `simulate` at a terminal: line editing, history, word completion, and saving of a session."""
 import os
 import shutil
 import signal
@@ -52,7 +52,7 @@ class Simulate(unittest.TestCase):
         terminal.type("do \t")
         self.assertIn("Button", terminal.await_text("Lamp"))
         terminal.type("La\tlit\r")
-        terminal.await_text("! `Lamp` to `lit` is not possible now")
+        terminal.await_text("! `Lamp` cannot move to `lit` now")
         terminal.await_text("> ")
         terminal.type("expect LA\t\r")
         terminal.await_text("> ")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The program at a pseudo-terminal: sends single keys and reads the screen output."""
+"""Runs the program at a pseudo-terminal: sends single keys and reads the screen output."""
 import os
 import pty
 import re
@@ -48,7 +48,7 @@ class Terminal:
         os.kill(self.child, number)
 
     def end(self, patience=60):
-        """The exit code, and True if the terminal settings are restored."""
+        """Returns the exit code, and True if the terminal settings are restored."""
         deadline = time.monotonic() + patience
         while True:
             try:  # read pending output, because the program may wait for it

@@ -64,7 +64,7 @@ TEST(Analyse, AChartWithoutFaultsHasNoFindings) {
     EXPECT_EQ(codes(analysed(sound, {.mode = ExecutionMode::EveryCycle})), Codes{});
 }
 
-TEST(Analyse, AStepThatNothingLeadsToIsNeverActiveNorAreTransitionsFromIt) {
+TEST(Analyse, UnreachableStepIsNeverActiveAndItsTransitionsAreNeverCleared) {
     const Analysis found = analysed(R"(
         input a, b; output O, P;
         initial step 0;
@@ -292,7 +292,7 @@ TEST(Analyse, ASourceTransitionOnALevelThatOnlyActivatesAnActiveStepIsUnstable) 
     ASSERT_NE(find(found, "step-reactivated", "X0"), nullptr);
 }
 
-TEST(Analyse, AStepThatIsLeftAtOnceGivesNoOutputUnderStabilitySearchOnly) {
+TEST(Analyse, TransientStepWritesNoOutputUnderStabilitySearchOnly) {
     constexpr std::string_view text = R"(
         input a; output O;
         initial step 0;
@@ -310,7 +310,7 @@ TEST(Analyse, AStepThatIsLeftAtOnceGivesNoOutputUnderStabilitySearchOnly) {
     EXPECT_EQ(codes(cyclic), Codes{"transition-always-fired t1"});
 }
 
-TEST(Analyse, AnOutputThatIsSetAndResetInOneInstantNeverGetsOut) {
+TEST(Analyse, OutputSetAndResetInOneInstantIsNeverWritten) {
     const Analysis found = analysed(R"(
         input a; output O;
         initial step 0;
@@ -324,7 +324,8 @@ TEST(Analyse, AnOutputThatIsSetAndResetInOneInstantNeverGetsOut) {
     )");
     const Finding* const conflict = find(found, "action-conflict", "O");
     ASSERT_NE(conflict, nullptr);
-    EXPECT_EQ(conflict->message, "`O` can be set and reset in one instant, so the first value is never written");
+    EXPECT_EQ(conflict->message,
+              "`O` can be set and reset in one instant, so the plant never receives the first value");
     ASSERT_TRUE(conflict->evidence.has_value());
     EXPECT_EQ(cleared(*conflict->evidence), (std::vector<std::vector<std::string>>{{"t0"}, {"t1"}, {"t2"}}));
     EXPECT_EQ(find(found, "action-race"), nullptr);
@@ -495,7 +496,8 @@ TEST(Analyse, RepeatedAnalysisGivesTheSameResult) {
 }
 
 TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
-    // Part b alone reaches b1 in its second instant. The other part races in the first instant for all inputs.
+    // If only part b is considered, it reaches b1 in its second instant. The other part races in the first instant for
+    // all inputs.
     const Analysis found = analysed(R"(
         input x; output o, p;
         partial a {
@@ -613,8 +615,8 @@ TEST(Analyse, PathBackThroughARaceIsNotExcluded) {
 }
 
 TEST(Analyse, PathAbortedByAnotherPartLeadsIntoNoAbsorbingRegion) {
-    // Without the counter, step 2 is left forever. With the counter, a value goes out of range before the end of the
-    // instant.
+    // Without the counter, step 2 is never active again. With the counter, a value goes out of range before the end of
+    // the instant.
     const Analysis found = analysed(R"(
         input a;
         internal n: int -2..5 = 5;
@@ -674,7 +676,7 @@ TEST(Analyse, DeadElementsOfDifferentRegionsAreReportedSeparately) {
     }
 }
 
-TEST(Analyse, AValueThatTheFirstEvolutionGivesMayChangeOnceMore) {
+TEST(Analyse, ValueSetByTheFirstEvolutionMayChangeAgain) {
     const Analysis found = analysed(R"(
         input x;
         internal n: int 0..2 = 0;

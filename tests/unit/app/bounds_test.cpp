@@ -102,7 +102,7 @@ Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, cons
             folder.read("err")};
 }
 
-/// A loop whose chart is a single ring. The second scan violates the first of its properties.
+/// Returns a loop whose chart is a single ring. The second scan violates the first property of the loop.
 std::string ring(std::size_t steps) {
     std::string text = "grafcet ring {\n    input a, b;\n    output O;\n";
     for (std::size_t i = 0; i < steps; ++i)
@@ -169,7 +169,8 @@ std::vector<std::string> with(std::vector<std::string> command, const std::vecto
     return command;
 }
 
-/// Checks the output of a run that a limit has ended: one line of message, the right exit code, no partial output.
+/// Checks the output of a run that a limit has ended: a message of one line, the right exit code, and no partial
+/// output.
 void expect_bounded(const Ended& ended, const std::string& why) {
     EXPECT_EQ(ended.signal, 0);
     EXPECT_EQ(ended.code, 3) << ended.err;
@@ -223,7 +224,7 @@ TEST(Bounds, RefusedMemoryIsReportedWithoutASignal) {
     }
 }
 
-/// Returns the property of that name from the output of `check`.
+/// Returns the property `name` from the output of `check`.
 Json property(const Ended& ended, const std::string& name) {
     const Json report = Json::parse(ended.out, nullptr, false);
     if (report.is_discarded()) ADD_FAILURE() << "no JSON: " << ended.out << ended.err;
@@ -298,9 +299,9 @@ TEST(Bounds, LimitBeyondTheRangeOfTheClockIsIgnored) {
     EXPECT_EQ(grafverif({"check", chart, "--timeout", "99999999999999999999h"}).code, ExitCode::Input);
 }
 
-TEST(Bounds, WorkGrowsInStepWithTheInput) {
-    // If the input is twice as large, the program needs about twice the time. Four times would indicate a quadratic
-    // algorithm.
+TEST(Bounds, WorkGrowsLinearlyWithTheInput) {
+    // If the input is twice as large, the program must need about twice the time. Four times the time would indicate a
+    // quadratic algorithm.
     const Folder folder;
     const auto seconds = [&](const std::string& text, const std::vector<std::string>& command, std::size_t at) {
         std::vector<std::string> whole = command;

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 std::string sample(const std::string& path) { return (root / "samples" / path).string(); }
 
-/// A chart that counts presses of a button, and a loop with the given properties.
+/// Returns a chart that counts presses of a button, and a loop with the given properties.
 std::string counter(const std::string& properties) {
     return "grafcet counter { input GO; output L; internal N: int 0..2 = 0;\n"
            "initial step 0; step 1 { N := N + 1 on activation; L; } // step 2\n"

@@ -118,7 +118,7 @@ TEST(Compare, ADifferenceIsTheShortestSequenceWithBothOutputs) {
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
     EXPECT_EQ(result.out,
               "`lamp` (a) and `lamp` (b): different\n"
-              "  distinguished by 1 scan, replayed on the rules of IEC 60848:\n"
+              "  distinguished by 1 scan, replayed under the rules of IEC 60848:\n"
               "  time  inputs   a writes                       b writes\n"
               "  0 s   on, off  stops: with these inputs, the  L  in {1}\n"
               "                 situation never becomes\n"
@@ -251,7 +251,7 @@ TEST(Compare, StopsByAFaultAndByInstabilityCountAsEqual) {
               ExitCode::Verdict);
 }
 
-TEST(Compare, ADivisionByZeroIsAStopLikeTheWantOfAStableSituation) {
+TEST(Compare, DivisionByZeroIsAStopAsIsTotalInstability) {
     const std::string begin = "grafcet c {\n    input in, n: int 0..1;\n    output L;\n    initial step 0";
     const std::string rest = "    transition t1: 1 -> 0 when in;\n}\n";
     const std::string unstable = begin + ";\n    step 1;\n    step 2 { L; }\n    transition t0: 0 -> 1 when n == 0;\n" +

@@ -12,7 +12,8 @@
 namespace grafverif::app {
 namespace {
 
-/// The faulty station with the sensor V_Sen declared first. In this poor order, one operation takes minutes.
+/// Writes the faulty station with the sensor V_Sen declared first. In this poor order of variables, one operation takes
+/// minutes.
 std::string poor_order(const Folder& folder) {
     std::ifstream sample(root / "samples/testing_station/faulty.grafcet");
     std::string text{std::istreambuf_iterator<char>(sample), {}};

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the group with that id in the drawing that the arguments produce.
+/// Returns the group with the id `id` in the drawing that the arguments produce.
 pugi::xml_node group(pugi::xml_document& document, const std::vector<std::string>& arguments, const char* id) {
     const Result result = grafverif(arguments);
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;

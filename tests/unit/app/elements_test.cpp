@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Checks the table of elements and stages in docs/reference/language-elements.md. Each entry is tested on a chart that
-// contains the subtle case of its element. `x` means that the stage supports the chart and gives the result that the
-// chart declares. `-` means that the stage rejects the element by name, or omits the parts that read it with a message.
-// An empty entry means that the element is irrelevant to the stage.
+// contains the difficult case of its element. `x` means that the stage supports the chart and gives the result that the
+// chart declares. `-` means that the stage rejects the element by name, or prints a message and omits the parts that
+// read the element. An empty entry means that the element is irrelevant to the stage.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -71,7 +71,7 @@ Result untimed(const std::string& file) {
                 checked(file, {"--untimed", "--plant", "automata"}));
 }
 
-/// The interpreter executes a test sequence before the program writes it.
+/// Runs `automaton` and `testgen`; the interpreter executes a test sequence before `testgen` writes it.
 Result automaton(const std::string& file) { return both(grafverif({"automaton", file}), grafverif({"testgen", file})); }
 
 struct Stage {
@@ -120,7 +120,7 @@ const std::vector<Stage>& stages() {
     return all;
 }
 
-TEST(Elements, AreTakenByTheStagesThatTheReadmeNames) {
+TEST(Elements, AreSupportedByTheStagesInTheTable) {
     const std::vector<Cells> rows = matrix();
     ASSERT_GT(rows.size(), 2U);
     ASSERT_EQ(rows.front().size(), stages().size() + 1);

@@ -105,8 +105,8 @@ std::string state(const Folder& folder) {
     return text;
 }
 
-/// Runs `work` repeatedly in a folder with files. A different call fails in each run, until the run has no more calls.
-/// `look` gets the folder, and true if `work` threw an exception.
+/// Runs `work` repeatedly in a folder with files, and lets a different call fail in each run. The repetition ends when
+/// a run contains no further call. `look` receives the folder, and true if `work` threw an exception.
 template <class Work, class Look>
 int with_each_call_failing(const Work& work, const Look& look) {
     int failures = 0;
@@ -222,7 +222,7 @@ TEST(WriteFiles, RemovesOnlyTheRemainsOfKilledRuns) {
     EXPECT_EQ(folder.entries(), 6u) << state(folder);
 }
 
-TEST(WriteFiles, OfRunsAtTheSameTimeOneWholeSetRemains) {
+TEST(WriteFiles, OfConcurrentRunsOneCompleteSetRemains) {
     const Folder folder;
     fs::create_directory(folder.file("b"));
     std::vector<std::thread> runs;

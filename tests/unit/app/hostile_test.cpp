@@ -47,7 +47,7 @@ const std::vector<std::string> hostile_strings = {"\x1B[31mred\x1B[0m",
                                                   "two\nlines",
                                                   "quote\"d"};
 
-/// Returns all of these strings, joined in groups of three.
+/// Returns all hostile strings, joined in groups of three.
 std::vector<std::string> mixtures() {
     std::vector<std::string> joined;
     for (std::size_t k = 0; k < hostile_strings.size(); ++k) {
@@ -88,8 +88,8 @@ Result on_a_terminal(const std::vector<std::string>& arguments, const std::strin
     return {code, out.str(), err.str()};
 }
 
-/// Checks that the command does not fail internally and prints no control sequences. The same holds for a report that
-/// is piped.
+/// Checks that the command does not fail internally and prints no control sequences. Checks the same for a report that
+/// is written into a pipe.
 void expect_clean(const std::vector<std::string>& arguments, const std::string& input = "", bool report = true) {
     std::string told;
     for (const std::string& argument : arguments) told += argument + " ";

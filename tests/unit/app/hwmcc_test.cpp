@@ -224,7 +224,7 @@ std::string verdict_on(const Folder& folder, const Lie& lie, const std::vector<s
     return result.out;
 }
 
-TEST(Abc, AProgramThatLiesIsNotBelieved) {
+TEST(Abc, WrongResultOfTheProgramIsRejected) {
     const std::string names = "printf '.i 1\\n.o 1\\n.ilb l0\\n.ob inv\\n";
     for (const Lie& lie : {
              Lie{"never L", "case \"$2\" in *pdr*) " + names + ".e\\n' > invariant.pla;; esac",
@@ -270,7 +270,7 @@ TEST(EngineCommand, ResultsAreValidatedOrUnknown) {
     }
 }
 
-TEST(EngineCommand, OneThatNeverEndsIsEnded) {
+TEST(EngineCommand, ProgramThatNeverEndsIsTerminated) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L;"));
     const Result result = grafverif({"check", file, "--engine-command", "sleep 1000; true", "--timeout", "300ms"});

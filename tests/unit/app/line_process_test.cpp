@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests dialogues with programs that behave well, and with programs that do not.
+// Tests dialogues with programs that follow the protocol, and with programs that violate it.
 #include "app/system/line_process.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(LineProcess, DistinguishesAMissingProgramFromAFailingOne) {
     EXPECT_TRUE(dialogue.not_found());
 }
 
-TEST(LineProcess, PatienceHasAnEnd) {
+TEST(LineProcess, SilentProgramsAreTerminatedAfterTheTimeout) {
     const auto start = steady_clock::now();
     for (const char* command :
          {"sleep 60", "sleep 60 & sleep 60", "trap '' TERM; sleep 60 & wait; sleep 60", "read x; printf 1; sleep 60"}) {
@@ -98,12 +98,12 @@ TEST(LineProcess, ProgramThatNeverReadsDoesNotBlockTheCaller) {
     EXPECT_EQ(dialogue.ask(std::string(1'000'000, '1')).kind, Kind::Silent);
 }
 
-TEST(LineProcess, AFloodIsCut) {
+TEST(LineProcess, ExcessiveOutputIsTruncated) {
     LineProcess many("yes", {});
     EXPECT_EQ(many.ask("a"), (Reply{Kind::Flood, "y"}));
     LineProcess two("while read line; do echo 1; echo 2; done", {});
     Kind kind = two.ask("a").kind;
-    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line comes a little later
+    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line arrives later
         std::this_thread::sleep_for(milliseconds(20));
         kind = two.ask("a").kind;
     }
@@ -114,7 +114,7 @@ TEST(LineProcess, AFloodIsCut) {
     EXPECT_LT(answer.text.size(), 200'000u);
 }
 
-TEST(LineProcess, AFloodOfErrorsIsCutToo) {
+TEST(LineProcess, ExcessiveErrorOutputIsTruncated) {
     LineProcess dialogue("head -c 3000000 /dev/zero | tr '\\0' x >&2; echo >&2; echo last words >&2; exit 1", {});
     EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
     EXPECT_EQ(dialogue.end_text(), "the controller exited with code 1; its error output: last words");
@@ -126,7 +126,7 @@ TEST(LineProcess, StopsWaitingOnRequest) {
     EXPECT_EQ(dialogue.ask("a").kind, Kind::Stopped);
 }
 
-TEST(LineProcess, SignalsAreAsTheyWereAfterwards) {
+TEST(LineProcess, SignalHandlersAreRestored) {
     void (*const before)(int) = std::signal(SIGPIPE, SIG_DFL);
     {
         LineProcess dialogue("exit 0", {});

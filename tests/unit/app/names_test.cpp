@@ -174,7 +174,7 @@ void can_be_named(const Names& names) {
 
 TEST(Names, TraceNamesAreValidInPropertiesAndScripts) { can_be_named(names_of_trace({})); }
 
-TEST(Names, SoDoesATraceOfTheModelWithoutTime) {
+TEST(Names, UntimedTraceHasTheNamesOfTheTimedTrace) {
     Names timed = names_of_trace({});
     const Names untimed = names_of_trace({"--untimed", "--plant", "automata"});
     timed.values.erase("A.idle");  // the only location of A, which this model does not represent
@@ -184,9 +184,9 @@ TEST(Names, SoDoesATraceOfTheModelWithoutTime) {
                 timed.values.contains("lower.N") && timed.steps.contains("upper.E1.S"));
 }
 
-TEST(Names, SoDoesALocationAutomaton) { can_be_named(names_of_automaton()); }
+TEST(Names, NamesInLocationAutomataAreValid) { can_be_named(names_of_automaton()); }
 
-TEST(Names, SoDoesATestSequence) { can_be_named(names_of_test()); }
+TEST(Names, NamesInTestSequencesAreValid) { can_be_named(names_of_test()); }
 
 TEST(Names, TimerIsShownAsInConditions) {
     const Folder folder;
@@ -227,8 +227,8 @@ TEST(Names, SimulationListsTheCandidatesOfAnAmbiguousName) {
                              "! `N` is ambiguous between `upper.N` and `lower.N`; write the qualified name",
                              "! `0` is ambiguous between `upper.0` and `upper.G2.0`; write the qualified name",
                              "! unknown variable or step `Gat.H`; did you mean `Gate.H`?",
-                             "! unknown location of `Gate` `opne`; did you mean `open`?", "! unknown input `H`",
-                             "! `Gate.H` takes 0 to 3; not 9"})
+                             "! unknown `Gate` location `opne`; did you mean `open`?", "! unknown input `H`",
+                             "! `Gate.H` ranges from 0 to 3 and cannot be 9"})
         EXPECT_NE(result.out.find(told), std::string::npos) << told << '\n' << result.out;
     EXPECT_EQ(result.out.find("`G2.X0`"), std::string::npos) << "one alone is called so";
     EXPECT_EQ(result.out.find("Gate_H"), std::string::npos) << "as models call it, and so may anybody";

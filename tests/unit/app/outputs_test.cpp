@@ -108,7 +108,7 @@ TEST(Depfile, IsRejectedIfItWouldBeEmpty) {
 }
 
 /// Returns names that contain every ASCII character in the middle, at the beginning and at the end, and backslashes
-/// before some characters. All of them are names that `reader` can represent on that side.
+/// before some characters. All of them are names that `reader` can represent on that side of a rule.
 std::vector<std::string> hostile_names(DepfileSide side, DepfileReader reader) {
     std::vector<std::string> names = {"plain",   "$(x) y",   "a\\ b",  "a\\#b",    "a\\\\#b",     "a\\:b",
                                       "a\\$b",   "a\\\\$b",  "a\\*b",  "a\\%b",    "a\\|b",       "a\\\\ # $$b",
@@ -412,8 +412,8 @@ std::string beginning_of(const std::string& option) {
     return option == "depfile" ? "x:" : "";
 }
 
-/// Calls each command with each option that names a file or folder. `look` gets the command, the option, its use, and
-/// the call without the value, which is the last word of a call.
+/// Calls each command with each option that names a file or folder. `look` receives the command, the option, its use,
+/// and the call without the value, which is the last word of a call.
 template <class Look>
 void with_each_path_option(const Folder& folder, const std::string& file, const Look& look) {
     for (const CliCommand& verb : all_commands())

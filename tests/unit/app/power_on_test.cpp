@@ -17,7 +17,7 @@ Words operator+(Words left, const Words& right) {
     return left;
 }
 
-/// Returns the options of each model of a loop. Those of the sequenced model are last.
+/// Returns the options of each model of a loop. The options of the sequenced model are last.
 const std::vector<Words>& models() {
     static const std::vector<Words> all = [] {
         std::vector<Words> made{{"--grain", "atomic"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests external programs, which the real system runs. Shell scripts represent them.
+// Tests calls of external programs with the real operating system. The external programs are shell scripts.
 #include "app/system/process.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Process, DeadlineEndsTheProgramAndItsChildren) {
     EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(20));
 }
 
-TEST(Process, TheUserEndsTheProgram) {
+TEST(Process, InterruptEndsTheProgram) {
     const std::atomic<bool> stop = true;
     EXPECT_EQ(shell("sleep 60", "", {.stop = &stop}).end, End::Stopped);
 }
@@ -56,7 +56,7 @@ TEST(Process, OutputWithoutEndIsCut) {
     EXPECT_LT(result.out.size(), 200'000U);
 }
 
-TEST(Process, AProgramLeftInTheBackgroundHoldsNothingUp) {
+TEST(Process, BackgroundProgramDoesNotBlockTheCaller) {
     const auto start = steady_clock::now();
     EXPECT_EQ(shell("sleep 60 & echo done").out, "done\n");
     EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(20));
@@ -76,7 +76,7 @@ TEST(Process, ProgramsAreFoundOnThePathIfTheyCanBeRun) {
     EXPECT_EQ(find_program(second.file("tool")), fs::path(second.file("tool")));
 }
 
-TEST(Process, ATemporaryFolderGoesWithItsObject) {
+TEST(Process, TemporaryFolderIsRemovedWithItsObject) {
     fs::path path;
     {
         const TemporaryFolder folder;

@@ -37,10 +37,10 @@ TEST(Report, ComponentOfMoreThanSixtyLocationsIsShownAsTables) {
     EXPECT_NE(small.find("class=\"drawing automaton\""), std::string::npos);
     EXPECT_EQ(large.find("class=\"drawing automaton\""), std::string::npos);
     EXPECT_NE(large.find("An automaton with 61 locations is too large to draw; see the tables."), std::string::npos);
-    EXPECT_NE(large.find("<details open=\"\"><summary>The same as tables"), std::string::npos);
+    EXPECT_NE(large.find("<details open=\"\"><summary>Tables of this automaton"), std::string::npos);
 }
 
-TEST(Report, IsOneFileThatTheSameInputMakesAgain) {
+TEST(Report, IsOneFileAndDeterministic) {
     const Folder folder;
     const std::string page = folder.file("report.html");
     EXPECT_EQ(grafverif({"report", blinking, "-o", page}).code, ExitCode::Done);
@@ -118,7 +118,7 @@ closed_loop shop {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return grafverif(arguments).out.find(words) != std::string::npos;
     };
-    EXPECT_TRUE(says({}, "Environment, whose components can behave in any possible way"));
+    EXPECT_TRUE(says({}, "The components of the environment can behave in any possible way"));
     EXPECT_FALSE(says({}, "inputs always satisfy")) << "with a plant a constraint is proven, not assumed";
     EXPECT_TRUE(says({"--untimed"}, free_inputs));
     EXPECT_FALSE(says({"--untimed"}, "inputs always satisfy"));
@@ -126,7 +126,7 @@ closed_loop shop {
     EXPECT_TRUE(says({"--chart", "pair"}, "assumed by the findings, but not by the verdicts"));
 }
 
-TEST(Report, DrawsEveryElementThatItsPlayerLights) {
+TEST(Report, DrawsEveryElementThatItsPlayerHighlights) {
     for (const char* sample : {"samples/oven_door/oven_door.grafcet",
                                "samples/assembly_station/assembly_station.grafcet", "samples/tanks/tanks.grafcet"}) {
         const std::string page = grafverif({"report", (root / sample).string(), "--untimed"}).out;
@@ -199,7 +199,7 @@ TEST(Report, MarksMomentsThatAreNotStatesOfTheModel) {
         EXPECT_TRUE(run["inside"].empty()) << "a timed run tells each move of the network";
 }
 
-TEST(Report, OfAChartAloneAsksForItsSteps) {
+TEST(Report, OfAChartAloneChecksReachabilityOfItsSteps) {
     const std::string page = grafverif({"report", blinking, "--chart", "blinker"}).out;
     EXPECT_NE(page.find("id=\"property-reachable.X2\""), std::string::npos);
     const nlohmann::json data = player_data(page);

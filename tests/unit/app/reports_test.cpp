@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Line 5 contains the violated property. Line 2 declares the step that the property finds active.
+/// Returns a loop whose property `claim` is violated. Line 5 contains the property, and line 2 declares the step whose
+/// activity violates it.
 std::string lamp_loop(const std::string& name, const std::string& claim = "never X1") {
     return "grafcet c" + name +
            " {\n    input x; output L; initial step 0; step 1 { L; }\n"
@@ -89,7 +90,7 @@ Json checked(const std::string& text) {
     return run["results"];
 }
 
-TEST(Reports, OfSarifTellTheCounterexampleAsACodeFlow) {
+TEST(Reports, OfSarifContainTheCounterexampleAsACodeFlow) {
     const Folder folder;
     const std::string file = folder.write("a lamp.grafcet", lamp_loop("l"));
     EXPECT_EQ(grafverif({"check", file, "--sarif", folder.file("r.sarif")}).code, ExitCode::Verdict);
@@ -229,13 +230,13 @@ TEST(Reports, StateThatTheirRunDidNotFinish) {
     Reports reports;
     CommandContext job{.options = {.operands = {file}, .junit = folder.file("r.xml"), .sarif = folder.file("r.sarif")},
                        .reports = &reports};
-    begin_reports(false, job);  // the machine stops here
+    begin_reports(false, job);  // no further call, as if the program were killed here
     EXPECT_NE(folder.read("r.xml").find("the command did not complete"), std::string::npos);
     EXPECT_EQ(checked(folder.read("r.sarif")).size(), 0u);
     EXPECT_NE(folder.read("r.sarif").find("the command did not complete"), std::string::npos);
 }
 
-TEST(Reports, TakeTheirPlaceFromNoOtherFile) {
+TEST(Reports, OverwriteNoOtherFile) {
     const Folder folder;
     const std::string part = lamp_loop("l");
     folder.write("part.grafcet", part);

@@ -41,7 +41,7 @@ TEST(Script, WaitUntilIsMetByAStateOfTheCurrentInstant) {
             << run.err;
         EXPECT_EQ(run.err.find(":5:"), std::string::npos) << run.err;
         EXPECT_EQ(run.err.find("nothing changes"), std::string::npos) << run.err;
-        // The time consists of 1 s of line 4 and 5 s of step 4.
+        // The elapsed time is 1 s from line 4 plus 5 s in step 4.
         EXPECT_NE(run.out.find(" 6 s  c: 5s/X4 is true"), std::string::npos) << run.out;
     }
 }
@@ -76,7 +76,7 @@ TEST(Script, AnUrgentEdgeIsTakenAlthoughATimedOneIsPossible) {
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_NE(run.out.find("5 s"), std::string::npos) << run.out;
     const ScriptRun chosen = script(model, {"--verbose"}, "do Lift stuck\n");
-    EXPECT_NE(chosen.err.find("`Lift` to `stuck` is not possible now"), std::string::npos) << chosen.err;
+    EXPECT_NE(chosen.err.find("`Lift` cannot move to `stuck` now"), std::string::npos) << chosen.err;
 }
 
 TEST(Script, SeveralUrgentEdgesRemainAChoice) {

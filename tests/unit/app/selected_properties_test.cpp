@@ -30,7 +30,7 @@ TEST(SelectedProperties, PropertiesAloneAreInAModelThatIsWritten) {
     using Words = std::vector<std::string>;
     struct Case {
         Words verb = {};
-        Words known = {};  ///< the setting of the model itself, without the option
+        Words known = {};  ///< the properties in the model without the option `--property`
     };
     for (const Case& one : {Case{{"uppaal"}, {"apples", "pears", "plums", "cherries"}},
                             Case{{"pins"}, {"apples", "pears", "plums", "cherries"}},

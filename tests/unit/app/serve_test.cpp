@@ -79,7 +79,7 @@ TEST(FileWatcher, NoticesAChangeBetweenTwoReadings) {
     EXPECT_TRUE(watch.changed());
 }
 
-/// A bench on `file`. The object stores its states in the order of arrival.
+/// Runs the file checker of `serve` on `file`. The object stores its states in the order of arrival.
 class Bystander {
 public:
     explicit Bystander(const std::string& file, std::optional<std::uint64_t> response_timeout_ms = {}) {
@@ -116,7 +116,7 @@ private:
     std::uint64_t known_ = 0;
 };
 
-TEST(ServeFileChecker, ATimeoutEndsTheCheckAndNotTheBench) {
+TEST(ServeFileChecker, TimeoutEndsTheCheckAndNotTheFileChecker) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
     Bystander bystander(file, 0);
@@ -284,7 +284,7 @@ TEST(Play, DrawsMovesThatAScriptAccepts) {
     }
 }
 
-/// Returns the active steps at the end.
+/// Returns the active steps in the last row of a response.
 std::string situation(const Json& answer) { return answer["rows"].back()["situation"].get<std::string>(); }
 
 TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
@@ -306,7 +306,8 @@ TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
         EXPECT_EQ(forced["rows"].back()["outputs"], "LAMP");
         EXPECT_EQ(forced["rows"][0]["trial"], false);
         EXPECT_EQ(forced["rows"][1]["trial"], true);
-        EXPECT_EQ(forced["rows"][1]["what"], "WHAT-IF: step 1 forced active; no longer a run of the model");
+        EXPECT_EQ(forced["rows"][1]["what"],
+                  "WHAT-IF: step 1 was forced active; the trace is no longer a run of the model");
         EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 2s"})), "1");
         EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 3s"})), "0")
             << "its time counts from the trial on";
@@ -316,7 +317,7 @@ TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
     }
 }
 
-TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
+TEST(Trial, RulesOfHierarchyTakePrecedence) {
     struct Case {
         const char* element;
         std::vector<std::string> moves;
@@ -341,7 +342,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
         Bystander bystander(file.string());
         bystander.wait_for([](const Json& state) { return state["readable"] == true; });
         const Json answer = bystander.play({{"chart", c.element}, {"moves", c.moves}});
-        std::string forced;  // the command, followed by the interpreter's result
+        std::string forced;  // situation in the last row that begins with WHAT-IF; empty if there is none
         for (const Json& row : answer["rows"])
             if (row["what"].get<std::string>().starts_with("WHAT-IF")) forced = row["situation"];
         EXPECT_EQ(forced, c.situation);
@@ -349,7 +350,7 @@ TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
     }
 }
 
-/// The interpreter runs a chart alone; the network runs the chart in its loop.
+/// The interpreter runs a chart without its loop; the network runs the chart in its loop.
 TEST(Trial, ChartAloneAndItsLoopContinueEqually) {
     std::mt19937_64 random(12);
     std::size_t made = 0, refused = 0;

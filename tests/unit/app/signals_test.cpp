@@ -65,7 +65,7 @@ Outcome ended_by(int signal, std::vector<std::string> arguments, const Folder& f
 
 constexpr std::array all_signals = {SIGINT, SIGTERM, SIGHUP};
 
-TEST(Signals, EndAnEngineAndAllItHasStarted) {
+TEST(Signals, EndAnEngineAndItsChildProcesses) {
     for (const int signal : all_signals) {
         SCOPED_TRACE(::strsignal(signal));
         const Folder folder;
@@ -88,7 +88,7 @@ TEST(Signals, EndAnEngineAndAllItHasStarted) {
     }
 }
 
-TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
+TEST(Signals, EndAControllerUnderTestAndItsChildProcesses) {
     const std::string two_tanks = (root / "samples/tanks/tanks.grafcet").string();
     for (const int signal : all_signals) {
         SCOPED_TRACE(::strsignal(signal));
@@ -106,8 +106,8 @@ TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
     }
 }
 
-/// A loaded machine has the same effect, because the report is read slowly.
-TEST(Signals, LeaveAReportWholeThatIsReadLate) {
+/// A high load of the machine has the same effect as this slow reading of the report.
+TEST(Signals, LeaveASlowlyReadReportComplete) {
     const Folder folder;
     fs::create_directory(folder.file("tmp"));
     const Variable tmp("TMPDIR", folder.file("tmp"));
@@ -213,7 +213,7 @@ TEST(Process, ChildOutsideItsGroupEndsWithItToo) {
     EXPECT_TRUE(no_child());
 }
 
-TEST(Process, ChildrenThatWereThereBeforeAreLeftAlone) {
+TEST(Process, EarlierChildProcessesAreNotAffected) {
     const pid_t new_state = ::fork();
     if (new_state == 0) {
         ::pause();

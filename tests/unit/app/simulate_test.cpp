@@ -116,7 +116,7 @@ TEST(Simulate, MarksATrialInItsRowsAndInItsTraces) {
         command.insert(command.end(), of.begin(), of.end());
         const Result result = grafverif(command);
         EXPECT_EQ(result.code, ExitCode::Done) << result.err;
-        EXPECT_NE(squeezed(result.out).find("WHAT-IF: step 0 forced"), std::string::npos) << result.out;
+        EXPECT_NE(squeezed(result.out).find("WHAT-IF: step 0 was forced"), std::string::npos) << result.out;
         for (const char* file : {"t.svg", "t.vcd"})
             EXPECT_NE(folder.read(file).find("not a run of the model"), std::string::npos) << file;
     }
@@ -126,7 +126,7 @@ TEST(Simulate, MarksATrialInItsRowsAndInItsTraces) {
     EXPECT_NE(squeezed(back.out).rfind("t0 1 LAMP"), std::string::npos) << back.out;
 }
 
-TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
+TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeExecuted) {
     const Folder folder;
     struct Case {
         const char* script;
@@ -139,7 +139,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
              {"wait 500ms\n",
               ":1: error: the duration is not a multiple of the time unit 1 s; wait for a multiple of it\n"},
              {"do Nobody\n", ":1: error: unknown instance `Nobody`\n"},
-             {"do Lamp lit\n", ":1: error: `Lamp` to `lit` is not possible now\n"},
+             {"do Lamp lit\n", ":1: error: `Lamp` cannot move to `lit` now\n"},
              {"7\n", ":1: error: no choice is available; let time pass with `wait`\n"},
              {"wait 1s\nback\nback\n", ":3: error: there is no command to undo\n"},
              {"wait\nwait\n", ":2: error: nothing changes as time passes; give `wait` a duration\n"},
@@ -203,7 +203,7 @@ TEST(Simulate, ReportsUnmetExpectationsAndContinues) {
         << folder.read("r.xml");
 }
 
-TEST(Simulate, ReadsAScriptWholeBeforeItMoves) {
+TEST(Simulate, ReadsTheCompleteScriptBeforeTheFirstMove) {
     const Folder folder;
     const std::string script = folder.write("test.txt", "wait 1s\nrepeat 2 {\npress\n}\n}\nrepeat 2 {\n");
     const Result result = grafverif({"simulate", blinker, "--script", script});
@@ -246,7 +246,7 @@ TEST(Simulate, AsksForAChoiceIfThePlantHasOne) {
     EXPECT_NE(squeezed(failed.out).find("testing_station T6b 20 P, V_G_IN\n"), std::string::npos) << failed.out;
 }
 
-TEST(Simulate, TalksWithAPerson) {
+TEST(Simulate, CanBeUsedInteractively) {
     const Result result =
         grafverif({"simulate", blinker}, "help\nwait 1s\n1\nback\nnonsense\nBUTTON = true\nquit\nwait 1s\n");
     EXPECT_EQ(result.code, ExitCode::Done);
@@ -289,7 +289,7 @@ TEST(Simulate, SavesASessionAsAScriptWithExpectations) {
 }
 
 /// The script that a session saves repeats the session.
-TEST(Simulate, ASavedWalkIsWalkedAgain) {
+TEST(Simulate, SavedSessionsAreRepeated) {
     for (const char* of : {"blinker", "tanks", "oven_door"})
         for (unsigned seed = 1; seed <= 6; ++seed) {
             SCOPED_TRACE(of + std::to_string(seed));
@@ -440,7 +440,7 @@ TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {
     };
     for (const Case& c : std::vector<Case>{
              {"LOCK = true\n", ":1: error: unknown input `LOCK`\n"},
-             {"N = 10\n", ":1: error: `N` takes 0 to 9; not 10\n"},
+             {"N = 10\n", ":1: error: `N` ranges from 0 to 9 and cannot be 10\n"},
              {"UP = false\n", ":1: error: `UP` already has this value\n"},
              {"do Press\n",
               ":1: error: a chart alone has no plant, so `Press` is not available; set inputs with `NAME = VALUE`\n"},

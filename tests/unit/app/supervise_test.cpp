@@ -87,7 +87,7 @@ TEST(Supervise, ConditionsExcludeSomething) {
     const Folder folder;
     const Result made = grafverif({"supervise", folder.write("heater.grafcet", heater)});
     ASSERT_EQ(made.code, ExitCode::Done) << made.out << made.err;
-    EXPECT_TRUE(says(made.out, "output o1 in X1  && false, so this action never sets it\n")) << made.out;
+    EXPECT_TRUE(says(made.out, "output o1 in X1  && false, so this action never sets the output\n")) << made.out;
     EXPECT_FALSE(says(made.out, "output o1 in X0")) << made.out;  // its action never sets o1
     const Result possible =
         grafverif({"supervise", folder.write("other.grafcet", changed(heater, "o1 if a && b", "o1 if a && !b"))});
@@ -193,7 +193,7 @@ TEST(Supervise, StepsThatTheConditionsMakeUnreachableAreNamed) {
     text = changed(text, "step 2 { BACK_1; }", "step 2 { BACK_1; }\n        step 9;");
     const Result made = grafverif({"supervise", folder.write("crash.grafcet", text)});
     EXPECT_EQ(made.code, ExitCode::Done) << made.out << made.err;
-    EXPECT_TRUE(says(made.out, "never active that are active without them: first.X9")) << made.out;
+    EXPECT_TRUE(says(made.out, "active without the conditions, but never active with them: first.X9")) << made.out;
 }
 
 TEST(Supervise, BadInputIsRejectedWithAdvice) {

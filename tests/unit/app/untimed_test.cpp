@@ -194,7 +194,7 @@ TEST(CheckUntimed, PropertyThatAnUntimedModelCannotExpressIsUnknown) {
     EXPECT_NE(result.out.find("why: this model has no time"), std::string::npos) << result.out;
 }
 
-TEST(CheckUntimed, AskingForAnEngineThatKnowsNoTimeIsEnough) {
+TEST(CheckUntimed, UntimedEngineImpliesTheUntimedModel) {
     const Result result = grafverif({"check", tank_sample, "--engine", "symbolic", "--property", "one_way_1"});
     EXPECT_EQ(result.code, ExitCode::Done);
     EXPECT_NE(result.out.find("symbolic, untimed"), std::string::npos) << result.out;
@@ -227,7 +227,7 @@ std::string install_nusmv(const Folder& folder, const std::string& answer) {
 
 std::string said(const std::string& text) { return "cat <<'END'\n" + text + "END"; }
 
-TEST(CheckUntimed, AProgramThatLiesIsNotBelieved) {
+TEST(CheckUntimed, WrongResultOfTheProgramIsRejected) {
     const std::string trace =
         "-- as demonstrated by the following execution sequence\nTrace Description: AG alpha Counterexample\n"
         "Trace Type: Counterexample\n  -> State: 1.1 <-\n";
@@ -319,7 +319,7 @@ std::string counter(const std::string& step, const std::string& properties) {
 }
 
 /// NuSMV and UPPAAL compute with 32 bits. They would report that N * 500000000 never exceeds 2100000000.
-TEST(Models, APropertyThatNeedsMoreThan32BitsIsLeftOutAndDecidedByUs) {
+TEST(Models, PropertyThatNeedsMoreThan32BitsIsOmittedAndDecidedByEmbeddedEngines) {
     const Folder folder;
     const std::string file =
         folder.write("counter.grafcet", counter("N := N + 1 on activation;",

@@ -13,7 +13,7 @@ namespace {
 
 using VacuityJson = nlohmann::json;
 
-/// In this chart step 2 is never active, and `X0` is true at power-on.
+/// Returns a loop of a chart in which step 2 is never active, and `X0` is true at power-on.
 std::string never_two(const std::string& properties) {
     return "grafcet lamp { input A; output M; initial step 0; step 1 { M; } step 2;\n"
            "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; transition t2: 2 -> 0 when A; }\n"
@@ -52,8 +52,8 @@ const std::vector<Form>& forms() {
             {"A precedes X1", ""},
             {"always !X2", ""},
         };
-        // The scopes come first: `never opened`, `never closed` and `no such state in it`. Properties that are not
-        // vacuous follow.
+        // The properties with scopes that are never opened, never closed, or contain no such state come first.
+        // Properties that are not vacuous follow.
         for (const std::string never : {"never M", "always !M", "inevitable M"}) {
             made.push_back({never + " before X2", closes});
             for (const char* scope : {" after X2", " between X2 and X0", " after X2 until X0"})
@@ -101,7 +101,7 @@ TEST(Vacuity, EveryFormIsMarkedByTheTimedEngine) {
     const Result result = grafverif({"check", folder.write("lamp.grafcet", never_two(properties)), "--format", "json"});
     ASSERT_EQ(result.code, ExitCode::Done) << result.err;
     const VacuityJson all = VacuityJson::parse(result.out)["properties"];
-    ASSERT_EQ(all.size(), forms().size() + 1);  // one verdict more for `no_timelock`
+    ASSERT_EQ(all.size(), forms().size() + 1);  // one additional verdict for `no_timelock`
     for (std::size_t k = 0; k < forms().size(); ++k) expect_verdict(all[k], forms()[k], "timed");
 }
 

@@ -61,7 +61,7 @@ std::uint64_t table_of(const Bdd& f) {
     return table;
 }
 
-/// Returns the table of `value_at(n)` for each assignment.
+/// Returns the truth table that contains `value_at(n)` for each assignment n.
 template <class ValueAt>
 std::uint64_t table(const ValueAt& value_at) {
     std::uint64_t result = 0;
@@ -72,7 +72,7 @@ std::uint64_t table(const ValueAt& value_at) {
 
 bool at(std::uint64_t table, unsigned n) { return ((table >> n) & 1U) != 0; }
 
-TEST(Bdd, ConnectivesAgreeWithTablesOfTruth) {
+TEST(Bdd, ConnectivesAgreeWithTruthTables) {
     BddSpace space;
     space.add_variables(variable_count);
     Random random(1);
@@ -86,7 +86,7 @@ TEST(Bdd, ConnectivesAgreeWithTablesOfTruth) {
     }
 }
 
-TEST(Bdd, QuantifiersAndCofactorsAgreeWithTablesOfTruth) {
+TEST(Bdd, QuantifiersAndCofactorsAgreeWithTruthTables) {
     BddSpace space;
     space.add_variables(variable_count);
     const Bdd quantified = variable_set(space, std::vector<std::uint32_t>{1, 4});
@@ -234,7 +234,7 @@ TEST(Bdd, ADeadlineEndsALongOperation) {
     }
 }
 
-TEST(Bdd, OneSpaceFollowsAnother) {
+TEST(Bdd, SpacesCanBeCreatedSuccessively) {
     for (int i = 0; i < 3; ++i) {
         BddSpace space;
         EXPECT_EQ(space.variables(), 0u);

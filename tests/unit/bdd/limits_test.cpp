@@ -17,14 +17,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Returns a function of pairs of equal neighbours, which has a small diagram.
+/// Returns a function that is true if both variables of each pair of neighbours are equal; its diagram is small.
 Bdd neighbours(const BddSpace& space, std::uint32_t pairs) {
     Bdd result = Bdd::constant(true);
     for (std::uint32_t i = pairs; i-- > 0;) result &= iff(space.variable(2 * i), space.variable(2 * i + 1));
     return result;
 }
 
-/// Separates the neighbours by a renaming. This one operation creates more than 2^n nodes for n pairs.
+/// Renames the variables so that those of a pair are no longer neighbours. This one operation creates more than 2^n
+/// nodes for n pairs.
 struct TakenApart {
     explicit TakenApart(std::uint32_t pairs) : renaming(moves(pairs)) {}
 
@@ -40,7 +41,7 @@ struct TakenApart {
     BddRenaming renaming;
 };
 
-constexpr std::uint32_t many = 30;  // 2^30 nodes take practically forever
+constexpr std::uint32_t many = 30;  // 2^30 nodes would take too long
 
 BddExhausted::Cause cause_of(const std::function<void()>& work) {
     try {
@@ -110,7 +111,7 @@ TEST(BddLimitsDeathTest, RefusedAllocationCountsAsExhaustedMemoryAndAllFunctions
 }
 #endif
 
-TEST(BddLimits, OneLongOperationListensToItsDeadline) {
+TEST(BddLimits, LongOperationStopsAtItsDeadline) {
     const Clock::time_point start = Clock::now();
     BddSpace space({.deadline = start + std::chrono::milliseconds(200)});
     space.add_variables(2 * many);
@@ -126,7 +127,7 @@ TEST(BddLimits, LongOperationStopsOnRequestOfAnotherThread) {
     space.add_variables(2 * many);
     const Bdd f = neighbours(space, many);
     const TakenApart apart(many);
-    // The request comes during growth, during collection, or during node creation.
+    // The request to stop arrives during growth, during garbage collection, or during node creation.
     for (const int wait : {1, 10, 40, 160}) {
         std::thread other([&] {
             std::this_thread::sleep_for(std::chrono::milliseconds(wait));
@@ -154,7 +155,7 @@ TEST(BddLimits, StoppingAtAnyPointKeepsTheSpaceConsistent) {
         try {
             for (;;) {
                 try {
-                    (void)apart.renaming(f);  // 2^20 nodes exceed the memory limit: many garbage collections
+                    (void)apart.renaming(f);  // 2^20 nodes exceed the memory limit after many garbage collections
                 } catch (const BddExhausted& exhausted) {
                     if (exhausted.cause() == BddExhausted::Cause::Stopped) throw;
                 }
@@ -171,7 +172,7 @@ TEST(BddLimits, StoppingAtAnyPointKeepsTheSpaceConsistent) {
     }
 }
 
-TEST(BddLimits, DiagramsAreAsDeepAsTheyLike) {
+TEST(BddLimits, DeepDiagramsDoNotOverflowTheStack) {
     constexpr std::uint32_t depth = 20'000;
     BddSpace space;
     space.add_variables(depth + 1);
@@ -204,7 +205,7 @@ TEST(BddLimits, DiagramsAreAsDeepAsTheyLike) {
     EXPECT_EQ(verify(space), std::vector<std::string>());
 }
 
-TEST(BddLimits, SpacesDoNotKnowOfEachOther) {
+TEST(BddLimits, SpacesAreIndependent) {
     BddSpace one, two;
     one.add_variables(8);
     two.add_variables(8);
@@ -244,7 +245,7 @@ TEST(BddOrder, SiftingFindsTheOrderThatPairsNeed) {
     EXPECT_EQ(TakenApart(12).renaming(neighbours(space, 12)), f) << "whatever the order";
 }
 
-TEST(BddOrder, GroupsStaySideBySideInTheirOrder) {
+TEST(BddOrder, GroupsStayAdjacentInTheirOrder) {
     BddSpace space;
     space.add_variables(24);
     for (std::uint32_t first = 0; first < 24; first += 3) space.keep_together(first, 3);

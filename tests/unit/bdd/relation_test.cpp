@@ -12,7 +12,7 @@ namespace grafverif::bdd {
 namespace {
 
 /// Random steps. The bits of a state are the variables 0, 2, 4, ..., each followed by its next value; the choices are
-/// below them.
+/// below them in the variable order.
 struct RandomSteps {
     static constexpr std::uint32_t bits = 4, choices = 2, choice = 2 * bits;
     BddSpace space = BddSpace();
@@ -73,7 +73,7 @@ TEST(Relation, ImagesAgreeWithSingleSteps) {
             if (evaluate(from & steps.offered, values)) led[steps.after(values)] = true;
         });
         const Bdd image = relation.image(from, relation.quantified(steps.before)), preimage = relation.preimage(to);
-        const Relation kept(steps.space, steps.next);  // this relation keeps the choice
+        const Relation kept(steps.space, steps.next);  // this relation still depends on the choice
         const Bdd chosen = kept.image(from & steps.offered, kept.quantified(steps.before));
         std::vector<bool> leads(1U << RandomSteps::bits);
         steps.for_each([&](std::uint32_t state, std::uint32_t, const std::vector<bool>& values) {
@@ -83,7 +83,7 @@ TEST(Relation, ImagesAgreeWithSingleSteps) {
         steps.for_each([&](std::uint32_t state, std::uint32_t choice, const std::vector<bool>& values) {
             EXPECT_EQ(evaluate(image, values), led[state]) << "seed " << seed;
             EXPECT_EQ(evaluate(preimage, values), leads[state]) << "seed " << seed;
-            bool chosen_leads = false;  // true if a step with that choice leads to the state
+            bool chosen_leads = false;  // true if a step with `choice` leads to `state`
             for (std::uint32_t origin = 0; origin < 1U << RandomSteps::bits; ++origin) {
                 const std::vector<bool> there = steps.assignment(origin, choice);
                 chosen_leads = chosen_leads || (evaluate(from & steps.offered, there) && steps.after(there) == state);

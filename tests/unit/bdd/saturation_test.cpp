@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint32_t bits = 6;
 
-/// A cluster that may change one or two bits. Its condition is over two or three bits and a choice, which is below all
-/// bits.
+/// An event cluster that may change one or two bits. Its condition reads two or three bits and a choice, which is below
+/// all bits in the variable order.
 struct Kind {
     std::vector<NextBit> next = {};
     Bdd condition = {};

@@ -9,7 +9,7 @@
 namespace grafverif {
 namespace {
 
-/// Two Booleans and three small integers, one of which has a single value.
+/// Two Booleans and three small integers; one of the integers has a single value.
 const std::vector<Type> types = {{}, {}, integer_type(-3, 4), integer_type(0, 5), integer_type(7, 7)};
 
 struct World {
@@ -102,7 +102,7 @@ TEST(BddTerms, ResultsOutside64BitsAreUndefined) {
     EXPECT_TRUE(terms(power).undefined.is_false());
 }
 
-TEST(BddTerms, WordsCodeTheValuesOfTheirRange) {
+TEST(BddTerms, WordsEncodeTheValuesOfTheirRange) {
     World world;
     const BddWord& word = world.words[2];  // the range is from -3 to 4
     ASSERT_EQ(word.bits.size(), 3u);
@@ -117,7 +117,7 @@ TEST(BddTerms, WordsCodeTheValuesOfTheirRange) {
     EXPECT_TRUE(equal(term_of(world.space, world.words[4]), bdd_integer(7)).is_true());
 }
 
-TEST(BddTerms, ADeepTermNeedsNoDeepStack) {
+TEST(BddTerms, DeepTermDoesNotOverflowTheStack) {
     Exprs exprs;
     BddSpace space;
     space.add_variables(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests compositional checking: dependences between processes, the subsystems that each verdict omits, and the
-// neighbours that require a search of the complete network.
+// Tests compositional checking: dependences between processes, the subsystems that each verdict omits, and the other
+// subsystems that make a search of the complete network necessary.
 #include "check/decomposition/decomposition.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct Pulse {
     Id<Network::Process> process = {};
 };
 
-/// The properties of the lamp in every test.
+/// Adds the properties of the lamp that every test checks.
 void ask_of(Sketch& s, const Pulse& lamp) {
     s.property("on", Pattern::LeadsTo, {s.at(lamp.process, 0), s.at(lamp.process, 1)});
     s.property("seen", Pattern::Reachable, {s.at(lamp.process, 1)});
@@ -48,7 +48,7 @@ bool apart(const TimedResult& result, const std::string& property) {
     return !verdict(result, property).scope.searched.empty();
 }
 
-TEST(Decomposition, AVariableThatOneWritesAndAnotherReadsTies) {
+TEST(Decomposition, VariableWrittenByOneProcessAndReadByAnotherConnectsThem) {
     Sketch s;
     const auto flag = s.boolean("flag"), constant = s.boolean("constant", true);
     const auto writer = s.process("writer", 1), reader = s.process("reader", 1), other = s.process("other", 1);
@@ -140,7 +140,7 @@ TEST(Decomposition, TimelockOfOnePartBlocksOthers) {
     EXPECT_EQ(told(result, "no_timelock"), "violated");
 }
 
-TEST(Decomposition, OneWithoutAnEndlessTimeCutsOthersShort) {
+TEST(Decomposition, PartThatStopsTimeLimitsTheRunsOfOthers) {
     Sketch s;
     const Pulse lamp(s);
     ask_of(s, lamp);
@@ -247,7 +247,7 @@ TEST(Decomposition, PartThatIsTooLargeAloneIsNotSearchedWithOthers) {
     EXPECT_TRUE(verdict(result, "alive").notes.empty());
 }
 
-TEST(Decomposition, ARunThatWouldRepeatOnlyAfterVeryLongIsNotShown) {
+TEST(Decomposition, RunWithAVeryLongPeriodIsNotShown) {
     Sketch s;
     const Pulse lamp(s);
     const auto never = s.boolean("never");

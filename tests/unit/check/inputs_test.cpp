@@ -15,8 +15,8 @@
 namespace grafverif {
 namespace {
 
-/// Returns the verdict that input abstractions give on the only property of a loop. With the default limits, no run is
-/// searched in the complete loop first.
+/// Returns the verdict of input abstraction on the only property of a loop. With the default limits, the complete loop
+/// is not searched first.
 Verdict decided(const std::string& text, const InputLimits& limits = {.explored = 0},
                 const InputAblations& ablations = {}) {
     const Network loop = expand(read_loop(text).network);
@@ -140,7 +140,7 @@ TEST(InputAbstraction, StoresAnInstanceThatMayLeaveItsRange) {
     EXPECT_EQ(valuations("V < 2 && 4 / V > 1"), 0U) << "division by zero";
 }
 
-/// A cylinder that a button starts, and another one whose order ends after 3 s.
+/// Returns a loop with a cylinder that a button starts, and another cylinder whose order ends after 3 s.
 std::string two_followers(const std::string& property) {
     return follower + loop("input A, D, E; output Q, R;",
                            "initial step 0; step 1 { Q; } step 2 { R; } step 3; transition t0: 0 -> 1 when A; "
@@ -204,7 +204,7 @@ TEST(InputAbstraction, IgnoresWhatQuiescenceSaysOfOmittedInstances) {
         << "the test would not detect that the premise is violated";
 }
 
-/// A chart with two buttons. It changes its step infinitely often within an instant while `when` holds.
+/// Returns a loop with two buttons. Its chart changes its step infinitely often within an instant while `when` holds.
 std::string unstable(const std::string& when, const std::string& property) {
     return loop("input A, B; output L;",
                 "initial step 0; step 1; step 2 { L; } transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when !A; "
@@ -326,7 +326,7 @@ TEST(InputAbstraction, ProvesNoAbsenceOfDeadlockWithoutALivelyInstance) {
     EXPECT_EQ(decided(once("no deadlock")).outcome, Outcome::Unknown);
 }
 
-/// Declares the inputs I1..In, each of which is free.
+/// Declares the free inputs I1..In.
 std::string free_inputs(int count, const std::function<std::string(const std::string&)>& term) {
     std::string names, panel, condition;
     for (int i = 1; i <= count; ++i) {

@@ -16,7 +16,8 @@ namespace {
 
 Network line() { return expand(read_sample("transfer_line/transfer_line.grafcet").network); }
 
-/// Checks the network by localization, without the first search of the complete network, which would decide it.
+/// Checks the network by localization without a preceding search of the complete network, which would decide the
+/// property.
 TimedResult by_cells(const Network& network, TimedOptions options = {}) {
     options.max_states = 100'000;
     return check_timed_by_cells(network, options, {.whole = 10, .local = 100'000});
@@ -160,8 +161,8 @@ TEST(Localization, GuardThatKeepsAValueInRangeIsDetected) {
     EXPECT_FALSE(terms_have_values(expand(s.network)));
 }
 
-/// A network of three periodic clocks with a property about the race. The variable that `b` sets races if and only if
-/// `by_b`.
+/// Returns a network of three periodic clocks with a property about the race. The variable that `b` sets is subject to
+/// a race if and only if `by_b`.
 Network may_race(bool by_b) {
     Sketch s;
     const auto race = s.boolean("race"), x = s.boolean("x");

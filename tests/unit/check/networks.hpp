@@ -50,10 +50,10 @@ public:
     Network network = {};
 };
 
-/// Checks the network. Also verifies it, and replays every run to a state in which the property is violated or
-/// witnessed.
+/// Checks the network. It also verifies the network, and replays every run to a state in which the property is violated
+/// or witnessed.
 TimedResult checked(const Network& network, const TimedOptions& options = {});
-/// Checks that the run of the verdict replays to a state that shows the verdict.
+/// Checks that the run of the verdict can be replayed and ends in a state that proves the verdict.
 void confirm(const Network& network, const Property& property, const Verdict& verdict);
 /// Returns the verdict on one property.
 const Verdict& verdict(const TimedResult& result, const std::string& property);

@@ -14,7 +14,8 @@
 namespace grafverif {
 namespace {
 
-/// A chart of `steps` steps. A different one of four buttons leaves each step, and a plant takes 2 s.
+/// Returns a loop with a chart of `steps` steps. Successive steps wait for different buttons, of four in total; a
+/// movement of the plant takes 2 s.
 std::string chain(int steps, const std::string& property) {
     std::string text =
         "component slow(input P; output S) { clock t; initial location off; location going invariant t <= 2s; "

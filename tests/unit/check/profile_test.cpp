@@ -133,7 +133,7 @@ std::vector<Place> places_of(const Network& network, const timed::Layout& layout
     return places;
 }
 
-/// Returns the number of states that differ in those `places` that `counts` selects.
+/// Returns the number of distinct states, restricted to the `places` that `counts` selects.
 template <class Counts>
 std::uint64_t different(const std::vector<Values>& states, const std::vector<Place>& places, const Counts& counts) {
     std::set<Values> kept;

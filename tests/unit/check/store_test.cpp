@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests that the state store reads back stored states unchanged, and finds them again.
+// Tests that the state store returns stored states unchanged, and finds them again.
 #include "check/timed/store.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ std::uint32_t some(std::uint64_t seed, unsigned bits) {
     return static_cast<std::uint32_t>((seed ^ seed >> 29U) * 0xBF58476D1CE4E5B9U >> (64U - bits));
 }
 
-TEST(Pairs, AreNumberedInTheOrderTheyCameInAndFoundAgainHoweverManyThereAre) {
+TEST(Pairs, AreNumberedInTheOrderOfInsertionAndFoundAgain) {
     for (const auto& [low, high] : {std::pair{8U, 12U}, std::pair{32U, 32U}, std::pair{1U, 32U}, std::pair{20U, 1U}}) {
         SCOPED_TRACE(std::to_string(low) + " and " + std::to_string(high) + " bits");
         Pairs pairs(6);
@@ -43,11 +43,11 @@ TEST(Pairs, AppendedAreFoundOnceTheyAreIndexed) {
     std::uint64_t made = 0;
     for (const std::uint32_t more : {1U, 700U, 3U, 30'000U, 5'000U}) {
         const auto first = static_cast<std::uint32_t>(pairs.size());
-        // This is less than the number of states needs.
+        // The reserved memory is less than the states need.
         for (unsigned member = 0; member < 3; ++member) pairs.free_memory(more / 2, {member, 3});
         for (std::uint32_t i = 0; i < more; ++i) ASSERT_EQ(pairs.append(made++ * 0x10001), first + i);
         ASSERT_EQ(pairs.find((made - 1) * 0x10001), Pairs::none);
-        // Each member inserts the states of its shards, in reverse order.
+        // Each member of the thread pool inserts the states of its shards, in reverse order.
         for (unsigned member = 0; member < 3; ++member)
             for (std::uint32_t number = first + more; number-- != first;)
                 if (pairs.shard_of(pairs[number]) % 3 == member) pairs.index(pairs[number], number);
@@ -55,7 +55,7 @@ TEST(Pairs, AppendedAreFoundOnceTheyAreIndexed) {
     }
 }
 
-TEST(Store, GivesBackEveryStateOfEachSize) {
+TEST(Store, ReturnsEveryStateOfEachSize) {
     for (const unsigned halves : {1U, 2U, 3U, 5U, 6U, 11U, 16U}) {
         SCOPED_TRACE(halves);
         Layout layout{.locations = {},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the symbolic engine with an early end of the search, and with choices that change nothing.
+// Tests the symbolic engine with an early end of the search, and with choices that have no effect.
 #include "check/symbolic/symbolic.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ void ask(System& system, Pattern pattern, Id<Expr> operand) {
     system.properties.add(std::move(property));
 }
 
-/// A system with a number that counts to `last` cyclically.
+/// Returns a system with a number that counts to `last` cyclically.
 System counter(std::int64_t last) {
     System system = empty_system();
     Exprs& exprs = system.exprs;

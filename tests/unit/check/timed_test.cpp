@@ -80,7 +80,7 @@ TEST(TimedEngine, PrefersOneLongDelayToManyMoves) {
     Sketch s;
     const auto late = s.boolean("late");
     const auto p = s.process("p", 4, 1);
-    // Four urgent edges lead there. A delay of fifty units and one edge lead there, too.
+    // Four urgent edges lead to `late`. One edge after a delay of fifty units also leads to `late`.
     s.edge(p, {.from = 0, .to = 1});
     s.edge(p, {.from = 1, .to = 2});
     s.edge(p, {.from = 2, .to = 3});
@@ -114,7 +114,7 @@ TEST(TimedEngine, CountsStayingForeverAsARun) {
               (Moves{Delay{1}}));
 }
 
-/// Both l0 and l1 are left within two units, so that the process alternates between them forever.
+/// Returns a process that leaves both l0 and l1 within two units, and therefore alternates between them forever.
 Sketch pendulum() {
     Sketch s;
     const auto p = s.process("p", 2, 1);
@@ -178,7 +178,8 @@ TEST(TimedEngine, DistinguishesALivelockOfUrgentEdgesFromADeadlock) {
     EXPECT_FALSE(result.time_passes);
 }
 
-/// A timelock between integer times: no run is blocked at integer times, but a run is blocked at x = 1.5, y = 2.
+/// Returns a network with a timelock between integer times: no run is blocked at integer times, but a run is blocked at
+/// x = 1.5, y = 2.
 Sketch hidden_lock() {
     Sketch s;
     const auto p = s.process("p", 3, 2);  // the clocks are x and y
@@ -221,7 +222,7 @@ TEST(TimedEngine, GivesNoLivenessVerdictOnOperandsWithoutAValue) {
         EXPECT_EQ(told(result, property), "unknown (faulty)") << property;
 }
 
-TEST(TimedEngine, WantsMoreOfABoundForTimeThanForRuns) {
+TEST(TimedEngine, RequiresMoreOfABoundForTimeThanForRuns) {
     // The process must leave the location at its bound, but the clock is bounded again without a reset. No run ends,
     // but time stops.
     Sketch s;
@@ -239,7 +240,7 @@ TEST(TimedEngine, WantsMoreOfABoundForTimeThanForRuns) {
     EXPECT_EQ(told(result, "no_timelock"), "unknown (inexact)");
 }
 
-TEST(TimedEngine, AsksThatUrgentEdgesAloneLeadToWhereTimePasses) {
+TEST(TimedEngine, RequiresThatUrgentEdgesAloneLeadToStatesInWhichTimePasses) {
     // The only exit of the urgent loop is an edge that may wait forever. In integer time this exit is sufficient.
     Sketch s;
     const auto p = s.process("p", 2);
@@ -249,7 +250,7 @@ TEST(TimedEngine, AsksThatUrgentEdgesAloneLeadToWhereTimePasses) {
     EXPECT_EQ(told(result, "no_timelock"), "unknown (inexact)");
 }
 
-TEST(TimedEngine, KnowsOnlyOneSideOfStrictConstraints) {
+TEST(TimedEngine, StrictConstraintsGiveOneSidedVerdicts) {
     Sketch s;
     const auto p = s.process("p", 2, 1);
     s.edge(p, {.from = 0, .to = 1, .when = {{0, Op::Greater, 2}}});
@@ -314,7 +315,7 @@ TEST(TimedEngine, StopsIfStoredActionsRace) {
     EXPECT_EQ(result.errors[0].run.moves, (Moves{fire(0, 0), fire(0, 1)}));
 }
 
-/// A counter of twenty bits, which has a million states.
+/// Returns a counter of twenty bits, which has a million states.
 Sketch counter() {
     Sketch s;
     const auto n = s.integer("n", 0, 32767), m = s.integer("m", 0, 31);
@@ -442,7 +443,7 @@ TEST(TimedEngine, PropertiesWithoutAQuiescentStateAreVacuous) {
     EXPECT_EQ(told(checked(lamp.s.network), "stable"), "holds, vacuous");
 }
 
-/// A network with bits that become true within one instant in any order.
+/// Returns a network with bits that become true within one instant in any order.
 Sketch rising(std::uint32_t bits) {
     Sketch s;
     std::vector<Id<Expr>> all;

@@ -9,7 +9,7 @@
 namespace grafverif {
 namespace {
 
-/// A chart with the transitions 1 -> 2 when a and 2 -> 1 when 5s/X2, in which step 2 sets OUT.
+/// Returns a chart with the transitions 1 -> 2 when a and 2 -> 1 when 5s/X2, in which step 2 sets OUT.
 HandChart small_chart() {
     HandChart hand("small");
     const auto a = hand.input("a");
@@ -68,7 +68,7 @@ TEST(Cycle, TheAtomicCycleIsOneEdgeThatKeepsOutputsUntilStable) {
     EXPECT_EQ(text.find("CF_t0 := false"), std::string::npos) << "firing conditions are scratch, nobody resets them";
 }
 
-TEST(Cycle, TheTimerIsThatOfFigure33bWithOurRepairs) {
+TEST(Cycle, TheTimerIsThatOfFigure33bWithCorrections) {
     const Network network = composed(lone_controller(small_chart().chart));
     EXPECT_EQ(between(network_text(network), "template timer", "controller PLC"),
               "template timer\n"
@@ -144,7 +144,7 @@ TEST(Cycle, LateInputsAreSampledInThePhasedGrainOnly) {
     EXPECT_EQ(atomic.find("_sample"), std::string::npos) << atomic;
 }
 
-TEST(Cycle, AStoredActionReadsTheInputAsTheTransitionSawIt) {
+TEST(Cycle, StoredActionReadsTheInputThatTheTransitionRead) {
     // The plant may move between the phases. The stored value is therefore that of fire(), not that of evolve().
     HandChart hand = small_chart();
     const auto memory = hand.variable("memory", Chart::VariableKind::Internal);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests timers under transients with the pulse chart, and shows its behaviour with timers as published.
+// Tests timers in transient situations with the pulse chart, and shows the behaviour of this chart with the timers as
+// published.
 #include <gtest/gtest.h>
 
 #include "hand_chart.hpp"
@@ -8,7 +9,7 @@
 namespace grafverif {
 namespace {
 
-/// A chart with the transitions 1 -> 2 when 5s/X1 and 2 -> 1 when true. It generates one pulse every 5 s.
+/// Returns a chart with the transitions 1 -> 2 when 5s/X1 and 2 -> 1 when true. It generates one pulse every 5 s.
 Model pulse() {
     HandChart hand("pulse");
     const auto one = hand.step("1", true), two = hand.step("2");
@@ -22,7 +23,7 @@ struct History {
     int units = 0;  ///< number of time units that passed
 };
 
-/// Runs the network, with edges before time, until `units` have passed or `most_edges` are taken. Counts the
+/// Runs the network until `units` have passed or `most_edges` are taken; edges are taken before time passes. Counts the
 /// activations of step 2.
 History run(const Network& network, int units, int most_edges) {
     const NaiveTadd tadd(network);

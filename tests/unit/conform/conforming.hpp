@@ -16,7 +16,7 @@ namespace grafverif {
 
 inline constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every_cycle = ExecutionMode::EveryCycle;
 
-/// Returns the chart of samples/tanks, with `more` declarations.
+/// Returns the chart of samples/tanks with the additional declarations `more`.
 inline std::string tanks(const std::string& more = {}) {
     return "input s, h1, h2, l1, l2; output V1, V2, W1, W2;" + more +
            "initial step 1; step 2 { V1; } step 3 { W1; } step 4; step 5 { V2; } step 6 { W2; } step 7;"

@@ -7,7 +7,7 @@
 namespace grafverif {
 namespace {
 
-/// Returns the declarations of the only chart of `text`, without its frame.
+/// Returns the declarations of the only chart of `text`, without the enclosing `grafcet NAME { }`.
 std::string body(const std::string& text) {
     return text.substr(text.find('{') + 1, text.rfind('}') - text.find('{') - 1);
 }

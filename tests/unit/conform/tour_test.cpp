@@ -47,7 +47,7 @@ std::uint64_t tried_length(std::uint32_t start, const std::vector<TourArc>& arcs
     return 0;
 }
 
-/// Returns a few arcs, all of which are reachable from node 0.
+/// Returns a few arcs that are all reachable from node 0.
 std::vector<TourArc> random_arcs(Random& random, std::uint32_t nodes) {
     std::vector<TourArc> arcs;
     std::vector<std::uint32_t> reached{0};
@@ -132,7 +132,7 @@ TEST(Tour, HasAsFewSequencesAsItsLengthAllows) {
     EXPECT_EQ(tour.sequences.size(), 2U);
 }
 
-TEST(VisitingTour, SeesEveryNodeThatAnArcEnters) {
+TEST(VisitingTour, VisitsEveryNodeThatAnArcEnters) {
     for (int seed = 1; seed <= test_size(100); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::vector<TourArc> arcs = random_arcs(random, 6);

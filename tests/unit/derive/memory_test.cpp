@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the values that equations remember: previous values, levels, timers.
+// Tests the values that equations store: previous values, levels, timers.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -92,8 +92,8 @@ P_a = a
 )");
 }
 
-/// Returns `S first, V_b after`: the remembered variables, in order. `first` marks a variable with a separate value
-/// after the first evolution.
+/// Returns `S first, V_b after`: the stored previous values and levels, in order. `first` marks a variable with a
+/// separate value after the first evolution.
 std::string kept_in(const Equations& equations) {
     std::string text;
     for (const Kept& each : kept(equations))

@@ -225,7 +225,7 @@ TEST(Explain, PropertiesLeftOpenByAModelErrorNameItsPlaceInTheChart) {
     EXPECT_EQ(report.error_traces[0].message, "`N` would leave its range 0..1, in an evolution of `c`");
 }
 
-TEST(Explain, TheValuesThatMakeAPropertyFailAreMarkedWithTheMoveThatCouldHaveBeenLeftOut) {
+TEST(Explain, CausesOfAViolationAreMarkedWithTheShortestChange) {
     const Report report = report_of(lamps, "property dark: never red && X1;");
     const std::string text = text_of(report);
     const std::string end =
@@ -332,7 +332,7 @@ TEST(Explain, ShortestChangeKeepsTheOrderOfTimersOfOneStep) {
     EXPECT_TRUE(!left_out.timer.valid() || run.timers[left_out.timer].rise_ms == 5000) << text_of(report);
 }
 
-TEST(Explain, TheEndOfATimeIsACauseAsConditionsWriteIt) {
+TEST(Explain, TimerExpiryIsACauseInTheNotationOfConditions) {
     const char* chart = R"(grafcet c {
     input a;
     output green, red;
@@ -378,7 +378,7 @@ TEST(Explain, FreeMovesOfInterleavedPlantAutomataAreThoseOfTheLoop) {
     EXPECT_TRUE(never.left_out.empty());
 }
 
-TEST(Explain, TheChangeThatAChartAloneBecomesStableWithoutIsNamed) {
+TEST(Explain, ChangeWithoutWhichAChartBecomesStableIsNamed) {
     ParseResult reading = read_string(R"(grafcet c {
     input a, b;
     initial step 0;

@@ -10,7 +10,7 @@ namespace {
 
 using Role = Equations::Role;
 
-/// One step with a source transition, an output and a counter. These are all elements that verify checks.
+/// One step with a source transition, an output and a counter. The equations contain all elements that verify checks.
 struct Small {
     Equations equations = {};
     Id<Equations::Variable> start = equations.variables.add({"START", Role::Input, {}, 0, {}});

@@ -161,7 +161,7 @@ TEST(Evaluate, FollowsEveryOperator) {
         EXPECT_EQ(value(e, one.term, values), one.expected);
 }
 
-TEST(Evaluate, LooksNoFurtherThanTheAnswerNeeds) {
+TEST(Evaluate, SkipsOperandsThatDoNotAffectTheResult) {
     Terms t;
     const Id<Expr> fails = t.exprs.apply(Op::Equal, t.exprs.apply(Op::Divide, t.c, t.b), t.exprs.integer(1));
     EXPECT_EQ(value(t.exprs, t.exprs.conjunction(t.b, fails), {1, 0, 7}), 0);

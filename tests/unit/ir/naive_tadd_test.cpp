@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests the reference semantics on the small examples of CEP13 section 2. Other tests compare all other components with
-// it.
+// these semantics.
 #include "support/naive_tadd.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 namespace grafverif {
 namespace {
 
-/// The network of CEP13 Fig. 4: A -> B urgent, A -> C sets a; 1 -> 2 at T = 2, 1 -> 3 when a; invariant of 1: T <= 2.
+/// Returns the network of CEP13 Fig. 4: A -> B urgent, A -> C sets a; 1 -> 2 at T = 2, 1 -> 3 when a; invariant of 1: T
+/// <= 2.
 Network figure_4() {
     Network network;
     const auto a = network.variables.add({.name = "a"});

@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// One template with a parameter of each kind and a clock, and one process of that template.
+/// Returns one template with a parameter of each kind and a clock, and one process of that template.
 Network small_network() {
     Network network;
     const auto go = network.variables.add({.name = "go"});

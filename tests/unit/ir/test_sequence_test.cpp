@@ -10,7 +10,7 @@
 namespace grafverif {
 namespace {
 
-/// A button, a lamp, and two steps, the second of which waits.
+/// Returns a sequence with a button, a lamp, and two steps; the second step waits.
 TestSequence lamp() {
     TestSequence test;
     test.chart = "lamp";

@@ -71,7 +71,7 @@ public:
         send({{"jsonrpc", "2.0"}, {"id", ++last_}, {"method", method}, {"params", params}});
         return last_;
     }
-    /// Returns the complete response to the request with that id.
+    /// Returns the complete response to the request with the id `id`.
     Json answer(const Json& id) {
         return wait([&](const Json& message) {
             return !message.contains("method") && message.contains("id") && message["id"] == id;
@@ -82,14 +82,14 @@ public:
         EXPECT_TRUE(whole.contains("result")) << method << ' ' << whole;
         return whole.value("result", Json());
     }
-    /// Returns the next notification of that kind that satisfies `that`, and discards the ones before it.
+    /// Returns the next notification of the method `method` that satisfies `that`, and discards earlier notifications.
     template <class That>
     Json next(const std::string& method, That that) {
         return wait([&](const Json& message) {
             return message.value("method", "") == method && that(message["params"]);
         })["params"];
     }
-    /// Returns the next complete request of that kind from the server.
+    /// Returns the next complete request of the method `method` from the server.
     Json request(const std::string& method) {
         return wait(
             [&](const Json& message) { return message.value("method", "") == method && message.contains("id"); });
@@ -116,7 +116,7 @@ public:
         notify("textDocument/didChange", {{"textDocument", {{"uri", uri}, {"version", version}}},
                                           {"contentChanges", Json::array({{{"text", text}}})}});
     }
-    /// Returns the next diagnostics of `uri`, of the given version or of any.
+    /// Returns the next diagnostics of `uri` with the given version, or with any version if it is 0.
     Json diagnostics(const std::string& uri, int version = 0) {
         return next("textDocument/publishDiagnostics", [&](const Json& params) {
             return params["uri"] == uri && (version == 0 || params.value("version", 0) == version);

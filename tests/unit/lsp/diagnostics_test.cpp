@@ -146,13 +146,13 @@ TEST(LspDiagnostics, IncludeAllFilesThatIncludeAnOpenDocument) {
     client.retype(folder.uri("part.grafcet"), 2, "component lever(output OUT) {\n    initial location off;\n}\n");
     EXPECT_EQ(client.diagnostics(folder.uri("main.grafcet")), Json::array());
 
-    // The server reads files on disk again when they change. The open text is unchanged.
+    // The server reads files on disk again when they change. The text of the open document does not change.
     folder.write("part.grafcet", "nonsense");
     folder.write("main.grafcet", "include \"part.grafcet\";\ngrafcet g {\n}\n");
     EXPECT_EQ(codes(client.diagnostics(folder.uri("main.grafcet"))), Codes{"empty-chart"});
 }
 
-TEST(LspDiagnostics, LiveThroughHalfAndDamagedTexts) {
+TEST(LspDiagnostics, SurviveTruncatedAndDamagedTexts) {
     Client client;
     client.begin();
     const std::string whole =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests unreadable documents and folders. The server continues, and a failure becomes a diagnostic of its document.
+// Tests the language server with documents and folders that it cannot read. The server continues, and a failure becomes
+// a diagnostic of its document.
 #include "unit/lsp/client.hpp"
 
 namespace grafverif::lsp {
@@ -49,7 +50,7 @@ TEST(LspFaults, ADocumentThatCannotBeReadKeepsNoOtherFromItsDiagnostics) {
     std::filesystem::permissions(folder.file("shut"), std::filesystem::perms::owner_all);
 }
 
-TEST(LspFaults, AWorkspaceOfTheKernelIsLeftOut) {
+TEST(LspFaults, KernelFileSystemsAreIgnored) {
     for (const char* folder : {"/proc/self", "/sys"}) {
         Client client;
         client.begin(Json::object(), folder);

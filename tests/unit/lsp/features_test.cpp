@@ -326,7 +326,7 @@ TEST(LspOutline, ShowsFoldsAndColours) {
     EXPECT_TRUE(editor.of("textDocument/formatting", "press.grafcet").is_null());
 }
 
-TEST(LspFeatures, LiveThroughEveryHalfOfAText) {
+TEST(LspFeatures, SurviveEveryTruncationOfAText) {
     Editor editor;
     const std::string uri = editor.folder.uri("loop.grafcet");
     std::string all = press + loop.substr(loop.find('\n') + 1);

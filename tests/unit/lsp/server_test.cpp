@@ -44,7 +44,7 @@ TEST(LspServer, EndsIfTheClientsProcessIsGone) {
     EXPECT_EQ(client.ending(), Ending::Gone);
 }
 
-TEST(LspServer, WantsToBeInitializedFirstAndOnce) {
+TEST(LspServer, RequiresInitializationFirstAndOnce) {
     Client client;
     EXPECT_EQ(code_of(client.answer(client.ask("textDocument/hover", Json::object()))), -32002);
     client.open(address, "nothing of this is looked at");
@@ -116,7 +116,7 @@ TEST(LspServer, AnswersARequestThatIsCancelledInTime) {
     client.write(bytes);
     for (int id = 5000; id < 5199; ++id) client.answer(id);
     const int code = code_of(client.answer(5199));
-    EXPECT_TRUE(code == -32800 || code == -32602) << code;  // the server may have answered the request before
+    EXPECT_TRUE(code == -32800 || code == -32602) << code;  // the server may have answered the request already
 }
 
 TEST(LspServer, AcceptsMessagesSplitAnywhere) {
@@ -133,7 +133,7 @@ TEST(LspServer, AcceptsMessagesSplitAnywhere) {
     EXPECT_EQ(client.diagnostics(address), Json::array());
 }
 
-TEST(LspServer, LivesThroughDamagedStreams) {
+TEST(LspServer, SurvivesDamagedStreams) {
     std::mt19937 random(14);
     const std::string message = framed(Json{
         {"method", "textDocument/didOpen"},

@@ -133,7 +133,7 @@ TEST(Page, ShowsEachComponentDrawnAndAsTables) {
     const std::string figure = made.data["plant"]["Start"];
     EXPECT_EQ(made.data["plant"]["Done"], figure) << "both are of one component";
     EXPECT_EQ(count_of(made.page, "<figure id=\"" + figure + "\""), 1U);
-    EXPECT_NE(made.page.find("<svg></svg></div>\n<details><summary>The same as tables"), std::string::npos)
+    EXPECT_NE(made.page.find("<svg></svg></div>\n<details><summary>Tables of this automaton"), std::string::npos)
         << made.page;
 }
 

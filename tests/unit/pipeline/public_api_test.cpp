@@ -170,7 +170,7 @@ TEST(PublicApi, CounterexamplesExplainTheirSentence) {
         one.properties = {property};
         const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, one, diagnostics);
         ASSERT_TRUE(report);
-        ASSERT_EQ(report->answers.size(), 2U);  // the second answer is that of the search for timelocks
+        ASSERT_EQ(report->answers.size(), 2U);  // the second result is that of the search for timelocks
         ASSERT_FALSE(report->answers[0].verdict.notes.empty());
         EXPECT_EQ(report->answers[0].verdict.notes[0], words);
         EXPECT_EQ(report->answers[1].verdict.property, "no_timelock");

@@ -16,8 +16,8 @@ namespace {
 using ParameterKind = Component::ParameterKind;
 using ValueKind = Component::ValueKind;
 
-/// A component that moves X out by D every STEP while G is true. The last step is limited to the end of the range. It
-/// counts its strokes.
+/// Returns a component that moves X out by D every STEP while G is true. The last step is limited to the end of the
+/// range. The component counts its strokes.
 Component cylinder() {
     ComponentBuilder build{{.name = "cylinder"}};
     Exprs& exprs = build.component.exprs;
@@ -47,7 +47,8 @@ Component cylinder() {
     return std::move(build.component);
 }
 
-/// A component whose MID is true while LOW <= X <= HIGH. It starts in `mid` with MID true, or in `off`.
+/// Returns a component whose MID is true while LOW <= X <= HIGH. The component starts in `mid` with MID true, or in
+/// `off`.
 Component sensor() {
     ComponentBuilder build{{.name = "sensor"}};
     Exprs& exprs = build.component.exprs;
@@ -193,7 +194,7 @@ TEST(Plant, TheDurationThatMakesTheUnitFineIsFound) {
         EXPECT_EQ(found->duration_ms, c.duration);
         EXPECT_EQ(found->coarser_ms, c.coarser);
         EXPECT_EQ(found->unit_ms, station.build().value().time_unit_ms);
-        // Without the constraint itself, the time unit is coarser.
+        // The time unit must be coarser without the constraint.
         for (const std::uint32_t cylinder : {0U, 1U})
             if (std::get<std::int64_t>(station[cylinder].arguments[4]) == c.duration)
                 station[cylinder].arguments[4] = c.coarser;

@@ -31,7 +31,7 @@ void check_damaged(const std::string& text, bool lossy) {
     const auto model = read_text(source, sources, context, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);  // this displays every location
+    render_text(diagnostics.all(), sources, Colour::Plain, said);  // the rendered text contains every location
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

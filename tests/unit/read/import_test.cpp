@@ -159,7 +159,8 @@ TEST(Import, ImportsTextualChartsWithTheirActionBlocks) {
     EXPECT_NE(result.said.find("R of `lamp`"), std::string::npos) << result.said;
 }
 
-/// Returns a chart of two steps in PLCopen XML whose first transition gets its condition from element 9 of `network`.
+/// Returns a chart with two steps in PLCopen XML. The condition of its first transition is connected to the element
+/// with localId 9, which `network` (XML text) must contain.
 std::string connected(const std::string& network) {
     return R"(<project><pou name="p" pouType="program"><interface><inputVars>
 <variable name="a"><type><BOOL/></type></variable><variable name="b"><type><BOOL/></type></variable></inputVars>

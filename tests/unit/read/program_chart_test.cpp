@@ -160,7 +160,7 @@ TEST(ProgramChart, RejectsStatementsThatChangeTheChart) {
     EXPECT_EQ(rejected("v := S0.Z;"), "5:6 unknown-variable\n");
 }
 
-/// The scan of the first fault of a chart, or 0.
+/// Returns the number of the scan with the first fault of a chart, or 0 if there is no fault.
 std::size_t fault(const std::string& program, const std::vector<std::vector<std::int64_t>>& inputs) {
     const ReadProgram reading(program);
     EXPECT_EQ(reading.codes(), "");
@@ -211,7 +211,7 @@ TEST(ProgramChart, AnActionCanHaveDifferentDurations) {
               "3:1 not-in-program\n");
 }
 
-/// A chart of CODESYS with the steps S0 and S1; `attributes`: of S1, `use`: of the flag SFCReset.
+/// Returns a chart of CODESYS with the steps S0 and S1; S1 has the given attributes, and SFCReset has the use `use`.
 std::string codesys_chart(const std::string& attributes, const std::string& action, const std::string& use = "true") {
     const std::string data = "<addData><data name=\"http://www.3s-software.com/plcopenxml/";
     std::string text =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLC programs: arrays, structures, subranges, bit strings, durations, VAR_IN_OUT and actions.
+// Tests PLC programs: arrays, structures, subranges, bit strings, durations, VAR_IN_OUT and actions.
 #include <gtest/gtest.h>
 
 #include "unit/read/program_values.hpp"
@@ -12,7 +12,7 @@ std::string program(const std::string& variables, const std::string& body, const
            "\nEND_PROGRAM";
 }
 
-/// The scan of the first fault of a kind, or 0.
+/// Returns the number of the scan with the first fault of a kind, or 0 if there is no such fault.
 std::size_t fault(const std::string& text, ProgramFault kind, const std::vector<std::vector<std::int64_t>>& inputs) {
     const ReadProgram reading(text);
     EXPECT_EQ(reading.codes(), "");

@@ -129,7 +129,7 @@ private:
         const std::string head = "    <actionTypes id=\"" + number(id) + "\" xsi:type=\"g:";
         const std::size_t kind = dice_.below(10);
         if (kind < 4) {
-            // Indices of the variables that actions write; an input or an integer is rare.
+            // Indices of the variables that actions write; inputs and integers are rare.
             static constexpr std::array driven = {3, 4, 6, 3, 4, 6, 0, 5};
             const bool conditional = dice_.often(40);
             return head + "ContinuousAction\"" + (conditional ? " continuousActionType=\"assignationCondition\"" : "") +

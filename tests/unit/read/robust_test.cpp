@@ -43,14 +43,14 @@ std::vector<std::string> texts() {
     return found;
 }
 
-/// Reads `text`. If it is valid, formatting it must succeed too.
+/// Reads `text`. Formatting must succeed if the text is valid.
 void check(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
     const auto model = read_text(sources.add({"damaged.grafcet", text}), sources, {}, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);  // this displays every location
+    render_text(diagnostics.all(), sources, Colour::Plain, said);  // the rendered text contains every location
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

@@ -187,11 +187,11 @@ TEST(ReadErrors, AreReportedTogetherAndOnce) {
         {"grafcet g {\n input a;\n initial step 0;\n step 1;\n transition t: 0 -> 1 when b;\n transition u: 1 -> 0 "
          "when b && !b;\n}\n",
          {"unknown-variable", "unknown-variable", "unknown-variable"}},
-        // A chart with an error causes no errors in the loop that names it.
+        // A chart with an error causes no errors in a loop that refers to it.
         {"grafcet g {\n input a;\n initial step 0 { O; }\n}\nclosed_loop l {\n controller g;\n property p: always "
          "X0;\n}\n",
          {"unknown-variable"}},
-        // A chart with a syntax error causes none either.
+        // A chart with a syntax error causes no errors in the loop either.
         {"grafcet g {\n input a\n initial step 0;\n}\nclosed_loop l {\n controller g;\n property p: always X0;\n}\n",
          {"missing-semicolon"}},
         // The text has both errors in different charts.
@@ -312,7 +312,7 @@ TEST(ReadLoop, LetsControllersShareInputsAndReadEachOther) {
     EXPECT_TRUE(loop.shared[{0}].writer.valid() && loop.shared[{0}].reader.valid());
 }
 
-TEST(ReadLoop, PrefersTheUsersComponentToTheLibrarys) {
+TEST(ReadLoop, PrefersComponentsOfTheFileToThoseOfTheLibrary) {
     const Reading reading =
         read(lamp +
              "component button(output OUT) {\n    initial location mine;\n}\n"

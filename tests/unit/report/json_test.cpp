@@ -26,7 +26,7 @@ std::vector<std::string> keys(const Json& object) {
     return names;
 }
 
-TEST(Json, HasTheKeysThatItsReadersKnow) {
+TEST(Json, HasTheDocumentedKeys) {
     const Json document = json(sample_report());
     EXPECT_EQ(keys(document), (std::vector<std::string>{"model", "properties"}));
     ASSERT_EQ(document["properties"].size(), 6u);

@@ -6,7 +6,7 @@
 
 namespace grafverif {
 
-/// A press of a button starts a motor that moves a slide. The rows from 3 on repeat forever.
+/// Returns a run in which a press of a button starts a motor that moves a slide. The rows from 3 on repeat forever.
 inline ChartRun sample_run() {
     using Kind = ChartRun::Kind;
     using Role = ChartRun::Role;

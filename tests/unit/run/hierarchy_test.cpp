@@ -102,7 +102,7 @@ TEST(EnclosingSteps, Nest) {
     EXPECT_EQ(situation(chart), "1");
 }
 
-/// Returns the steps of `forced` after `order` became active.
+/// Returns the active steps of the partial chart `forced` after the forcing order `order` became active.
 std::string forced_to(const std::string& order, std::string* afterwards = nullptr) {
     Play chart = play("input a, b; initial step 1; step 2 { force G := {" + order +
                       "}; }"
@@ -114,7 +114,7 @@ std::string forced_to(const std::string& order, std::string* afterwards = nullpt
     run(chart);
     run(chart, "a");
     const std::string reached = situation(chart);
-    run(chart, "a b");  // the order holds the situation
+    run(chart, "a b");  // the forcing order keeps the situation
     EXPECT_EQ(situation(chart), reached);
     run(chart, "b");
     if (afterwards != nullptr) *afterwards = situation(chart);

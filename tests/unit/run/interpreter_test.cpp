@@ -172,7 +172,7 @@ TEST(TotalInstability, ASourceTransitionOnALevelNeverStabilises) {
     EXPECT_EQ(run(chart, "a").endless, (std::vector<std::vector<bool>>{{true}}));
 }
 
-TEST(TotalInstability, ALongCountThatEndsIsNotTakenForIt) {
+TEST(TotalInstability, LongFiniteCountIsNotReported) {
     Play chart = play(
         "internal N: int 0..100 = 0; initial step 1; step 2 { N := N + 1 on activation; }"
         "transition t1: 1 -> 2 when N < 100; transition t2: 2 -> 1 when true;");
@@ -213,7 +213,7 @@ TEST(StoredActions, RunOnDeactivationAsTheStepIsLeft) {
 }
 
 TEST(StoredActions, OnOutputsReachThePlantWithTheOtherOutputs) {
-    // Step 2 sets LOCK and step 3 resets it within one stability search: the plant never sees it.
+    // Step 2 sets LOCK and step 3 resets it within one stability search, so the plant never receives its value true.
     Play chart = play(
         "input a; output LOCK, O; initial step 1; step 2 { LOCK := true on activation; }"
         "step 3 { LOCK := false on activation; O; } transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;");

@@ -48,7 +48,7 @@ TEST(Replay, EveryWalkThroughTheSamplesReplays) {
     EXPECT_GT(cleared, 1000);
 }
 
-/// Counts of the situations in the random walks, so that the test fails if the generator no longer produces them.
+/// Counts the cases in the random walks, so that the test fails if the generator no longer produces them.
 struct Met {
     int loops = 0, evolutions = 0, timers = 0, races = 0;
 };
@@ -91,9 +91,9 @@ TEST(RandomizedReplay, EveryWalkThroughARandomLoopReplays) {
     EXPECT_GT(met.races, 0);
 }
 
-TEST(RandomizedReplay, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
-    // The term falls after the inputs were sampled and before the evolution. For the second action an earlier fall
-    // still counts at that time.
+TEST(RandomizedReplay, DelayMayEndInTheInstantInWhichItsTermFalls) {
+    // The term falls after the inputs were sampled and before the evolution. For the second action, an earlier fall
+    // still counts at the time of the evolution.
     constexpr const char* text = R"(
         grafcet light {
             input PART;
@@ -120,7 +120,7 @@ Network::Template& plc(Network& network) {
 }
 
 /// Omits each assignment of the PLC's procedures in turn.
-TEST(Replay, CatchesADroppedAssignment) {
+TEST(Replay, DetectsAnOmittedAssignment) {
     const LoopUnderTest loop = read_sample("oven_door/oven_door.grafcet");
     const Network::Controller& words = loop.network.controllers[{0}];
     int caught = 0, mutants = 0;
@@ -140,7 +140,7 @@ TEST(Replay, CatchesADroppedAssignment) {
             caught += seen;
         }
     }
-    // No step needs some of the variables, and some resets only distinguish states.
+    // Some mutants are not detected: no step needs some of the variables, and some resets only distinguish states.
     EXPECT_GT(mutants, 20);
     EXPECT_GE(caught * 10, mutants * 6) << caught << " of " << mutants;
 }
@@ -159,7 +159,7 @@ TEST(Replay, ReportsWhereARunViolatesTheRules) {
 
 TEST(Replay, RejectsAnImpossibleMove) {
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
-    const grafverif::Run too_early{{Delay{5}}, {}};  // the first cycle must come before any delay
+    const grafverif::Run too_early{{Delay{5}}, {}};  // the first cycle must precede any delay
     const auto found = disagreement(project(loop.network, too_early), loop.charts());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->move, 0u);
@@ -167,9 +167,9 @@ TEST(Replay, RejectsAnImpossibleMove) {
 }
 
 /// This is CEP13 Fig. 33b as published: after the first 5 s the pulse is repeated continuously. The evolutions follow
-/// the rules, so the replay has to detect the error of the timer. The loop is accepted because the timer is an
-/// ablation.
-TEST(Replay, ChecksTimersAgainstTheAgesOfSteps) {
+/// the rules, so the replay has to detect the error of the timer. The loop is accepted because the published timer is
+/// one of the ablations.
+TEST(Replay, ChecksTimersAgainstTheActivityTimesOfSteps) {
     const std::string pulse = R"(
         grafcet pulse {
             input GO; output P;

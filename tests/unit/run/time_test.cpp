@@ -88,7 +88,7 @@ TEST(DelayedActions, BeginWhenTheirStepHasBeenActiveForTheDelay) {
     run(chart);
     EXPECT_EQ(later(chart, 2999), "");
     EXPECT_EQ(later(chart, 1), "O");
-    EXPECT_EQ(later(chart, 0, "a"), "O");  // the chart is totally unstable with a, so that no output is written
+    EXPECT_EQ(later(chart, 0, "a"), "O");  // the chart is totally unstable while a is true: no output is written
 }
 
 TEST(TimeLimitedActions, EndAfterTheirLimitAndRestartWithTheStep) {

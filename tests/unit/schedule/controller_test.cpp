@@ -161,7 +161,7 @@ TEST(ScheduleController, ClearsNothingInTheFirstEvolutionAndIsNotQuiescentBefore
     EXPECT_EQ(s["CF_t"], 1);
 }
 
-TEST(ScheduleController, HasNoStepForAFirstEvolutionThatShowsInNothing) {
+TEST(ScheduleController, HasNoStepForAnUnobservableFirstEvolution) {
     const char* text = "input a; output A; initial step 1; step 2 { A; } transition t: 1 -> 2 when a;";
     for (const ExecutionMode mode : {searching, cyclic}) {
         Stepper s = power_on(text, mode);
@@ -171,7 +171,7 @@ TEST(ScheduleController, HasNoStepForAFirstEvolutionThatShowsInNothing) {
     }
 }
 
-TEST(ScheduleController, EndsNoTimeBeforeTheFirstEvolution) {
+TEST(ScheduleController, NoTimerExpiresBeforeTheFirstEvolution) {
     const Stepper s = power_on("output A; initial step 1 { A for 3s; }", cyclic);
     const TransitionSystem::Module& module = s.system.modules[s.system.instances[{0}].module];
     ASSERT_EQ(module.invariants.size(), 1U);
@@ -227,7 +227,7 @@ TEST(ScheduleController, CountsADivisionByZeroAsAFault) {
     EXPECT_EQ(guarded["out_of_range"], 0) << "`and` stops at the first false operand";
 }
 
-TEST(ScheduleController, RemembersARace) {
+TEST(ScheduleController, RecordsARace) {
     Stepper s = start(
         "input a; internal n: int 0..2 = 0; initial step 1; initial step 2;"
         "step 3 { n := 1 on activation; } step 4 { n := 2 on activation; }"

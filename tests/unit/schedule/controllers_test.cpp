@@ -93,7 +93,7 @@ TEST(ScheduleControllers, OmitsPropertiesThatNeedThePlantWithAReason) {
     }
 }
 
-TEST(ScheduleControllers, KeepsTheOrderOfPropertiesAndOfThoseLeftOut) {
+TEST(ScheduleControllers, KeepsTheOrderOfPropertiesAndOfOmittedOnes) {
     const TransitionSystem system =
         scheduled(press("property PA: always X0; property PB: no deadlock; property PC: always X0;"));
     EXPECT_EQ(system.omitted[0].before, 1U);
@@ -102,14 +102,14 @@ TEST(ScheduleControllers, KeepsTheOrderOfPropertiesAndOfThoseLeftOut) {
     EXPECT_LT(text.find("-- PB"), text.find("NAME PC :="));
 }
 
-TEST(ScheduleControllers, AsksForEachStepByName) {
+TEST(ScheduleControllers, HasAPropertyForEachStep) {
     const std::string text = emitted(scheduled(press("property all: reachable all steps;")));
     expect_line(text, "INVARSPEC NAME never_all_X0 := !press.X_0;");
     expect_line(text, "INVARSPEC NAME never_all_X1 := !press.X_1;");
     expect_line(text, "INVARSPEC NAME never_all_G_X5 := !press.X_G_5;");
 }
 
-TEST(ScheduleControllers, PassesItsOwnLogicsThrough) {
+TEST(ScheduleControllers, PassesNativeFormulasThrough) {
     const std::string text =
         emitted(scheduled(press("property C1: ctl \"AG EF press.X_0\"; property L1: ltl \"G F press.X_0\";")));
     expect_line(text, "SPEC NAME C1 := AG EF press.X_0;");

@@ -78,7 +78,7 @@ TEST(Schedules, ConstraintsMayPermitOneOfVeryManyCombinationsOfInputs) {
                  std::invalid_argument);
 }
 
-/// The cylinders and the sensor of WODES06 Fig. 3 alone (III.E): L1C retracts while L2C is out.
+/// The cylinders and the sensor of WODES06 Fig. 3 without the other parts (III.E): L1C retracts while L2C is out.
 const char* const two_cylinders = R"(
 grafcet moves {
     input s0, s2, go;

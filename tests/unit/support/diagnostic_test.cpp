@@ -100,8 +100,8 @@ TEST(RenderText, FitsTheLineIntoTheTerminalAroundTheMarkedPart) {
              Case{many, "X", many, 24, "…bbbbbbbbbbX" + std::string(7, 'b') + "…", std::string(11, ' ') + "^"},
              Case{many, "XXXXXXXXXX", many, 24, "…bbbbbbbbbbXXXXXXXX…", std::string(11, ' ') + "^^^^^^^^"},
              Case{many, "X", many, 3, "…bbbbbbbbbbX" + std::string(7, 'b') + "…", std::string(11, ' ') + "^"},
-             // Each character has two columns. Ten characters fit before the mark of 40; a character that does not fit
-             // completely is removed.
+             // Each character has two columns. Of the 40 columns before the mark, ten columns are shown; a character
+             // that does not fit completely is removed.
              Case{"字字字字字字字字字字字字字字字字字字字字", "字", "x字字字字字", 24, "…字字字字字字x字字…",
                   "           ^^"},
              Case{"字字字字字字字字字字字字字字字字字字字字", "X", "", 24, "…字字字字字X", "           ^"},

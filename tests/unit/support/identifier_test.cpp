@@ -19,7 +19,7 @@ TEST(Identifier, MayBeOfAnyScript) {
     EXPECT_EQ(identifier_length("Grö≤e"), 4U);
 }
 
-TEST(Identifier, IsOneHoweverItIsComposed) {
+TEST(Identifier, IsNormalizedToComposedCharacters) {
     EXPECT_EQ(composed("Fo\u0308rderer"), "Förderer");
     EXPECT_EQ(composed("\u212Bngstr\u00F6m"), "Ångström");
     EXPECT_EQ(composed("plain_1"), "plain_1");

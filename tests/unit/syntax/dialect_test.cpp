@@ -25,7 +25,7 @@ struct Terms {
     }
 };
 
-TEST(PrintExpr, WritesEachDialectInItsOwnWords) {
+TEST(PrintExpr, UsesTheKeywordsOfEachDialect) {
     Terms t;
     const Id<Expr> term =
         t.exprs.disjunction(t.exprs.conjunction(t.a, t.exprs.negation(t.b)),

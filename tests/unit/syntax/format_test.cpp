@@ -41,7 +41,7 @@ struct Case {
     std::string in, out;
 };
 
-TEST(FormatCondition, UsesOneSpellingAndTheBracketsThatHelp) {
+TEST(FormatCondition, UsesOneSpellingAndClarifyingParentheses) {
     const std::vector<Case> cases = {
         {"a and  b", "a && b"},
         {"not a or b", "!a || b"},
@@ -79,7 +79,7 @@ TEST(FormatCondition, UsesOneSpellingAndTheBracketsThatHelp) {
     }
 }
 
-TEST(Format, LaysDeclarationsOut) {
+TEST(Format, ArrangesDeclarations) {
     EXPECT_EQ(
         formatted_text("include \"a.grafcet\"; include \"b.grafcet\";\n"
                        "grafcet press{input START,LEVEL:int 0..10;internal N:int 0..3=0,ON=true;\n"

@@ -61,9 +61,9 @@ TEST(Formula, ReportsTheLocationOfAnError) {
         const char *text, *fault;
     };
     for (const FormulaCase& one : {
-             FormulaCase{Ctl, "TRUE; INVAR FALSE", "4-5: `;` would terminate it; a property is one formula"},
-             {Ltl, "G a;", "3-4: `;` would terminate it; a property is one formula"},
-             {Uppaal, "A[] a; E<> b", "5-6: `;` would terminate it; a property is one formula"},
+             FormulaCase{Ctl, "TRUE; INVAR FALSE", "4-5: `;` would end the formula; write one formula per property"},
+             {Ltl, "G a;", "3-4: `;` would end the formula; write one formula per property"},
+             {Uppaal, "A[] a; E<> b", "5-6: `;` would end the formula; write one formula per property"},
              {Ctl, "TRUE INVAR FALSE", "5-10: expected an operator or the end, got `INVAR`"},
              {Ctl, "TRUE IN press", "5-7: expected an operator or the end, got `IN`"},
              {Ctl, "MODULE", "0-6: expected an operand, got `MODULE`"},
@@ -89,12 +89,12 @@ TEST(Formula, ReportsTheLocationOfAnError) {
              {Ctl, "TRUE + 1 = 2", "0-4: expected a number for an operand of `+`, found a condition"},
              {Ctl, "1 = TRUE", "4-8: `=` has a number on one side and a condition on the other"},
              {Ctl, "min(1) = 1", "0-6: `min` takes two operands"},
-             {Ctl, "0ub_1 = n", "0-2: a number has only digits"},
-             {Ctl, "n = 12345678901", "4-15: a number of more than nine digits"},
+             {Ctl, "0ub_1 = n", "0-2: a number may contain only digits"},
+             {Ctl, "n = 12345678901", "4-15: a number may have at most nine digits"},
              {Ctl, "a\rb", "1-2: byte 0x0D is not allowed in a formula"},
              {Ctl, "a \xC3\xA9", "2-4: `\xC3\xA9` is not allowed in a formula"},
              {Ctl, "case a : b", "0-4: expected an operand, got `case`"},
-             {Uppaal, "a", "1-1: it must start with `A[]`, `A<>`, `E<>` or `E[]`, or have the form `p --> q`"},
+             {Uppaal, "a", "1-1: a query must start with `A[]`, `A<>`, `E<>` or `E[]`, or have the form `p --> q`"},
              {Uppaal, "A[] x = 3", "6-7: `=` is an assignment; write `==` for equality"},
              {Uppaal, "A[] x++", "5-7: `++` is an assignment; write `==` for equality"},
              {Uppaal, "E[] deadlock", "4-12: `deadlock` is allowed only in `A[]` and `E<>`"},

@@ -126,7 +126,7 @@ TEST(ParseCondition, KeepsThePlaces) {
     EXPECT_EQ(sources[where.source].text.substr(where.begin, where.end - where.begin), "a && b");
 }
 
-TEST(ParseProperty, KnowsEveryPattern) {
+TEST(ParseProperty, AcceptsEveryPattern) {
     const std::vector<std::pair<std::string, Pattern>> cases = {
         {"always a", Pattern::Always},
         {"never a && b", Pattern::Never},

@@ -65,7 +65,7 @@ TEST(Cylinder53, StopsAtOnceWhenTheOrderFalls) {
     EXPECT_EQ(only(cylinder, "X"), 4);
 }
 
-TEST(Cylinder53, TurnsRoundWhenTheOrdersChangePlaces) {
+TEST(Cylinder53, ReversesWhenTheOrdersAreExchanged) {
     Bench cylinder = bench("cylinder_5_3", {{"X_max", 10}});
     cylinder.set("G_OUT", 1);
     cylinder.wait(4);

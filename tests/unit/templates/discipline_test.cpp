@@ -10,7 +10,7 @@
 namespace grafverif {
 namespace {
 
-/// Small constants for the components that need some, and the values of their integer inputs.
+/// Constants that keep the state space of a component small, and the values of its integer inputs.
 struct Setting {
     std::map<std::string, std::int64_t> constants = {};
     std::string initially = {};
@@ -31,8 +31,8 @@ Setting setting(const std::string& name) {
     return {};
 }
 
-/// Computes all states that a single component can reach while its inputs change at arbitrary times. Also computes the
-/// successors by a change of an input or by a move.
+/// Computes all states that a single component can reach while its inputs change at arbitrary times. For each state, it
+/// also computes the successors by a change of an input or by a move.
 struct Closure {
     std::set<TaddState> states = {};
     bool out_of_range = false;
@@ -76,7 +76,8 @@ Closure closure(const Network& network, const Component& component, const Settin
     return result;
 }
 
-/// True if time finally passes on every run of urgent edges from `state`, and can pass on at least one of these runs.
+/// True if every run of urgent edges from `state` leads within `depth` moves to a state from which time can pass. If no
+/// urgent edge is enabled, it is sufficient that some run leads to such a state.
 bool time_passes(const NaiveTadd& tadd, const TaddState& state, std::size_t depth) {
     if (depth == 0) return false;
     bool can_pass = false;

@@ -12,7 +12,7 @@ namespace {
 using Values = std::set<std::int64_t>;
 
 /// The least and the greatest time, in units, for which `variable` has the value `from` between two changes, over all
-/// runs. The search is limited to `horizon`, which as a greatest time represents any longer time.
+/// runs. The search is limited to `horizon`; a greatest time of `horizon` represents any longer time.
 struct Pace {
     std::int64_t least = 1000;
     std::int64_t greatest = 0;

@@ -109,7 +109,7 @@ TEST(PartFeeder, AnyOtherMayRunDry) {
     EXPECT_EQ(feeder.values("PRESENT"), (Values{0, 1}));
 }
 
-TEST(StuckFault, StrikesAtAnyTimeAndStays) {
+TEST(StuckFault, OccursAtAnyTimeAndStays) {
     const Network network = lone_component(library_component("stuck_fault"));
     const NaiveTadd tadd(network);
     EXPECT_EQ(tadd.variable(tadd.initial(), "FAULT"), 0);

@@ -79,7 +79,7 @@ TEST(RandomizedLayered, NothingOverlapsAndEveryArrowJoinsItsNodes) {
     }
 }
 
-/// Each label is next to the first stretch of its line, closer to it than to any other line.
+/// Each label is next to the first segment of its line, closer to it than to any other line.
 TEST(RandomizedLayered, LabelsAreNextToTheirLines) {
     for (int seed = 1; seed <= test_size(100); ++seed) {
         SCOPED_TRACE(seed);
@@ -136,7 +136,7 @@ TEST(Layered, ArrowsToOneNodeMeet) {
     EXPECT_EQ(drawing.joints.size(), 1u);
 }
 
-TEST(Layered, NothingIsDrawnOfNothing) { EXPECT_TRUE(layout::layered({}, Direction::Across).nodes.empty()); }
+TEST(Layered, EmptyGraphGivesAnEmptyDrawing) { EXPECT_TRUE(layout::layered({}, Direction::Across).nodes.empty()); }
 
 }  // namespace
 }  // namespace grafverif

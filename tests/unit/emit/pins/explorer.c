@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * A search of one model by the interface alone. Prints `states N`, `label NAME N` with the number of states in which each
- * label is 1, and `fault ...` where the model breaks a promise: a group writes what its row of the write matrix does not
- * have, or moves otherwise where something changes that its row of the read matrix does not have. */
+ * Explores one model by means of the interface alone. Prints `states N`, `label NAME N` with the number of states in
+ * which each label is 1, and `fault ...` if the model contradicts its matrices. A group may write only the slots in its
+ * row of the write matrix, and its moves may depend only on the slots in its row of the read matrix. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -65,7 +65,7 @@ void pins_chunk_put_at(model_t m, int t, const chunk text, int index) {
     texts[index] = text.data;
 }
 
-/* The states found: a hash table with open addressing. */
+/* The states that were found: a hash table with open addressing. */
 static int *states, *table, count, room = 1024, places = 4096;
 
 static unsigned hash(const int *state) {
@@ -105,7 +105,7 @@ static int step(int group, int *state) {
     return moved;
 }
 
-/* Another value of one slot, taken from another state, must not matter to a group that does not read it. */
+/* A group that does not read a slot must make the same moves if the slot has its value from another state. */
 static void compare(int group, int index, int *other, int *first) {
     const int slot = (index * 7 + group) % type.slots, from = (index * 13 + group * 5) % count;
     int *const state = at(index);

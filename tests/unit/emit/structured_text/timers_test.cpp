@@ -17,7 +17,7 @@ std::string controller(std::string_view declarations, ExecutionMode mode, std::u
     return std::move(out).str();
 }
 
-/// The pulse of the method's documentation: false for 5 s, then true for one cycle, then false for 5 s again.
+/// The pulse in the documentation of the method: false for 5 s, then true for one cycle, then false for 5 s again.
 constexpr std::string_view pulse =
     "output L; initial step 1; step 2 { L; }\n"
     "transition a: 1 -> 2 when 5s/X1; transition b: 2 -> 1 when true;";

@@ -8,7 +8,7 @@ namespace grafverif::test {
 
 bool has_xmllint();
 
-/// True if xmllint finds that the document is valid. Otherwise its messages go to standard output.
+/// True if xmllint finds that the document is valid. Otherwise the messages of xmllint are printed on standard output.
 bool is_valid(const std::string& xml);
 
 }  // namespace grafverif::test

@@ -28,7 +28,7 @@ TEST(UppaalDtd, HoldsForProjects) {
     }
 }
 
-TEST(UppaalDtd, SeesAMisplacedElement) {
+TEST(UppaalDtd, DetectsAMisplacedElement) {
     if (!has_xmllint()) GTEST_SKIP() << "xmllint (libxml2-utils) is not installed";
     std::string xml = test::project(test::station());
     const std::size_t init = xml.find("\t\t<init ");

@@ -33,7 +33,7 @@ void add_edge(Template& automaton, EdgeOf edge) {
                          {}});
 }
 
-/// The cylinder of CEP13 Fig. 8 and 13a.
+/// Returns the cylinder of CEP13 Fig. 8 and 13a.
 Template cylinder(Hand& h, Type position) {
     Template automaton{.name = "cylinder_5_3"};
     const Parameter in = automaton.parameters.add({"G_IN", Kind::Read, {}});
@@ -73,7 +73,7 @@ Template cylinder(Hand& h, Type position) {
     return automaton;
 }
 
-/// The sensor of CEP13 Fig. 13b. `END` is true beyond `limit`.
+/// Returns the sensor of CEP13 Fig. 13b. `END` is true beyond `limit`.
 Template sensor(Hand& h, Type position) {
     Template automaton{.name = "end_sensor"};
     const Parameter x = automaton.parameters.add({"X", Kind::Read, position});
@@ -98,7 +98,7 @@ Template sensor(Hand& h, Type position) {
     return automaton;
 }
 
-/// The button of CEP13 Fig. 34.
+/// Returns the button of CEP13 Fig. 34.
 Template button(Hand& h) {
     Template automaton{.name = "push_button"};
     const Parameter out = automaton.parameters.add({"OUT", Kind::Written, {}});
@@ -114,7 +114,7 @@ Template button(Hand& h) {
     return automaton;
 }
 
-/// The timer of CEP13 Fig. 33b, which restarts if its step is activated again.
+/// Returns the timer of CEP13 Fig. 33b, which restarts if its step is activated again.
 Template timer(Hand& h) {
     Template automaton{.name = "timer"};
     const Parameter duration = automaton.parameters.add({"D", Kind::Constant, integer_type(-32768, 32767)});
@@ -152,7 +152,7 @@ struct Wires {
              stable = {}, race = {};
 };
 
-/// The cycle of CEP13 Fig. 33a for `0 -> 1 when START; 1 -> 0 when 3s/X1 && IS_OUT`.
+/// Returns the cycle of CEP13 Fig. 33a for `0 -> 1 when START; 1 -> 0 when 3s/X1 && IS_OUT`.
 Template cycle(Hand& h, const Wires& w) {
     Template automaton{.name = "plc_cycle"};
     const auto fire = automaton.procedures.add({"fire",

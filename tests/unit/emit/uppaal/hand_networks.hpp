@@ -44,14 +44,14 @@ struct Hand {
     }
 };
 
-/// A station: a cylinder with two position sensors that start at different ends, and a push button. Its chart has two
-/// steps with a timer and a stored action, in the phased grain. There is one property of each pattern.
+/// Returns a station: a cylinder with two position sensors that start at different ends, and a push button. Its chart
+/// has two steps with a timer and a stored action, in the phased grain. There is one property of each pattern.
 Network station();
 
-/// Two templates and three processes whose names are all UPPAAL keywords or names of other entities.
+/// Returns two templates and three processes whose names are all UPPAAL keywords or names of other entities.
 Network awkward_names();
 
-/// One location with many loops, and a complete graph of five locations, all with long labels.
+/// Returns one location with many loops, and a complete graph of five locations, all with long labels.
 Network crowded();
 
 }  // namespace grafverif::test

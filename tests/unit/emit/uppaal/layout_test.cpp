@@ -32,7 +32,7 @@ TEST(UppaalLayout, ElementsDoNotOverlapInAnyNetwork) {
 }
 
 // Tests the overlap check itself.
-TEST(UppaalLayout, OverlapsAreSeenByTheTest) {
+TEST(UppaalLayout, OverlapsAreDetected) {
     const std::string project =
         "<nta><template><name>a</name><location id='i' x='0' y='0'><name x='20' y='0'>w</name></location>"
         "<location id='j' x='%' y='0'/></template></nta>";
@@ -79,7 +79,7 @@ TEST(UppaalLayout, GivesLoopsAndParallelEdgesNails) {
 
 TEST(UppaalLayout, IsTheSameEveryTime) { EXPECT_EQ(test::project(test::crowded()), test::project(test::crowded())); }
 
-/// A template of `locations` locations in a circle, each with a loop.
+/// Returns a template of `locations` locations in a circle, each with a loop.
 Network wheel(std::uint32_t locations) {
     test::Hand h;
     h.network.name = "wheel";
@@ -93,7 +93,7 @@ Network wheel(std::uint32_t locations) {
     return h.network;
 }
 
-/// A template of a hub and `leaves` locations that are connected only to it.
+/// Returns a template of a hub and `leaves` locations that are connected only to the hub.
 Network star(std::uint32_t leaves) {
     test::Hand h;
     h.network.name = "star";

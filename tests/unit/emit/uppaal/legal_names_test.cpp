@@ -54,7 +54,7 @@ TEST(LegalNames, AvoidKeywordsOfTheTarget) {
     }
 }
 
-TEST(LegalNames, TellNoUpperFromLowerCaseInStructuredText) {
+TEST(LegalNames, AreCaseInsensitiveInStructuredText) {
     EXPECT_EQ(legal_names(Target::StructuredText, Names{"a", "A", "a_2"}), (Names{"a", "A_3", "a_2"}));
     EXPECT_EQ(legal_names(Target::StructuredText, Names{"GO"}, {"go"}), Names{"GO_2"});
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"a", "A"}), (Names{"a", "A"}));
@@ -71,11 +71,11 @@ TEST(LegalNames, SpellOtherScriptsInAscii) {
     EXPECT_EQ(legal_names(Target::StructuredText, names)[0], "Foerderer_2");
 }
 
-TEST(LegalNames, LeaveALegalNameToItsOwnerHoweverLateItComes) {
+TEST(LegalNames, KeepALegalNameForItsLaterOwner) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"X", "X_", "X_2"}), (Names{"X_3", "X_", "X_2"}));
 }
 
-TEST(LegalNames, GiveEachOfSeveralEntitiesWithOneNameItsOwn) {
+TEST(LegalNames, GiveEntitiesWithEqualNamesDifferentNames) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"free", "free", "free"}), (Names{"free", "free_", "free_2"}));
 }
 
@@ -106,7 +106,7 @@ TEST(LegalNames, AreLegalAndDistinctForAnyNames) {
     }
 }
 
-TEST(LegalNames, CostNoMoreThanTheirNumber) {
+TEST(LegalNames, AreComputedInLinearTime) {
     const Names names(200'000, "X");  // a quadratic search would take minutes
     EXPECT_EQ(legal_names(Target::Uppaal, names).back(), "X_200000");
 }

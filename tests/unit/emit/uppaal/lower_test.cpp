@@ -46,7 +46,7 @@ TEST(LowerForUppaal, KeepsTheMeaning) {
 
 TEST(LowerForUppaal, KeepsTheNameIfAllStartAtOneOtherLocation) {
     Network network = test::station();
-    network.processes[{2}].initial = {1};  // both sensors now start there
+    network.processes[{2}].initial = {1};  // both sensors now start in this location
     const Network lowered = uppaal::lower(network);
     EXPECT_EQ(template_of(lowered, 1), "end_sensor");
     EXPECT_EQ(template_of(lowered, 2), "end_sensor");

@@ -67,7 +67,7 @@ TEST(UppaalQueries, ExpressEachPattern) {
     }
 }
 
-TEST(UppaalQueries, TellNameTextAndOutcome) {
+TEST(UppaalQueries, ContainNameTextAndOutcome) {
     const std::map<std::string, Query> found = queries(test::station());
     EXPECT_EQ(found.at("P3").comment, "P3: it moves <at all> & \"well\"\nexpected: satisfied");
     EXPECT_EQ(found.at("P3").outcome, "success");

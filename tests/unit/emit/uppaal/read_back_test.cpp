@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests that a project that is read back equals the emitted network: it is complete, and names can be traced back.
+// Tests that reading an emitted project back results in the emitted network, apart from elements that a project does
+// not contain. Therefore, the project is complete, and its names identify the original names.
 #include <gtest/gtest.h>
 
 #include <sstream>
