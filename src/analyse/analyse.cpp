@@ -10,6 +10,7 @@
 #include "analyse/cones.hpp"
 #include "analyse/counters.hpp"
 #include "analyse/structure.hpp"
+#include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {
 
@@ -57,7 +58,7 @@ bool is_break(std::string_view code) {
 
 std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& options) {
     if (exhausted.cause() == BddExhausted::Cause::Stopped) return "stopped before completion";
-    return "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
+    return memory_limit_reached(options.max_memory);
 }
 
 /// The maximum work on a part if only queries about absorbing regions are open, in multiples of the first slice.

@@ -219,8 +219,7 @@ private:
             failures_.push_back("the engines disagree on `" + verdict.property + "`: " + said(first) + ", " +
                                 said(verdict));
             first = verdict_on(verdict.about, system_.properties[verdict.about]);
-            first.obstacle = UnknownReason::Failed;
-            first.reason = "this engine failed";
+            set_unknown(first, UnknownReason::Failed, "this engine failed");
             place->second.second.reset();
         }
     }

@@ -79,10 +79,19 @@ Verdict verdict_on(Id<Property> about, const Property& property) {
             .origin = property.origin};
 }
 
-void distrust(Verdict& verdict, std::string_view why) {
+void set_unknown(Verdict& verdict, UnknownReason obstacle, std::string reason) {
     verdict.outcome = Outcome::Unknown;
-    verdict.obstacle = UnknownReason::Disagrees;
-    verdict.reason = std::string(word(UnknownReason::Disagrees)) + ": " + std::string(why);
+    verdict.obstacle = obstacle;
+    verdict.reason = std::move(reason);
+}
+
+std::string memory_limit_reached(std::uint64_t bytes) {
+    return "memory limit of " + std::to_string(bytes >> 20U) + " MiB reached";
+}
+
+void distrust(Verdict& verdict, std::string_view why) {
+    set_unknown(verdict, UnknownReason::Disagrees,
+                std::string(word(UnknownReason::Disagrees)) + ": " + std::string(why));
 }
 
 bool as_expected(const Verdict& verdict) {

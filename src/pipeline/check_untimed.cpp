@@ -123,8 +123,7 @@ void SystemReporter::add_omitted() {
         if (!requested.empty() && !is_requested(property.name, requested)) continue;
         PropertyResult answer{.text = property.text};
         answer.verdict = verdict_on({}, property);
-        answer.verdict.obstacle = UnknownReason::Unsupported;
-        answer.verdict.reason = omitted.reason;
+        set_unknown(answer.verdict, UnknownReason::Unsupported, omitted.reason);
         answer.verdict.declared = true;
         const std::size_t place = requested.empty() ? std::min(omitted.before, answers.size()) : answers.size();
         answers.insert(answers.begin() + static_cast<std::ptrdiff_t>(place), std::move(answer));
@@ -196,8 +195,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
         verdict.outcome = Outcome::Holds;
     } else {
         const bool stopped = analysis.obstacle.starts_with("stopped");
-        verdict.obstacle = stopped ? UnknownReason::Stopped : UnknownReason::Memory;
-        verdict.reason = analysis.obstacle;
+        set_unknown(verdict, stopped ? UnknownReason::Stopped : UnknownReason::Memory, analysis.obstacle);
     }
     if (const std::string& engine = report.settings.engine; engine != "symbolic")
         verdict.notes.push_back(fmt::format("decided by the exploration of `analyse`, not by {}", engine));

@@ -165,12 +165,6 @@ UnknownReason obstacle_of(const ProgramResult& said) {
     return stopped ? UnknownReason::Stopped : UnknownReason::Failed;
 }
 
-void undecided(Verdict& verdict, UnknownReason obstacle, std::string reason) {
-    verdict.outcome = Outcome::Unknown;
-    verdict.obstacle = obstacle;
-    verdict.reason = std::move(reason);
-}
-
 /// The output of the program, which is divided into sections by markers. If a signal has ended the program, its output
 /// is ignored.
 class NusmvOutput {
@@ -208,7 +202,7 @@ std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, co
                                 const NusmvQuery& question, const ProgramResult& said) {
     const std::vector<bool> truths = answers.truths_of(name);
     if (truths.size() != 1) {
-        if (truths.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
+        if (truths.empty()) set_unknown(verdict, obstacle_of(said), failure_of(said));
         else distrust(verdict, "the program printed more than one verdict");
         return {};
     }
@@ -259,8 +253,8 @@ NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spe
         verdict.states = result.states;
         std::optional<SystemRun> run;
         if (!totality.empty() && !result.total)
-            undecided(verdict, UnknownReason::Faulty, "some reachable state has no successor");
-        else if (totality.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
+            set_unknown(verdict, UnknownReason::Faulty, "some reachable state has no successor");
+        else if (totality.empty()) set_unknown(verdict, obstacle_of(said), failure_of(said));
         else run = judged(verdict, answers, std::to_string(index), {system, flat, spelling, property}, said);
         result.verdicts.push_back(std::move(verdict));
         result.runs.push_back(std::move(run));

@@ -82,8 +82,7 @@ bool queries_race(const Network& network, const ExternalQuery& question) {
 }
 
 Verdict unasked(Verdict verdict) {
-    verdict.obstacle = UnknownReason::Stopped;
-    verdict.reason = "stopped before it was checked";
+    set_unknown(verdict, UnknownReason::Stopped, "stopped before it was checked");
     return verdict;
 }
 
@@ -101,9 +100,7 @@ Verdict ask(Verdict verdict, const ExternalQuery& question, const ExternalOption
 /// Makes a verdict unknown if two stored actions of the model may race.
 void take_back(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
-    verdict.outcome = Outcome::Unknown;
-    verdict.obstacle = UnknownReason::Faulty;
-    verdict.reason = "stored actions can race; see `no_race`";
+    set_unknown(verdict, UnknownReason::Faulty, "stored actions can race; see `no_race`");
 }
 
 }  // namespace

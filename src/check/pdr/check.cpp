@@ -92,14 +92,12 @@ private:
         question.open = false;
         question.search = nullptr;
         question.run.reset();
-        question.verdict.outcome = Outcome::Unknown;
-        question.verdict.obstacle = obstacle;
-        question.verdict.reason = std::move(reason);
+        set_unknown(question.verdict, obstacle, std::move(reason));
     }
 
     std::string words(Exhausted::Cause cause) const {
         if (cause == Exhausted::Cause::Stopped) return "stopped";
-        return "memory limit of " + std::to_string(options_.max_memory >> 20U) + " MiB reached";
+        return memory_limit_reached(options_.max_memory);
     }
     static UnknownReason obstacle(Exhausted::Cause cause) {
         return cause == Exhausted::Cause::Stopped ? UnknownReason::Stopped : UnknownReason::Memory;

@@ -14,6 +14,7 @@
 #include "check/supervise/game.hpp"
 #include "check/supervise/observation_map.hpp"
 #include "check/symbolic/paths.hpp"
+#include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {
 
@@ -444,8 +445,7 @@ Supervisor supervisor_of(const TransitionSystem& system, const Supervision& requ
         return supervise::Synthesis(system, requested, options).run();
     } catch (const BddExhausted& exhausted) {
         const bool stopped = exhausted.cause() == BddExhausted::Cause::Stopped;
-        unknown.reason =
-            stopped ? "stopped" : "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
+        unknown.reason = stopped ? "stopped" : memory_limit_reached(options.max_memory);
     } catch (const std::bad_alloc&) {
         unknown.reason = "out of memory";
     }

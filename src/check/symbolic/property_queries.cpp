@@ -11,15 +11,7 @@
 
 namespace grafverif::symbolic {
 
-namespace {
-
-void unknown(Verdict& verdict, UnknownReason obstacle, std::string reason) {
-    verdict.outcome = Outcome::Unknown;
-    verdict.obstacle = obstacle;
-    verdict.reason = std::move(reason);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<State> shortest_trace(const StateSpace& model, ReachableSet& search, const Bdd& goal) {
     if ((search.rings.reached & goal).is_false()) grow(model, search.rings, model.invariant(), goal);
@@ -65,22 +57,20 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
     for (const PropertyQuery& question : questions_) {
         QueryResult found{verdict_on(question.about, of(question)), {}};
         const auto exhausted = [&](UnknownReason what, std::string why) {
-            unknown(found.verdict, what, why);
+            set_unknown(found.verdict, what, why);
             if (what != UnknownReason::Stopped) return;  // another query may need less memory
             obstacle = what;
             reason = std::move(why);
         };
-        const auto no_memory = [&] {
-            return "memory limit of " + std::to_string(options.max_memory >> 20U) + " MiB reached";
-        };
         try {
             if (obstacle == UnknownReason::None) found = answer(question, *model, search);
-            else unknown(found.verdict, obstacle, reason);
+            else set_unknown(found.verdict, obstacle, reason);
         } catch (const BddExhausted& failure) {
-            if (failure.cause() == BddExhausted::Cause::Memory) exhausted(UnknownReason::Memory, no_memory());
+            if (failure.cause() == BddExhausted::Cause::Memory)
+                exhausted(UnknownReason::Memory, memory_limit_reached(options.max_memory));
             else exhausted(UnknownReason::Stopped, "stopped");
         } catch (const std::bad_alloc&) {
-            exhausted(UnknownReason::Memory, no_memory());
+            exhausted(UnknownReason::Memory, memory_limit_reached(options.max_memory));
         }
         all.push_back(std::move(found));
     }
@@ -111,16 +101,16 @@ QueryResult PropertyQueries::answer(const PropertyQuery& question, const StateSp
     Verdict& verdict = found.verdict;
     const Pattern pattern = of(question).pattern;
     if (const std::string reason = unsupported_reason(pattern); !reason.empty()) {
-        unknown(verdict, UnknownReason::Unsupported, reason);
+        set_unknown(verdict, UnknownReason::Unsupported, reason);
         return found;
     }
     const Sets here = sets(question, model, search);
     if (here.undefined) {
-        unknown(verdict, UnknownReason::Faulty, "its condition divides by zero in some reachable state");
+        set_unknown(verdict, UnknownReason::Faulty, "its condition divides by zero in some reachable state");
         return found;
     }
     if (is_about_single_states(pattern)) result_state(found, question, here, model, search);
-    else if (search.obstacle != UnknownReason::None) unknown(verdict, search.obstacle, search.reason);
+    else if (search.obstacle != UnknownReason::None) set_unknown(verdict, search.obstacle, search.reason);
     else decide_paths(found, question, here, model, search);
     if (verdict.outcome == Outcome::Holds) mark_vacuous(verdict, question, here, model, search);
     return found;
@@ -130,7 +120,7 @@ void PropertyQueries::result_state(QueryResult& found, const PropertyQuery& ques
                                    const StateSpace& model, ReachableSet& search) {
     Verdict& verdict = found.verdict;
     const bool seen = !sets.operands.front().is_false();
-    if (!seen && search.obstacle != UnknownReason::None) return unknown(verdict, search.obstacle, search.reason);
+    if (!seen && search.obstacle != UnknownReason::None) return set_unknown(verdict, search.obstacle, search.reason);
     const bool wanted = of(question).pattern == Pattern::Reachable;
     verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
     if (seen && (search.witnesses || verdict.outcome == Outcome::Violated))

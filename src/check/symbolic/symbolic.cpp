@@ -60,7 +60,7 @@ void Check::note(const BddExhausted& exhausted) {
         search_.reason = "stopped" + after;
     } else {
         search_.obstacle = UnknownReason::Memory;
-        search_.reason = "memory limit of " + std::to_string(options_.max_memory >> 20U) + " MiB reached" + after;
+        search_.reason = memory_limit_reached(options_.max_memory) + after;
     }
 }
 

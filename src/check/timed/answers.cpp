@@ -21,18 +21,11 @@ void violated(Verdict& verdict, Run run) {
     verdict.run = std::move(run);
 }
 
-void unknown(Verdict& verdict, UnknownReason obstacle, std::string reason) {
-    verdict.outcome = Outcome::Unknown;
-    verdict.obstacle = obstacle;
-    verdict.reason = std::move(reason);
-}
-
 std::string text_of(UnknownReason ended, const Graph& graph, const Limits& limits) {
     const std::string states = std::to_string(graph.states()) + " states";
     if (ended == UnknownReason::Bound) return "state limit reached: " + states;
     if (ended == UnknownReason::Memory && !limits.allowed_used()) return "out of memory after " + states;
-    if (ended == UnknownReason::Memory)
-        return "memory limit of " + std::to_string(limits.max_memory() >> 20U) + " MiB reached after " + states;
+    if (ended == UnknownReason::Memory) return memory_limit_reached(limits.max_memory()) + " after " + states;
     return graph.states() > 1 ? "stopped after " + states : "stopped before the exploration";
 }
 
@@ -78,12 +71,12 @@ std::vector<Verdict> PropertyQueries::answers(Graph& graph, UnknownReason ended,
     for (PropertyQuery& question : questions_) {
         try {
             if (question.verdict.obstacle == UnknownReason::None && graph.states() == 0)
-                unknown(question.verdict, ended, outcomes_.reason);
+                set_unknown(question.verdict, ended, outcomes_.reason);
             if (question.verdict.obstacle == UnknownReason::None) answer(question, graph, limits);
         } catch (const Limits::Stop&) {
-            unknown(question.verdict, UnknownReason::Stopped, "stopped");
+            set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
         } catch (const std::bad_alloc&) {
-            unknown(question.verdict, UnknownReason::Memory, "no memory is left to evaluate the explored states");
+            set_unknown(question.verdict, UnknownReason::Memory, "no memory is left to evaluate the explored states");
         }
         if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
         verdicts.push_back(std::move(question.verdict));
@@ -131,7 +124,7 @@ void PropertyQueries::answer(PropertyQuery& question, Graph& graph, const Limits
 
 void PropertyQueries::holds_unless(PropertyQuery& question, UnknownReason obstacle, const std::string& reason) const {
     if (obstacle == UnknownReason::None) question.verdict.outcome = Outcome::Holds;
-    else unknown(question.verdict, obstacle, reason);
+    else set_unknown(question.verdict, obstacle, reason);
 }
 
 void PropertyQueries::result_state(PropertyQuery& question, Graph& graph) const {
@@ -144,7 +137,7 @@ void PropertyQueries::result_state(PropertyQuery& question, Graph& graph) const 
         return;
     }
     if (watch_.broken(question.watch))
-        return unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
+        return set_unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (wanted && question.verdict.outcome == Outcome::Holds) question.verdict.outcome = Outcome::Violated;
 }
@@ -168,13 +161,13 @@ std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& question, G
         }
     });
     if (!broken) return set;
-    unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
+    set_unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
     return {};
 }
 
 void PropertyQueries::decide_liveness(PropertyQuery& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == UnknownReason::Stopped)
-        return unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
+        return set_unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
     std::optional<StateSet> met = states_where(question, graph, question.q, limits);
     if (!met) return;
     std::vector<std::uint32_t> roots;
@@ -187,19 +180,19 @@ void PropertyQueries::decide_liveness(PropertyQuery& question, Graph& graph, con
             if (!met->has(state) && requested->has(state)) roots.push_back(state);
     }
     const std::optional<bool> holds = unavoidable(graph, *met, roots, limits);
-    if (!holds) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
+    if (!holds) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
     if (*holds) return holds_if_dense(question, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
     // If a strict bound prevents a delay of one unit, a shorter delay may be possible in dense time.
     const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value(), limits);
-    if (lasso.path.empty()) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
+    if (lasso.path.empty()) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
 }
 
 void PropertyQueries::decide_deadlock(PropertyQuery& question, Graph& graph, const Limits& limits) {
     const auto judged = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
     const std::optional<std::uint32_t> state = first_deadlock(graph, judged, limits);
-    if (state && inexact_) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
+    if (state && inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     if (state) return violated(question.verdict, graph.run_to(*state));
     holds_if_dense(question, graph, graph.stuck_bound);
 }
@@ -218,21 +211,21 @@ void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& question, Gr
     });
     for (std::uint32_t state = 0; state < graph.states(); ++state) components.visit(state);
     if (components.any_cycle())
-        unknown(question.verdict, UnknownReason::Inexact,
-                "in the abstraction, urgent edges may follow each other without end");
+        set_unknown(question.verdict, UnknownReason::Inexact,
+                    "in the abstraction, urgent edges may follow each other without end");
 }
 
 void PropertyQueries::decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == UnknownReason::Stopped)
-        return unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
+        return set_unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
     if (abstracted_) return decide_timelock_of_abstraction(question, graph, limits);
     StateSet passes = states_of_kind(
         graph, limits, [](StateKind kind) { return kind == StateKind::Passes || kind == StateKind::PassesOrActs; });
     auto locked = out_of_reach(graph, passes, Transitions::Actions, limits);
-    if (!locked) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
+    if (!locked) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
     std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
     if (!locked->empty()) {
-        if (inexact_) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
+        if (inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
         const Lasso lasso = without_time(graph, locked->front());
         return violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
     }
@@ -240,29 +233,29 @@ void PropertyQueries::decide_timelock(PropertyQuery& question, Graph& graph, con
     if (question.verdict.outcome != Outcome::Holds) return;
     StateSet calm = states_of_kind(graph, limits, [](StateKind kind) { return kind != StateKind::Urgent; });
     const auto restless = out_of_reach(graph, calm, Transitions::UrgentActions, limits);
-    if (!restless) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
+    if (!restless) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
     if (!restless->empty())
-        unknown(question.verdict, UnknownReason::Inexact,
-                "from some state, urgent edges alone do not lead to a state in which time may pass");
+        set_unknown(question.verdict, UnknownReason::Inexact,
+                    "from some state, urgent edges alone do not lead to a state in which time may pass");
 }
 
 void PropertyQueries::decide_possible(PropertyQuery& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == UnknownReason::Stopped)
-        return unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
+        return set_unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
     std::optional<StateSet> goal = states_where(question, graph, question.p, limits);
     if (!goal) return;
     const auto lost = out_of_reach(graph, *goal, Transitions::All, limits);
-    if (!lost) return unknown(question.verdict, UnknownReason::Stopped, "stopped");
-    if (!lost->empty() && inexact_) return unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
+    if (!lost) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
+    if (!lost->empty() && inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     if (!lost->empty()) {
         question.lost = lost->front();
         return violated(question.verdict, graph.run_to(lost->front()));
     }
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())
-        unknown(question.verdict, UnknownReason::Inexact,
-                "integer time does not cover the states between two ticks; use `--untimed` to decide it for the "
-                "untimed model");
+        set_unknown(question.verdict, UnknownReason::Inexact,
+                    "integer time does not cover the states between two ticks; use `--untimed` to decide it for the "
+                    "untimed model");
 }
 
 /// Adds the note on dead transitions. The note is omitted if it needs more time or memory than is available.
@@ -283,8 +276,8 @@ void PropertyQueries::holds_if_dense(PropertyQuery& question, Graph& graph,
                                      const std::optional<UncoveredAt>& bound) const {
     if (outcomes_.obstacle != UnknownReason::None || !bound)
         return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
-    unknown(question.verdict, UnknownReason::Inexact,
-            "a timelock is possible between two ticks at " + place_of(graph, *bound));
+    set_unknown(question.verdict, UnknownReason::Inexact,
+                "a timelock is possible between two ticks at " + place_of(graph, *bound));
 }
 
 std::string PropertyQueries::place_of(Graph& graph, const UncoveredAt& at) const {

@@ -82,8 +82,7 @@ void PropertyQueries::ask(Id<Property> about, const Property& property) {
     PropertyQuery question{.property = &property, .at_stable = property.at_stable};
     question.verdict = verdict_on(about, property);
     if (property.at_stable && is_checked(property.pattern) && !network_.settled.valid()) {
-        question.verdict.obstacle = UnknownReason::Unsupported;
-        question.verdict.reason = "this network does not define quiescent states";
+        set_unknown(question.verdict, UnknownReason::Unsupported, "this network does not define quiescent states");
         questions_.push_back(std::move(question));
         return;
     }
@@ -125,8 +124,7 @@ void PropertyQueries::compile(PropertyQuery& question) {
     case Pattern::RawCtl:
     case Pattern::Watched:
     case Pattern::RawLtl:
-        question.verdict.obstacle = UnknownReason::Unsupported;
-        question.verdict.reason = "the timed engine does not support formulas";
+        set_unknown(question.verdict, UnknownReason::Unsupported, "the timed engine does not support formulas");
         return;
     }
     unreachable();

@@ -140,17 +140,15 @@ private:
         answer.text = property.text;
         const bool universal_holds = (verdict.pattern == Pattern::Reachable) == (verdict.outcome == Outcome::Violated);
         if (verdict.outcome != Outcome::Unknown && universal_holds && no_fault != Outcome::Holds) {
-            verdict.outcome = Outcome::Unknown;
-            verdict.obstacle = no_fault == Outcome::Violated ? UnknownReason::Faulty : UnknownReason::Stopped;
-            verdict.reason = no_fault_reason(no_fault);
+            set_unknown(verdict, no_fault == Outcome::Violated ? UnknownReason::Faulty : UnknownReason::Stopped,
+                        no_fault_reason(no_fault));
         } else if (run && verdict.outcome != Outcome::Unknown && (verdict.outcome == Outcome::Violated || witnesses)) {
             ProgramReplay replay = replay_program(program_, scan_, system_, *run, &property);
             if (replay.disagreement.empty()) answer.trace = std::move(replay.trace);
             else {
                 report_.failures.push_back(
                     fmt::format("the trace of `{}` is not confirmed: {}", property.name, replay.disagreement));
-                verdict.outcome = Outcome::Unknown;
-                verdict.obstacle = UnknownReason::Failed;
+                set_unknown(verdict, UnknownReason::Failed, "its trace is not confirmed");
             }
         }
         answer.verdict = std::move(verdict);
