@@ -103,8 +103,11 @@ Option number(OptionGroup accepts, const char* name, const char* value, std::vec
                 const auto [end, failure] = std::from_chars(word.data(), stop, read);
                 const std::string_view suffix(end, static_cast<std::size_t>(stop - end));
                 const auto found = std::ranges::find(suffixes, suffix, &Choice<std::uint64_t>::word);
-                const bool fits = failure == std::errc{} && found != suffixes.end() &&
+                const bool known_suffix = found != suffixes.end();
+                const bool fits = failure == std::errc{} && known_suffix &&
                                   read <= std::numeric_limits<std::uint64_t>::max() / found->value;
+                if (!fits && known_suffix && failure != std::errc::invalid_argument)
+                    return fmt::format("value `{1}` of `--{0}` is too large; reduce it", name, word);
                 if (!fits && suffix.empty() && failure == std::errc{})
                     return fmt::format("`--{} {}` has no unit; write `{}{}`", name, word, word, suffixes.front().word);
                 if (!fits && suffixes.size() == 1)

@@ -105,7 +105,7 @@ TEST(FirstUse, MisspeltOptionOrNameGetsASuggestion) {
     EXPECT_TRUE(says(grafverif({"draw", station, "--situation", "W22"}), "no step `W22`;"));
 }
 
-TEST(FirstUse, NumberWithoutUnitIsRejectedWithASuggestion) {
+TEST(FirstUse, InvalidNumberIsRejectedWithASuggestion) {
     for (const auto& [arguments, advice] : {
              std::pair(std::vector<std::string>{"check", station, "--timeout", "5"},
                        "`--timeout 5` has no unit; write `5s`"),
@@ -120,6 +120,10 @@ TEST(FirstUse, NumberWithoutUnitIsRejectedWithASuggestion) {
                  "invalid value `s` of `--timeout`; use a whole number with one of the units `s`, `ms`, `min`, `h`"),
              std::pair(std::vector<std::string>{"check", station, "--max-states", "5k"},
                        "invalid value `5k` of `--max-states`; use a whole number"),
+             std::pair(std::vector<std::string>{"check", station, "--timeout", "99999999999999999999s"},
+                       "value `99999999999999999999s` of `--timeout` is too large; reduce it"),
+             std::pair(std::vector<std::string>{"check", station, "--max-memory", "99999999999999999G"},
+                       "value `99999999999999999G` of `--max-memory` is too large; reduce it"),
          }) {
         const Result result = grafverif(arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
