@@ -69,15 +69,20 @@ private:
                 return false;
             }
             wait(joins);
-            if (!stop_ && (working_ != 0 || memory_was_short())) {
-                joined_ = true;
-                refused = !start(solvers, [this] { by_solvers(options_.deadline); });
-            }
+            if (join_solvers()) refused = !start(solvers, [this] { by_solvers(options_.deadline); });
             wait([] { return false; });
         }
         threaded_ = false;
         if (refused && goes_on()) guarded([this] { by_solvers(options_.deadline); });
         return true;
+    }
+
+    /// Returns true, and records it, if the solvers shall join the symbolic engine.
+    bool join_solvers() {
+        const Lock lock(mutex_);
+        const bool joins = !stop_ && (working_ != 0 || memory_was_short());
+        joined_ = joined_ || joins;
+        return joins;
     }
 
     template <class Work>
