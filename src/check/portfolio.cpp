@@ -77,7 +77,7 @@ private:
         return true;
     }
 
-    /// Returns true, and records it, if the solvers shall join the symbolic engine.
+    /// Decides whether the solvers join the symbolic engine, and records it.
     bool join_solvers() {
         const Lock lock(mutex_);
         const bool joins = !stop_ && (working_ != 0 || memory_was_short());

@@ -101,7 +101,7 @@ std::vector<Loop> merged(std::vector<Loop> loops) {
     return result;
 }
 
-// -- the search --------------------------------------------------------------------------------------------------------
+// -- the search -------------------------------------------------------------------------------------------------------
 
 class LocationSearch {
 public:
@@ -297,7 +297,7 @@ private:
     std::vector<Id<Location>> location_of_ = {};       ///< location of each state
 };
 
-// -- declarations ------------------------------------------------------------------------------------------------------
+// -- declarations -----------------------------------------------------------------------------------------------------
 
 /// Returns the name of a timer in the notation of conditions, such as `3s/X2` or `3s/a/2s`.
 std::string name_of(const Equations& equations, const Equations::Timer& timer) {

@@ -144,7 +144,7 @@ std::vector<Moves::Cell> Moves::cells(const Values& at, const Bdd& within) {
     return std::move(partition).cells(within);
 }
 
-// -- parts -------------------------------------------------------------------------------------------------------------
+// -- parts ------------------------------------------------------------------------------------------------------------
 
 void Moves::add_moves(const Cell& cell, StateId state, const Values& at, std::vector<StateMove>& moves) {
     const bool unstable = dependencies_.firing_unsettles && !cell.fired.empty();
@@ -244,7 +244,7 @@ std::vector<Moves::Region> Moves::with_levels(Region part, const Values& at) {
     return parts;
 }
 
-// -- states ------------------------------------------------------------------------------------------------------------
+// -- states -----------------------------------------------------------------------------------------------------------
 
 /// Returns `state` after the changes. Timers are marked according to the changes of their levels. `before` contains the
 /// old values of the levels.

@@ -174,7 +174,7 @@ Diagnostic too_many_stored_values(Span where, std::string_view variable, std::si
                              limit, variable));
 }
 
-// -- plant and compose -------------------------------------------------------------------------------------------------
+// -- plant and compose ------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -249,6 +249,6 @@ Diagnostic range_skipped(Span where, std::string_view variable, std::string_view
                                mover, variable, step, low, high, detector, high - low + 1));
 }
 
-// -- schedule and emit -------------------------------------------------------------------------------------------------
+// -- schedule and emit ------------------------------------------------------------------------------------------------
 
 }  // namespace grafverif::messages

@@ -166,7 +166,7 @@ Diagnostic observer_blocks(Span where, std::string_view observer);
 Diagnostic observer_acts(Span where, std::string_view observer);
 Diagnostic observer_without_start(Span where, std::string_view observer);
 
-// -- import (src/support/messages_import.cpp) --------------------------------------------------------------------------
+// -- import (src/support/messages_import.cpp) -------------------------------------------------------------------------
 Diagnostic broken_xml(Span where, std::string_view why);
 Diagnostic elements_too_deep(Span where, std::size_t limit);
 Diagnostic declared_entities(Span where);
@@ -216,7 +216,7 @@ Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit);
 Diagnostic terms_too_large(Span where, std::string_view grafcet, std::size_t limit);
 Diagnostic too_many_stored_values(Span where, std::string_view variable, std::size_t limit);
 
-// -- plant and compose -------------------------------------------------------------------------------------------------
+// -- plant and compose ------------------------------------------------------------------------------------------------
 Diagnostic no_multiple_of_time_unit(Span where, std::int64_t milliseconds, std::int64_t unit_ms);
 Diagnostic duration_too_long(Span where, std::int64_t milliseconds, std::int64_t unit_ms);
 Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t unit_ms);
@@ -229,7 +229,7 @@ Diagnostic urgent_invariant(Span where, std::string_view component, std::string_
 Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,
                          std::string_view detector, std::int64_t low, std::int64_t high);
 
-// -- conform -------------------------------------------------------------------------------------------------------------
+// -- conform ----------------------------------------------------------------------------------------------------------
 // (src/support/messages_conform.cpp)
 Diagnostic excludes_every_input(Span where);
 /// `cycle` contains the situations that repeat forever.
@@ -253,7 +253,7 @@ Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
 /// The number of input combinations, 2^`bits`, is larger than a complete tour can cover.
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit);
 
-// -- schedule and emit -------------------------------------------------------------------------------------------------
+// -- schedule and emit ------------------------------------------------------------------------------------------------
 // (src/support/messages_loop.cpp)
 /// `decided` is true if the contradiction is proved; otherwise, no inputs were found within the memory limit.
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);

@@ -116,7 +116,7 @@ Diagnostic program_is_no_chart(Span where, std::string_view name) {
                     name));
 }
 
-// -- PLC programs --------------------------------------------------------------------------------------------------------
+// -- PLC programs -----------------------------------------------------------------------------------------------------
 
 Diagnostic not_in_program(Span where, std::string_view what, std::string_view hint) {
     return error("not-in-program", where, fmt::format("{} is not supported in a program; {}", what, hint));

@@ -122,7 +122,7 @@ void name_transitions(AgrafeReader& reader) {
     }
 }
 
-// -- declarations -------------------------------------------------------------------------------------------------------
+// -- declarations -----------------------------------------------------------------------------------------------------
 
 tree::VariableKind kind_of(AgrafeReader& reader, pugi::xml_node declaration) {
     const std::string type = value(declaration, "variableDeclarationType");
@@ -248,7 +248,7 @@ void check_enclosure(AgrafeReader& reader, std::size_t entity) {
                                      "list it in `partialGrafcets` of the step"));
 }
 
-// -- the chart ----------------------------------------------------------------------------------------------------------
+// -- the chart --------------------------------------------------------------------------------------------------------
 
 /// Attaches comments to the element that follows them.
 void keep_comments(AgrafeReader& reader, pugi::xml_node root) {

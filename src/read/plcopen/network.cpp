@@ -57,7 +57,7 @@ struct Step {
     st::Name name = {};
 };
 
-// -- actions of a step ----------------------------------------------------------------------------------------------------
+// -- actions of a step ------------------------------------------------------------------------------------------------
 
 st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
@@ -200,7 +200,7 @@ std::string documentation(PlcopenReader& reader, pugi::xml_node node) {
 
 }  // namespace
 
-// -- elements -------------------------------------------------------------------------------------------------------------
+// -- elements ---------------------------------------------------------------------------------------------------------
 
 pugi::xml_node PlcopenNetwork::find(const std::string& id) const {
     const auto found = by_id.find(id);
@@ -252,7 +252,7 @@ std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwo
     return sources;
 }
 
-// -- the network ------------------------------------------------------------------------------------------------------------
+// -- the network ------------------------------------------------------------------------------------------------------
 
 namespace {
 

@@ -135,7 +135,7 @@ private:
         return {};
     }
 
-    // -- Boolean variables ---------------------------------------------------------------------------------------------
+    // -- Boolean variables --------------------------------------------------------------------------------------------
 
     std::optional<Act> act_of(const std::string& step, const st::Association& one) {
         const std::string path(sfc_.file.text(one.action));
@@ -253,7 +253,7 @@ private:
         });
     }
 
-    // -- statements ----------------------------------------------------------------------------------------------------
+    // -- statements ---------------------------------------------------------------------------------------------------
 
     Made statements(const st::Association& one, const st::Block& block) {
         const std::string& q = one.qualifier;
