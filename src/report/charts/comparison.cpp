@@ -59,6 +59,11 @@ void print_row(const std::array<std::string, 4>& cells, const std::array<std::si
     }
 }
 
+std::string_view sides_text(const Comparison& comparison) {
+    if (comparison.programs[0] != comparison.programs[1]) return "the chart and the program";
+    return comparison.programs[0] ? "the programs" : "the charts";
+}
+
 void print_scans(const Comparison& comparison, std::ostream& out) {
     std::vector<std::array<std::string, 4>> rows{{"time", "inputs", "a writes", "b writes"}};
     std::int64_t time = 0;
@@ -78,7 +83,9 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
     if (!a.stop.empty() && !b.stop.empty()) out << "  in the last scan, both stop\n";
     else if (!a.stop.empty() || !b.stop.empty())
         out << fmt::format("  in the last scan, `{}` stops and the other continues\n", a.stop.empty() ? "b" : "a");
-    else out << fmt::format("  in the last scan, the charts differ in {}\n", printable(differing(comparison, a, b)));
+    else
+        out << fmt::format("  in the last scan, {} differ in {}\n", sides_text(comparison),
+                           printable(differing(comparison, a, b)));
 }
 
 std::string outcome_text(const Comparison& comparison, Colour colour) {
@@ -94,9 +101,10 @@ bool has_program(const Comparison& comparison) { return comparison.programs[0] |
 
 /// Returns the interpreters that replay a difference.
 std::string_view replay_text(const Comparison& comparison) {
-    if (!has_program(comparison)) return "the rules of IEC 60848";
-    return comparison.programs[0] && comparison.programs[1] ? "the interpreter of programs"
-                                                            : "the rules of IEC 60848 and the interpreter of programs";
+    if (!has_program(comparison)) return "under the rules of IEC 60848";
+    return comparison.programs[0] && comparison.programs[1]
+               ? "on the interpreter of programs"
+               : "under the rules of IEC 60848 and on the interpreter of programs";
 }
 
 /// Returns the definition of a scan.
@@ -142,7 +150,7 @@ void print_sentence(const Comparison& comparison, std::ostream& out) {
             << ", both write the same outputs in every scan, or both stop in the same scan\n";
         return;
     case Comparison::Outcome::Different:
-        out << fmt::format("  distinguished by {} scan{}{}, replayed on {}:\n", scans, scans == 1 ? "" : "s",
+        out << fmt::format("  distinguished by {} scan{}{}, replayed {}:\n", scans, scans == 1 ? "" : "s",
                            comparison.shortest ? ", the minimum" : "", replay_text(comparison));
         return;
     case Comparison::Outcome::Unknown: out << fmt::format("  inconclusive: {}\n", printable(comparison.reason)); return;

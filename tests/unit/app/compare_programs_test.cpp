@@ -65,7 +65,7 @@ TEST(ComparePrograms, DifferenceIsTheShortestSequenceWithBothOutputs) {
               "  distinguished by 1 scan, the minimum, replayed on the interpreter of programs:\n"
               "  time  inputs   a writes  b writes\n"
               "  0 s   on, off  none      L\n"
-              "  in the last scan, they differ in `L`\n"
+              "  in the last scan, the programs differ in `L`\n"
               "  a scan is one execution of each program\n");
     const Result late = compared(counter, with(counter, "q := q + 1", "q := (q + 1) MOD 3"), {"--format", "json"});
     EXPECT_EQ(late.code, ExitCode::Verdict) << late.out << late.err;
@@ -89,8 +89,8 @@ TEST(ComparePrograms, AChartIsComparedWithAProgramInBothOrders) {
         const std::string wrong = with(latch, "IF off", "IF off AND NOT on");
         const Result apart = turned ? compared(wrong, lamp) : compared(lamp, wrong);
         EXPECT_EQ(apart.code, ExitCode::Verdict) << apart.out << apart.err;
-        EXPECT_NE(apart.out.find("distinguished by 1 scan, the minimum, replayed on the rules of IEC 60848 and the "
-                                 "interpreter of programs"),
+        EXPECT_NE(apart.out.find("distinguished by 1 scan, the minimum, replayed under the rules of IEC 60848 and "
+                                 "on the interpreter of programs"),
                   std::string::npos)
             << apart.out;
     }
