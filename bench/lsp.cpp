@@ -62,11 +62,11 @@ public:
         wake_.wait(hold, [&] { return back_.find(part) != std::string::npos; });
         back_.clear();
     }
-    std::size_t give(std::span<char> room) {
+    std::size_t give(std::span<char> buffer) {
         std::unique_lock hold(door_);
         wake_.wait(hold, [&] { return !there_.empty(); });
-        const std::size_t count = std::min(room.size(), there_.size());
-        std::copy_n(there_.begin(), count, room.begin());
+        const std::size_t count = std::min(buffer.size(), there_.size());
+        std::copy_n(there_.begin(), count, buffer.begin());
         there_.erase(0, count);
         return count;
     }
@@ -148,7 +148,7 @@ int main(int count, char** values) {
     const int steps = count > 1 ? std::atoi(values[1]) : 1000, keystrokes = count > 2 ? std::atoi(values[2]) : 50;
     Wire wire;
     std::thread server([&] {
-        lsp::converse([&](std::span<char> room) { return wire.give(room); },
+        lsp::converse([&](std::span<char> buffer) { return wire.give(buffer); },
                       [&](std::string_view bytes) { wire.take(bytes); }, {});
     });
     const std::string text = chart_of(steps);

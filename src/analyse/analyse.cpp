@@ -62,7 +62,7 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
 }
 
 /// The maximum work on a part if only queries about absorbing regions are open, in multiples of the first slice.
-constexpr std::uint64_t most_for_ways = 16;
+constexpr std::uint64_t most_for_paths = 16;
 
 /// Schedules the parts of a chart. The parts are searched alternately until no query is open or no part can continue.
 class ConeSchedule {
@@ -74,15 +74,15 @@ public:
           result_(result),
           questions_(chart, equations, options) {
         for (Cone& cone : cones(equations)) parts_.push_back({std::move(cone), options});
-        if (counts_on()) {
+        if (has_long_counters()) {
             parts_.push_back({parts_.back().cone, options});
             parts_.back().options.longest_count = std::numeric_limits<std::int64_t>::max();
         }
     }
 
     void run() {
-        for (auto slice = options_.first_slice; questions_.any_open() && turns(slice); slice *= 4)
-            if (slice >= most_for_ways * options_.first_slice && questions_.only_traps_open()) {
+        for (auto slice = options_.first_slice; questions_.any_open() && continue_searches(slice); slice *= 4)
+            if (slice >= most_for_paths * options_.first_slice && questions_.only_traps_open()) {
                 obstacle_ = "the search for paths back exceeds its budget";
                 break;
             }
@@ -106,7 +106,7 @@ private:
         bool paths_known = false;  ///< true if the absorbing regions of the part were determined
     };
 
-    bool counts_on() const {
+    bool has_long_counters() const {
         return std::ranges::any_of(counters(equations_), [&](const std::optional<Counter>& counter) {
             return counter && counter->safe >= options_.longest_count && counter->most > 0;
         });
@@ -115,7 +115,7 @@ private:
     bool is_last(const ConeSearch& part) const { return part.options.longest_count != options_.longest_count; }
 
     /// Continues the search of each part. Returns false if no part can continue.
-    bool turns(std::uint64_t slice) {
+    bool continue_searches(std::uint64_t slice) {
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
             ConeSearch& part = parts_[k];
@@ -123,7 +123,7 @@ private:
             if (is_last(part) && !parts_[k - 1].complete && !parts_[k - 1].given_up) continue;
             if (stopped_) return false;
             any = true;
-            turn(k, slice);
+            continue_search(k, slice);
             if (contradictory_) return false;
             add_up();
         }
@@ -169,7 +169,7 @@ private:
     /// Continues the search of part `k`. Under stability search, the search starts with a less expensive
     /// over-approximation, in which inputs change before every evolution. An event that does not occur in the
     /// over-approximation never occurs.
-    void turn(std::size_t k, std::uint64_t slice) {
+    void continue_search(std::size_t k, std::uint64_t slice) {
         ConeSearch& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
             part.loosely = spend(part, slice, [&](BddSpace& space) { search_loosely(k, space); });

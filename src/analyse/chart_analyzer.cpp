@@ -36,7 +36,7 @@ void ChartAnalyzer::look() {
     }
     dead_values();
     find_signs();
-    looked_ = search_.instants().size();
+    explored_instants_ = search_.instants().size();
     search_.forget_fresh();
 }
 
@@ -48,8 +48,8 @@ void ChartAnalyzer::conclude() {
     transient_steps();
     silent_outputs();
     for (const Event& event : events_) {
-        const bool elsewhere_too = event.question->index == no_variable && !machine_.whole();
-        if (!elsewhere_too && !is_uncertain(event.question)) event.question->decided = true;
+        const bool occurs_elsewhere = event.question->index == no_variable && !machine_.whole();
+        if (!occurs_elsewhere && !is_uncertain(event.question)) event.question->decided = true;
     }
     for (const Equations::Stored& stored : equations_.stored) {
         if (!machine_.covers(stored.variable)) continue;
@@ -92,7 +92,7 @@ bool ChartAnalyzer::doubtful() const {
 void ChartAnalyzer::leave() noexcept {
     const auto note = [this](Query* question) {
         if (question == nullptr || question->decided) return;
-        if (!is_uncertain(question)) question->instants = std::max(question->instants, looked_);
+        if (!is_uncertain(question)) question->instants = std::max(question->instants, explored_instants_);
     };
     for (const Event& event : events_)
         if (event.question->index != no_variable || machine_.whole()) note(event.question);
@@ -153,7 +153,7 @@ bool ChartAnalyzer::show(Finding& finding, const std::optional<Path>& path, cons
     return true;
 }
 
-Bdd ChartAnalyzer::rather_unbroken(const Bdd& points) const {
+Bdd ChartAnalyzer::prefer_unbroken(const Bdd& points) const {
     const Bdd good = machine_.unbroken(points);
     return seen(good) ? good : points;
 }

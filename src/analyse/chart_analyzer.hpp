@@ -145,24 +145,26 @@ private:
         Query* question = nullptr;
         Span origin = {};
         Bdd comes = {};                  ///< the points at which the event occurs
-        Bdd gone = {};                   ///< the points after which the event is impossible for all inputs
+        Bdd dead_points = {};            ///< the points after which the event is impossible for all inputs
         bool again = false;              ///< true if the event can occur, cease and occur again
         std::vector<bool> dead_in = {};  ///< for each region: true if the event never occurs in it
     };
     std::vector<Passing> passing();
-    bool find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound, const std::vector<Bdd>& regions) const;
-    void not_dead(Query& question) const;
-    void report_never_again(const std::vector<Passing>& lost, const TerminalRegions& ways,
+    bool has_dead_points(Passing& each, const TerminalRegions& terminal, const Bdd& sound,
+                         const std::vector<Bdd>& regions) const;
+    void mark_live(Query& question) const;
+    void report_never_again(const std::vector<Passing>& dead, const TerminalRegions& terminal,
                             const std::vector<Bdd>& regions);
-    void report_trap(const std::vector<const Passing*>& lost, const Bdd& within, const TerminalRegions& ways,
-                     std::set<const Passing*>& told);
-    void report_group(const std::vector<const Passing*>& group, const TerminalRegions& ways, const Bdd& goal);
-    void report_once(const std::vector<const Passing*>& once, const TerminalRegions& ways);
-    void report_regions(const std::vector<Passing>& lost, const TerminalRegions& ways, const Bdd& sound,
+    void report_trap(const std::vector<const Passing*>& dead, const Bdd& within, const TerminalRegions& terminal,
+                     std::set<const Passing*>& reported);
+    void report_group(const std::vector<const Passing*>& group, const TerminalRegions& terminal, const Bdd& goal);
+    void report_once(const std::vector<const Passing*>& once, const TerminalRegions& terminal);
+    void report_regions(const std::vector<Passing>& dead, const TerminalRegions& terminal, const Bdd& sound,
                         const Bdd& known, std::size_t regions);
     /// Reports the finding with a shortest path to `goal`. If no run confirms the path, the queries remain open.
-    void keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& ways, const Bdd& goal);
-    std::string stays_active(const std::vector<const Passing*>& lost, const Bdd& goal);
+    void keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& terminal,
+                   const Bdd& goal);
+    std::string stays_active(const std::vector<const Passing*>& dead, const Bdd& goal);
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }
@@ -187,7 +189,7 @@ private:
         return show(finding, search_.path_to(goal), demand, std::move(shows), certain());
     }
     /// Returns the points in `points` whose evolution does not abort, or `points` if there are none.
-    Bdd rather_unbroken(const Bdd& points) const;
+    Bdd prefer_unbroken(const Bdd& points) const;
     bool keep(Finding finding);
 
     /// Returns the path to the first element of `points`, followed by the remaining elements.
@@ -205,7 +207,7 @@ private:
     std::vector<Sign> signs_ = {};
     std::vector<Query*> uncertain_ = {};  ///< queries whose events occurred, but without a confirmed run
     Bdd stable_ = {}, landings_seen_ = {};
-    std::size_t looked_ = 0;
+    std::size_t explored_instants_ = 0;
     std::set<const Query*> unseen_ = {};  ///< after a complete search: the queries whose event did not occur
 };
 

@@ -19,11 +19,11 @@ void ChartAnalyzer::expect(std::string_view code, std::size_t index, const Bdd& 
 void ChartAnalyzer::instability() {
     Query* const question = questions_.open("total-instability", 0);
     if (question == nullptr || is_uncertain(question)) return;
-    const Bdd going_on = machine_.going_on(search_.fresh()), followed = machine_.followed(going_on);
+    const Bdd transient = machine_.transient(search_.fresh()), followed = machine_.followed(transient);
     Bdd endless = search_.endless(followed);
     // The instability may end when a counter reaches the end of its range.
-    const bool counting = endless.is_false() && !(followed == going_on);
-    if (counting) endless = search_.endless(going_on);
+    const bool counting = endless.is_false() && !(followed == transient);
+    if (counting) endless = search_.endless(transient);
     if (endless.is_false()) return;
     Finding made = finding("total-instability", "", "", chart_.origin);
     if (!show(made, search_.path_to(endless), {.endless = true}, "with the last inputs, the situation changes forever",
@@ -125,10 +125,10 @@ void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
         (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
     }
     std::vector<Bdd> layers{// the evolutions that store the value, and the evolutions that follow
-                            machine_.going_on(search_.fresh() & stores)};
+                            machine_.transient(search_.fresh() & stores)};
     Bdd seen, hit;
     while (!layers.back().is_false() && hit.is_false()) {
-        const Bdd next = machine_.going_on(machine_.evolved(layers.back()));
+        const Bdd next = machine_.transient(machine_.evolved(layers.back()));
         hit = next & overwrites;
         layers.push_back(next & ~seen);
         seen |= next;
@@ -165,7 +165,7 @@ void ChartAnalyzer::expect_branches() {
                             "` leave one step and can be cleared simultaneously; make their conditions exclusive",
                         chart_.transitions[second].origin);
             made.related.push_back({chart_.transitions[first].origin, "`" + name(first) + "` is here"});
-            return show(made, rather_unbroken(seen), {.fired = {first, second}},
+            return show(made, prefer_unbroken(seen), {.fired = {first, second}},
                         "both are cleared in the last instant") &&
                    keep(std::move(made));
         });
@@ -197,7 +197,7 @@ bool ChartAnalyzer::report_reactivated(Step step, const Bdd& seen) {
         if (demand.fired.empty()) demand.fired.push_back(id);
     }
     const Bdd goal = seen & machine_.fires(demand.fired.front().index);
-    return show(made, rather_unbroken(goal), demand,
+    return show(made, prefer_unbroken(goal), demand,
                 "`" + name(demand.fired.front()) + "` activates `" + step_name(step) + "` again in the last instant") &&
            keep(std::move(made));
 }

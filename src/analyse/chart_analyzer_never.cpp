@@ -188,7 +188,7 @@ void ChartAnalyzer::immediate_transitions() {
             Finding made =
                 finding("transition-always-fired", name(id),
                         "`" + name(id) + "` is always cleared as soon as it is enabled", chart_.transitions[id].origin);
-            if (!show(made, rather_unbroken(fires), {.fired = {id}},
+            if (!show(made, prefer_unbroken(fires), {.fired = {id}},
                       "`" + name(id) + "` is cleared in the last instant"))
                 continue;
             keep(std::move(made));

@@ -31,13 +31,13 @@ constexpr std::size_t most_named = 8;
 
 /// Returns a list such as `` `X1`, `X2` and `X3` ``. After the eighth name, only the number of further names is given.
 std::string listed(const std::vector<std::string>& names) {
-    const std::size_t told = std::min(names.size(), most_named);
+    const std::size_t reported = std::min(names.size(), most_named);
     std::string text;
-    for (std::size_t k = 0; k < told; ++k) {
+    for (std::size_t k = 0; k < reported; ++k) {
         if (k > 0) text += k + 1 == names.size() ? " and " : ", ";
         text += "`" + names[k] + "`";
     }
-    return names.size() > told ? text + " and " + std::to_string(names.size() - told) + " more" : text;
+    return names.size() > reported ? text + " and " + std::to_string(names.size() - reported) + " more" : text;
 }
 
 }  // namespace
@@ -67,76 +67,76 @@ void ChartAnalyzer::find_traps() {
     std::vector<Passing> all = passing();
     Query* const region = questions_.open("region-never-left", 0);
     if (all.empty() && region == nullptr) return;
-    const TerminalRegions ways(machine_, options_.mode, search_);
-    Bdd unknown = ways.reached() & ~machine_.unbroken(ways.reached());
-    if (searching()) unknown |= search_.endless(machine_.going_on(ways.reached()));
-    const Bdd sound = ways.reached() & ~ways.to(unknown);
-    const std::vector<Bdd> regions = ways.regions(sound, most_regions);
+    const TerminalRegions terminal(machine_, options_.mode, search_);
+    Bdd unknown = terminal.reached() & ~machine_.unbroken(terminal.reached());
+    if (searching()) unknown |= search_.endless(machine_.transient(terminal.reached()));
+    const Bdd sound = terminal.reached() & ~terminal.to(unknown);
+    const std::vector<Bdd> regions = terminal.regions(sound, most_regions);
     std::erase_if(all, [&](Passing& each) {
-        if (find_gone(each, ways, sound, regions)) return false;
-        not_dead(*each.question);
+        if (has_dead_points(each, terminal, sound, regions)) return false;
+        mark_live(*each.question);
         return true;
     });
-    report_never_again(all, ways, regions);
-    if (region != nullptr) report_regions(all, ways, sound, ways.reached() & ~unknown, regions.size());
+    report_never_again(all, terminal, regions);
+    if (region != nullptr) report_regions(all, terminal, sound, terminal.reached() & ~unknown, regions.size());
 }
 
 /// Records that the event of the query can recur. For a part, the query remains open, because a part may have runs that
 /// the chart does not have. It is decided on the complete chart, or if it is proved that no such runs exist.
-void ChartAnalyzer::not_dead(Query& question) const {
+void ChartAnalyzer::mark_live(Query& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }
 
 /// True if the event is possible at some point, and impossible after another one.
-bool ChartAnalyzer::find_gone(Passing& each, const TerminalRegions& ways, const Bdd& sound,
-                              const std::vector<Bdd>& regions) const {
-    each.comes &= ways.reached();
+bool ChartAnalyzer::has_dead_points(Passing& each, const TerminalRegions& terminal, const Bdd& sound,
+                                    const std::vector<Bdd>& regions) const {
+    each.comes &= terminal.reached();
     if (each.comes.is_false()) return false;
     for (const Bdd& region : regions) each.dead_in.push_back((region & each.comes).is_false());
     const bool in_all = std::ranges::find(each.dead_in, true) == each.dead_in.end();
     if (in_all && regions.size() < most_regions) return false;
-    const Bdd back = ways.to(each.comes);
-    each.gone = sound & ~back;
-    const Bdd next = ways.after(each.comes) & back;
+    const Bdd back = terminal.to(each.comes);
+    each.dead_points = sound & ~back;
+    const Bdd next = terminal.after(each.comes) & back;
     each.again = !(each.kind == Passing::Kind::Step ? next & ~each.comes : next).is_false();
-    return !each.gone.is_false();
+    return !each.dead_points.is_false();
 }
 
 /// Reports traps. Regions with the same dead elements form one trap.
-void ChartAnalyzer::report_never_again(const std::vector<Passing>& lost, const TerminalRegions& ways,
+void ChartAnalyzer::report_never_again(const std::vector<Passing>& dead, const TerminalRegions& terminal,
                                        const std::vector<Bdd>& regions) {
     std::map<std::vector<const Passing*>, Bdd> traps;
-    std::set<const Passing*> told;
+    std::set<const Passing*> reported;
     for (std::size_t region = 0; region < regions.size(); ++region) {
         std::vector<const Passing*> here;
-        for (const Passing& each : lost)
+        for (const Passing& each : dead)
             if (each.dead_in[region]) here.push_back(&each);
         traps[std::move(here)] |= regions[region];
     }
     for (const auto& [here, region] : traps)
         if (std::ranges::any_of(here, &Passing::again))
-            report_trap(here, traps.size() > 1 ? ways.to(region) : ways.reached(), ways, told);
+            report_trap(here, traps.size() > 1 ? terminal.to(region) : terminal.reached(), terminal, reported);
     std::vector<const Passing*> left;
-    for (const Passing& each : lost)
-        if (!told.contains(&each)) left.push_back(&each);
-    if (std::ranges::any_of(left, &Passing::again)) report_trap(left, ways.reached(), ways, told);
-    std::erase_if(left, [&](const Passing* each) { return told.contains(each); });
-    if (!left.empty()) report_once(left, ways);
+    for (const Passing& each : dead)
+        if (!reported.contains(&each)) left.push_back(&each);
+    if (std::ranges::any_of(left, &Passing::again)) report_trap(left, terminal.reached(), terminal, reported);
+    std::erase_if(left, [&](const Passing* each) { return reported.contains(each); });
+    if (!left.empty()) report_once(left, terminal);
 }
 
 /// Reports the elements that are dead in the trap `within`, in groups. All elements of a group are dead at the point
 /// that is reported for the group.
-void ChartAnalyzer::report_trap(const std::vector<const Passing*>& lost, const Bdd& within, const TerminalRegions& ways,
-                                std::set<const Passing*>& told) {
-    std::vector<const Passing*> left = lost;
+void ChartAnalyzer::report_trap(const std::vector<const Passing*>& dead, const Bdd& within,
+                                const TerminalRegions& terminal, std::set<const Passing*>& reported) {
+    std::vector<const Passing*> left = dead;
     while (true) {
         const auto leader = std::ranges::find_if(left, &Passing::again);
         if (leader == left.end()) return;
-        const Bdd first = (*leader)->gone & within;
-        Bdd goal = first & ways.ends();
+        const Bdd first = (*leader)->dead_points & within;
+        Bdd goal = first & terminal.ends();
         if (goal.is_false()) {
             uncertain_.push_back((*leader)->question);
-            told.insert(*leader);
+            reported.insert(*leader);
             left.erase(leader);
             continue;
         }
@@ -144,47 +144,47 @@ void ChartAnalyzer::report_trap(const std::vector<const Passing*>& lost, const B
         for (const bool shown : {false, true}) {
             if (shown) goal = search_.nearest(goal);
             for (const Passing* each : left) {
-                const Bdd both = first & each->gone;
-                const bool nested = both == first || both == (each->gone & within);
+                const Bdd both = first & each->dead_points;
+                const bool nested = both == first || both == (each->dead_points & within);
                 // Two elements that become dead with the first element need not become dead together.
-                if ((!shown && !nested) || (goal & each->gone).is_false()) continue;
-                goal &= each->gone;
+                if ((!shown && !nested) || (goal & each->dead_points).is_false()) continue;
+                goal &= each->dead_points;
                 group.insert(each);
             }
         }
-        told.insert(group.begin(), group.end());
+        reported.insert(group.begin(), group.end());
         std::vector<const Passing*> of;
         std::ranges::copy_if(left, std::back_inserter(of), [&](const Passing* each) { return group.contains(each); });
         std::erase_if(left, [&](const Passing* each) { return group.contains(each); });
-        report_group(of, ways, goal);
+        report_group(of, terminal, goal);
     }
 }
 
-void ChartAnalyzer::report_group(const std::vector<const Passing*>& group, const TerminalRegions& ways,
+void ChartAnalyzer::report_group(const std::vector<const Passing*>& group, const TerminalRegions& terminal,
                                  const Bdd& goal) {
     std::array<std::vector<std::string>, 3> names;
     for (const Passing* each : group) {
         names[static_cast<std::size_t>(each->kind)].push_back(each->question->subject);
     }
-    std::string lost;
+    std::string dead_text;
     for (const auto& [which, never] : {std::pair(names[0], "active"), {names[1], "cleared"}, {names[2], "changed"}})
         if (!which.empty())
-            lost += (lost.empty() ? "" : ", ") + listed(which) + (which.size() == 1 ? " is" : " are") + " never " +
-                    never + " again";
+            dead_text += (dead_text.empty() ? "" : ", ") + listed(which) + (which.size() == 1 ? " is" : " are") +
+                         " never " + never + " again";
     Finding made = finding(group.front()->question->code, group.front()->question->subject,
-                           "the chart can reach a situation from which " + lost + stays_active(group, goal),
+                           "the chart can reach a situation from which " + dead_text + stays_active(group, goal),
                            group.front()->origin);
-    keep_trap(std::move(made), group, ways, goal);
+    keep_trap(std::move(made), group, terminal, goal);
 }
 
 /// Returns text such as `; X99 stays active`, which names the steps that are active in `goal` and that no transition
 /// deactivates afterwards.
-std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& lost, const Bdd& goal) {
+std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& dead, const Bdd& goal) {
     const auto is_governed = [](const Chart::PartialChart& partial) { return partial.owner.valid(); };
     if (!chart_.forcing.empty() || std::ranges::any_of(chart_.partial_charts, is_governed)) return {};
     const auto never = [&](Transition id) {
         if (!machine_.covers_firing(id.index)) return false;
-        return !seen(machine_.fires(id.index)) || std::ranges::any_of(lost, [&](const Passing* each) {
+        return !seen(machine_.fires(id.index)) || std::ranges::any_of(dead, [&](const Passing* each) {
             return each->kind == Passing::Kind::Transition && each->question->index == id.index;
         });
     };
@@ -200,7 +200,7 @@ std::string ChartAnalyzer::stays_active(const std::vector<const Passing*>& lost,
     return names.empty() ? "" : "; " + listed(names) + (names.size() == 1 ? " stays active" : " stay active");
 }
 
-void ChartAnalyzer::report_once(const std::vector<const Passing*>& once, const TerminalRegions& ways) {
+void ChartAnalyzer::report_once(const std::vector<const Passing*>& once, const TerminalRegions& terminal) {
     std::vector<std::string> names, values;  // initializing a value in the first evolution is not a change
     for (const Passing* each : once)
         (each->kind == Passing::Kind::Value ? values : names).push_back(each->question->subject);
@@ -211,16 +211,16 @@ void ChartAnalyzer::report_once(const std::vector<const Passing*>& once, const T
                  " at most once after the first evolution";
     Finding made = finding("comes-once", once.front()->question->subject, words + ": only in a start-up or final phase",
                            once.front()->origin);
-    keep_trap(std::move(made), once, ways, once.front()->gone & ways.ends());
+    keep_trap(std::move(made), once, terminal, once.front()->dead_points & terminal.ends());
 }
 
-void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& ways,
+void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& of, const TerminalRegions& terminal,
                               const Bdd& goal) {
     for (const Passing* each : of) made.lost.push_back(each->question->subject);
     const bool several = made.code == "comes-once" && of.size() > 1;
     const std::string shows =
         several ? "after this, `" + made.lost.front() + "` never occurs again" : "no path leads back from here";
-    const std::optional<Path> path = search_.path_to(goal & ways.ends());
+    const std::optional<Path> path = search_.path_to(goal & terminal.ends());
     const bool shown = path && show(made, path, {.settles = true}, shows, certain());
     for (const Passing* each : of) {
         if (shown) each->question->decided = true;
@@ -231,24 +231,24 @@ void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& o
 
 /// Reports regions without dead elements: several regions, or one region if an infinite run outside of the region
 /// exists.
-void ChartAnalyzer::report_regions(const std::vector<Passing>& lost, const TerminalRegions& ways, const Bdd& sound,
+void ChartAnalyzer::report_regions(const std::vector<Passing>& dead, const TerminalRegions& terminal, const Bdd& sound,
                                    const Bdd& known, std::size_t regions) {
     Query& question = *questions_.open("region-never-left", 0);
-    Bdd gone;
-    for (const Passing& each : lost) gone |= each.gone;
-    const std::vector<Bdd> quiet = ways.regions(sound & ~ways.to(gone), most_regions);
-    if (quiet.empty()) return not_dead(question);
+    Bdd dead_points;
+    for (const Passing& each : dead) dead_points |= each.dead_points;
+    const std::vector<Bdd> quiet = terminal.regions(sound & ~terminal.to(dead_points), most_regions);
+    if (quiet.empty()) return mark_live(question);
     if (regions == 1) {
         Bdd cleared;
         for (const Transition id : chart_.transitions.ids())
             if (machine_.covers_firing(id.index)) cleared |= machine_.fires(id.index);
-        if (ways.recurring(known & ~quiet.front(), cleared).is_false()) return not_dead(question);
+        if (terminal.recurring(known & ~quiet.front(), cleared).is_false()) return mark_live(question);
     }
     Finding made =
         finding("region-never-left", "", "the chart can reach a set of situations that it never leaves", chart_.origin);
     Bdd all;
     for (const Bdd& region : quiet) all |= region;
-    const std::optional<Path> path = search_.path_to(all & ways.ends());
+    const std::optional<Path> path = search_.path_to(all & terminal.ends());
     if (path && show(made, path, {.settles = true}, "no path leads back from here", certain()))
         question.decided = keep(std::move(made));
     else uncertain_.push_back(&question);

@@ -128,7 +128,7 @@ public:
         std::size_t sum = 0;
         for (auto each = found_.rbegin(); each != found_.rend(); ++each) {
             Candidate next{std::move(each->second), each->first.second};
-            if (std::ranges::any_of(chosen, [&](const Candidate& other) { return stands_for(other, next); })) continue;
+            if (std::ranges::any_of(chosen, [&](const Candidate& other) { return subsumes(other, next); })) continue;
             sum += next.kept.size();
             chosen.push_back(std::move(next));
         }
@@ -172,7 +172,7 @@ private:
     }
 
     /// True if the search of `large` can decide all queries of `small` at little additional cost.
-    static bool stands_for(const Candidate& large, const Candidate& small) {
+    static bool subsumes(const Candidate& large, const Candidate& small) {
         return 4 * large.kept.size() <= 5 * small.kept.size() && std::ranges::includes(large.kept, small.kept) &&
                contains(large.cone, small.cone);
     }

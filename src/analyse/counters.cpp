@@ -22,7 +22,7 @@ public:
         : equations_(equations),
           exprs_(equations.exprs),
           stored_(stored),
-          of_it_(equations.exprs.size()),
+          depends_on_it_(equations.exprs.size()),
           added_(equations.exprs.size()) {}
 
     std::optional<Counter> read() {
@@ -31,7 +31,7 @@ public:
         for (std::uint32_t term = 0; term < exprs_.size() && good_; ++term) look(Id<Expr>{term});
         for (const Id<Expr> term : {stored_.next, stored_.first}) assign(term);
         for (const Equations::Write& write : stored_.writes) assign(write.value);
-        look_elsewhere();
+        check_other_uses();
         const Type kept = integer_type(least_, greatest_ + (most_ > 0 ? 1 : 0));
         if (!good_ || kept.low < variable.type.low || kept.high > variable.type.high ||
             bit_count(kept) >= bit_count(variable.type))
@@ -50,24 +50,25 @@ private:
 
     void compare(Id<Expr> term) {
         if (is_number(term)) greatest_ = std::max(greatest_, exprs_[term].value);
-        else good_ = good_ && of_it_[term.index];
+        else good_ = good_ && depends_on_it_[term.index];
     }
 
     void look(Id<Expr> id) {
         const Expr& node = exprs_[id];
         const auto operands = exprs_.operands(id);
         if (node.op == Op::Variable) {
-            of_it_[id.index] = node.value == static_cast<std::int64_t>(stored_.variable.index);
+            depends_on_it_[id.index] = node.value == static_cast<std::int64_t>(stored_.variable.index);
             return;
         }
-        if (std::ranges::none_of(operands, [&](Id<Expr> operand) -> bool { return of_it_[operand.index]; })) return;
+        if (std::ranges::none_of(operands, [&](Id<Expr> operand) -> bool { return depends_on_it_[operand.index]; }))
+            return;
         if (is_comparison(node.op)) {
             for (const Id<Expr> operand : operands) compare(operand);
         } else if (node.op == Op::Plus && operands.size() == 2) {
-            const bool first = of_it_[operands[0].index];
+            const bool first = depends_on_it_[operands[0].index];
             add(id, operands[first ? 0 : 1], operands[first ? 1 : 0]);
-        } else if (node.op == Op::Conditional && !of_it_[operands[0].index]) {
-            of_it_[id.index] = true;
+        } else if (node.op == Op::Conditional && !depends_on_it_[operands[0].index]) {
+            depends_on_it_[id.index] = true;
             for (const Id<Expr> operand : operands.subspan(1)) {
                 assign(operand);
                 added_[id.index] = std::max(added_[id.index], added_[operand.index]);
@@ -79,7 +80,7 @@ private:
 
     void add(Id<Expr> id, Id<Expr> term, Id<Expr> what) {
         good_ = good_ && is_number(what) && exprs_[what].value >= 0 && exprs_[what].value <= greatest_integer;
-        of_it_[id.index] = true;
+        depends_on_it_[id.index] = true;
         if (good_) added_[id.index] = added_[term.index] + exprs_[what].value;
         most_ = std::max(most_, added_[id.index]);
     }
@@ -87,12 +88,12 @@ private:
     void assign(Id<Expr> term) {
         if (!term.valid()) return;
         if (is_number(term)) meet(exprs_[term].value);
-        else good_ = good_ && of_it_[term.index];
+        else good_ = good_ && depends_on_it_[term.index];
     }
 
     /// Checks that values of the variable are not used in any other term.
-    void look_elsewhere() {
-        const auto refuse = [&](Id<Expr> term) { good_ = good_ && !(term.valid() && of_it_[term.index]); };
+    void check_other_uses() {
+        const auto refuse = [&](Id<Expr> term) { good_ = good_ && !(term.valid() && depends_on_it_[term.index]); };
         for (const Equations::Output& output : equations_.outputs) refuse(output.value);
         for (const Equations::Stored& other : equations_.stored) {
             if (other.variable == stored_.variable) continue;
@@ -105,7 +106,8 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const Equations::Stored& stored_;
-    std::vector<bool> of_it_;  ///< for each term: true if its value is the variable, or the variable plus a constant
+    std::vector<bool>
+        depends_on_it_;  ///< for each term: true if its value is the variable, or the variable plus a constant
     std::vector<std::int64_t> added_;  ///< for each term: upper bound of the added constant
     std::int64_t least_ = 0, greatest_ = 0, most_ = 0;
     bool met_ = false, good_ = true;

@@ -319,10 +319,10 @@ void Machine::relate() {
     std::vector<bdd::NextBit> bits;
     for (const KeptBit& bit : kept_) bits.push_back({bit.before, bit.next});
     relation_.emplace(space_, std::move(bits));
-    kept_gone_ = relation_->quantified(kept_bits_);
+    kept_quantified_ = relation_->quantified(kept_bits_);
     std::vector<std::uint32_t> all = kept_bits_;
     all.insert(all.end(), input_bits_.begin(), input_bits_.end());
-    all_gone_ = relation_->quantified(all);
+    all_quantified_ = relation_->quantified(all);
 }
 
 void Machine::start() {
@@ -343,7 +343,7 @@ Bdd Machine::unbroken(const Bdd& points) const {
     return result;
 }
 
-Bdd Machine::going_on(const Bdd& points) const {
+Bdd Machine::transient(const Bdd& points) const {
     const Bdd good = unbroken(points);
     return good & ~stable(good);
 }
@@ -355,9 +355,9 @@ Bdd Machine::followed(const Bdd& points) const {
     return result;
 }
 
-Bdd Machine::evolved(const Bdd& points) const { return relation_->image(points, kept_gone_); }
+Bdd Machine::evolved(const Bdd& points) const { return relation_->image(points, kept_quantified_); }
 
-Bdd Machine::evolved_rest(const Bdd& points) const { return relation_->image(points, all_gone_); }
+Bdd Machine::evolved_rest(const Bdd& points) const { return relation_->image(points, all_quantified_); }
 
 Bdd Machine::origins(const Bdd& points, const Point& next) const {
     Bdd result = points;

@@ -54,7 +54,7 @@ public:
     /// out of range.
     Bdd unbroken(const Bdd& points) const;
     /// Returns the points in `points` that are not stable and whose evolution does not abort.
-    Bdd going_on(const Bdd& points) const;
+    Bdd transient(const Bdd& points) const;
     /// Returns the points in `points` at which no counter exceeds its represented values, so that the abstraction is
     /// exact.
     Bdd followed(const Bdd& points) const;
@@ -166,9 +166,9 @@ private:
     std::vector<Next> nexts_ = {};
     std::vector<KeptBit> kept_ = {};
     std::optional<bdd::Relation> relation_ = {};
-    /// The variables to quantify: only the kept variables (`kept_gone_`), or the kept variables and the inputs
-    /// (`all_gone_`).
-    bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};
+    /// The variables to quantify: only the kept variables (`kept_quantified_`), or the kept variables and the inputs
+    /// (`all_quantified_`).
+    bdd::Relation::Quantified kept_quantified_ = {}, all_quantified_ = {};
     std::vector<FaultCondition> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
     /// The conjuncts of stability, and the conjuncts of the condition that an evolution does not abort.

@@ -75,8 +75,8 @@ Bdd PathSearch::endless(const Bdd& within) const {
 /// first ring.
 std::vector<Point> PathSearch::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
     return bdd::path_back(ring - instant.first, last, [&](std::size_t before, const Point& next) {
-        const Bdd going_on = machine_.going_on(rings_.each[instant.first + before]);
-        return machine_.pick(machine_.with_inputs_of(machine_.origins(going_on, next), last));
+        const Bdd transient = machine_.transient(rings_.each[instant.first + before]);
+        return machine_.pick(machine_.with_inputs_of(machine_.origins(transient, next), last));
     });
 }
 

@@ -16,19 +16,19 @@ TerminalRegions::TerminalRegions(const Machine& machine, ExecutionMode mode, con
     ends_ = machine_.unbroken(reached_);
     if (mode_ == ExecutionMode::EveryCycle) return;
     const Bdd good = std::exchange(ends_, machine_.stable(ends_));
-    going_on_ = good & ~ends_;
+    transient_ = good & ~ends_;
 }
 
 Bdd TerminalRegions::after(const Bdd& points) const {
     const Bdd ends = points & ends_;
     if (mode_ == ExecutionMode::EveryCycle) return machine_.sampled(machine_.evolved_rest(ends));
-    return machine_.evolved(points & going_on_) | machine_.sampled(machine_.settled(ends));
+    return machine_.evolved(points & transient_) | machine_.sampled(machine_.settled(ends));
 }
 
 Bdd TerminalRegions::before(const Bdd& points) const {
     const Bdd rest = machine_.before_time(points);
     if (mode_ == ExecutionMode::EveryCycle) return ends_ & machine_.origins(rest);
-    return (going_on_ & machine_.origins(points)) | (ends_ & (machine_.watches() ? machine_.origins(rest) : rest));
+    return (transient_ & machine_.origins(points)) | (ends_ & (machine_.watches() ? machine_.origins(rest) : rest));
 }
 
 /// Adds to `all` the points that `step` reaches from `fresh` within an instant. The sets remain small, because each
@@ -49,7 +49,7 @@ Bdd TerminalRegions::to(const Bdd& points) const {
     Bdd all = points & reached_;
     for (Bdd fresh = all; !fresh.is_false();) {
         const Bdd instant =
-            instant_of(fresh, all, [this](const Bdd& next) { return going_on_ & machine_.origins(next); });
+            instant_of(fresh, all, [this](const Bdd& next) { return transient_ & machine_.origins(next); });
         fresh = before(widened(instant, all)) & ~all;
         all |= fresh;
     }
@@ -61,7 +61,7 @@ std::vector<Bdd> TerminalRegions::rings_from(const Bdd& points) const {
     Bdd all = points;
     for (Bdd fresh = points; !fresh.is_false();) {
         rings.back() =
-            instant_of(fresh, all, [this](const Bdd& before) { return machine_.evolved(before & going_on_); });
+            instant_of(fresh, all, [this](const Bdd& before) { return machine_.evolved(before & transient_); });
         fresh = after(widened(rings.back(), all)) & ~all;
         all |= fresh;
         rings.push_back(fresh);
@@ -73,14 +73,14 @@ std::vector<Bdd> TerminalRegions::rings_from(const Bdd& points) const {
 /// A single region is frequent, because most charts return to their initial situation. If each rest of the first
 /// instant leads to every other one, and all points lead to one of them, all points after this instant form one region.
 /// Then no forward search is necessary.
-std::optional<Bdd> TerminalRegions::home(const Bdd& among) const {
+std::optional<Bdd> TerminalRegions::single_region(const Bdd& among) const {
     Bdd starts = first_ & ends_;
     if (mode_ == ExecutionMode::EveryCycle || starts.is_false()) return {};
     const Bdd start = machine_.only(machine_.pick(starts));
     if (!(among & ~to(start)).is_false()) return {};
-    for (std::size_t looked = 0; !starts.is_false(); ++looked) {
+    for (std::size_t tried = 0; !starts.is_false(); ++tried) {
         const Bdd one = machine_.only(machine_.pick(starts));
-        if (looked == most_starts || (start & to(one)).is_false()) return {};
+        if (tried == most_starts || (start & to(one)).is_false()) return {};
         starts &= ~machine_.rest(one);
     }
     Bdd all = reached_ & ~first_;
@@ -96,7 +96,7 @@ std::optional<Bdd> TerminalRegions::home(const Bdd& among) const {
 /// last.
 std::vector<Bdd> TerminalRegions::regions(Bdd among, std::size_t most) const {
     if (among == reached_)
-        if (const auto only = home(among)) return {*only};
+        if (const auto only = single_region(among)) return {*only};
     std::vector<Bdd> found;
     while (!among.is_false() && found.size() < most) {
         std::size_t last = found_.size() - 1;

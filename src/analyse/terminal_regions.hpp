@@ -43,7 +43,7 @@ public:
 private:
     /// Returns the terminal region of runs from `among` if there is only one and it contains all points after the first
     /// instant.
-    std::optional<Bdd> home(const Bdd& among) const;
+    std::optional<Bdd> single_region(const Bdd& among) const;
     template <class Step>
     Bdd instant_of(Bdd fresh, Bdd& all, const Step& step) const;
     /// Returns the new points of each instant, followed by the set of all these points.
@@ -51,7 +51,7 @@ private:
 
     const Machine& machine_;
     ExecutionMode mode_;
-    Bdd reached_, first_, going_on_, ends_;
+    Bdd reached_, first_, transient_, ends_;
     const std::vector<Bdd>& found_;  ///< reached points, in order of increasing distance
 };
 

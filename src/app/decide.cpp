@@ -67,7 +67,7 @@ std::optional<Report> chart_report(const Model& model, Id<Chart> chart, CommandC
     return check_chart(model, chart, model_options(job.options), options, job.diagnostics, decide);
 }
 
-void say_who_stopped(Report& report, bool by_user, const Options& options) {
+void add_stop_cause(Report& report, bool by_user, const Options& options) {
     for (PropertyResult& answer : report.answers)
         if (answer.verdict.obstacle == UnknownReason::Stopped)
             answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
@@ -163,7 +163,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     if (job.options.why && decided.timed)
         decided.why = why_it_holds(model, decided.loop, model_options(job.options), options, decided.report);
     name_places(decided.report, job.sources);
-    say_who_stopped(decided.report, bounds.interrupted(), job.options);
+    add_stop_cause(decided.report, bounds.interrupted(), job.options);
     return decided;
 }
 

@@ -36,7 +36,7 @@ constexpr std::string_view word(DepfileReader reader) {
     return reader == DepfileReader::Make ? "Make" : reader == DepfileReader::Ninja ? "Ninja" : "CMake";
 }
 
-bool can_say(std::string_view name, const Rules& rules) {
+bool can_express(std::string_view name, const Rules& rules) {
     const auto control = [](unsigned char c) { return (c < ' ' && c != '\t') || c == 0x7f; };
     return !name.empty() && std::ranges::none_of(name, control) && name.find_first_of(rules.never) == name.npos &&
            rules.never_first.find(name.front()) == name.npos && rules.never_last.find(name.back()) == name.npos;
@@ -46,7 +46,7 @@ bool can_say(std::string_view name, const Rules& rules) {
 
 std::optional<std::string> depfile_name(std::string_view name, DepfileSide side, DepfileReader reader) {
     const Rules rules = rules_of(side, reader);
-    if (!can_say(name, rules)) return {};
+    if (!can_express(name, rules)) return {};
     std::string text;
     std::size_t backslashes = 0;  // number of backslashes directly before the character
     for (const char c : name) {

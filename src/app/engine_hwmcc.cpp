@@ -17,9 +17,10 @@ namespace {
 
 constexpr const char *model_file = "model.aig", *witness_file = "witness", *invariant_file = "invariant.pla";
 
-[[noreturn]] void no_result(const ProgramResult& said) {
-    const bool stopped = said.end == ProgramResult::End::TimedOut || said.end == ProgramResult::End::Stopped;
-    throw Undecided{stopped ? UnknownReason::Stopped : UnknownReason::Failed, hwmcc::failure_of(said)};
+[[noreturn]] void no_result(const ProgramResult& program_result) {
+    const bool stopped =
+        program_result.end == ProgramResult::End::TimedOut || program_result.end == ProgramResult::End::Stopped;
+    throw Undecided{stopped ? UnknownReason::Stopped : UnknownReason::Failed, hwmcc::failure_of(program_result)};
 }
 
 [[noreturn]] void disbelieve(const std::string& why) {
@@ -64,7 +65,7 @@ private:
 };
 
 /// Runs ABC: `bmc3` finds short counterexamples within a tenth of the time; then `pdr` decides.
-pdr::PdrAnswer ask_abc(const std::string& program, const HwmccQuery& question) {
+pdr::PdrAnswer query_abc(const std::string& program, const HwmccQuery& question) {
     using Seconds = std::chrono::duration<double>;
     const auto deadline = question.watch().deadline();
     const double left = deadline ? Seconds(*deadline - std::chrono::steady_clock::now()).count() : 20;
@@ -76,23 +77,24 @@ pdr::PdrAnswer ask_abc(const std::string& program, const HwmccQuery& question) {
     if (bounded.end != ProgramResult::End::Exited) no_result(bounded);
     if (const std::string witness = question.left(witness_file); !witness.empty())
         return question.reached(hwmcc::witness_of_abc(witness));
-    const ProgramResult said = question.run({program, "-q", read + "pdr -d -I " + invariant_file + write_trace});
-    if (said.end != ProgramResult::End::Exited) no_result(said);
+    const ProgramResult program_result =
+        question.run({program, "-q", read + "pdr -d -I " + invariant_file + write_trace});
+    if (program_result.end != ProgramResult::End::Exited) no_result(program_result);
     if (const std::string witness = question.left(witness_file); !witness.empty())
         return question.reached(hwmcc::witness_of_abc(witness));
     const std::string text = question.left(invariant_file);
-    if (text.empty()) no_result(said);
+    if (text.empty()) no_result(program_result);
     auto invariant = hwmcc::read_invariant(question.circuit(), text);
     if (!invariant) disbelieve("the program printed no invariant for its verdict");
     return {.invariant = std::move(*invariant)};
 }
 
-pdr::PdrAnswer ask_command(const std::string& command, const HwmccQuery& question) {
-    const ProgramResult said = question.run({"/bin/sh", "-c", command + " " + model_file});
-    if (said.end != ProgramResult::End::Exited) no_result(said);
-    const std::optional<bool> reached = hwmcc::preservation_class_of(said.out);
-    if (!reached) no_result(said);
-    if (*reached) return question.reached(said.out);
+pdr::PdrAnswer query_command(const std::string& command, const HwmccQuery& question) {
+    const ProgramResult program_result = question.run({"/bin/sh", "-c", command + " " + model_file});
+    if (program_result.end != ProgramResult::End::Exited) no_result(program_result);
+    const std::optional<bool> reached = hwmcc::witness_result(program_result.out);
+    if (!reached) no_result(program_result);
+    if (*reached) return question.reached(program_result.out);
     throw Undecided{UnknownReason::Unchecked,
                     "unchecked: the program reports the state as unreachable, but prints no certificate to check"};
 }
@@ -111,7 +113,7 @@ std::optional<Report> check_by_abc(const SystemToCheck& check, const CheckOption
 
 decltype(PdrOptions::reach) search_by_abc(std::string program, const std::atomic<bool>* stop) {
     return [program = std::move(program), stop](const Circuit& circuit, Gates::Literal bad, pdr::LimitMonitor& watch) {
-        return ask_abc(program, HwmccQuery(circuit, bad, watch, stop));
+        return query_abc(program, HwmccQuery(circuit, bad, watch, stop));
     };
 }
 
@@ -119,7 +121,7 @@ std::optional<Report> check_by_command(const SystemToCheck& check, const std::st
                                        const CheckOptions& options) {
     return check_states(check, options,
                         {command, [&](const Circuit& circuit, Gates::Literal bad, pdr::LimitMonitor& watch) {
-                             return ask_command(command, HwmccQuery(circuit, bad, watch, options.limits.stop));
+                             return query_command(command, HwmccQuery(circuit, bad, watch, options.limits.stop));
                          }});
 }
 

@@ -35,8 +35,8 @@ std::optional<Report> check_by_nusmv(const SystemToCheck& whole, const std::stri
     const auto start = std::chrono::steady_clock::now();
     const ProgramLimits limits{
         .deadline = options.limits.deadline, .stop = options.limits.stop, .folder = folder.path()};
-    const ProgramResult said = run_program({path->string(), "-source", "commands"}, "", limits);
-    NusmvResult result = read_nusmv(check.system, spelling, properties, said);
+    const ProgramResult program_result = run_program({path->string(), "-source", "commands"}, "", limits);
+    NusmvResult result = read_nusmv(check.system, spelling, properties, program_result);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     SystemReporter reporter(check, SystemReporter::Of::Program, program, options, result.verdicts);
     apply_probes(narrow.properties, result.verdicts);

@@ -297,8 +297,8 @@ ExitCode worse(ExitCode one, ExitCode other) {
 ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
     if (arguments.empty()) return usage_error(streams, "missing command", "");
     const std::string& name = arguments.front();
-    const bool asks = name == "--help" || name == "-h" || name == "help";
-    if (asks && arguments.size() == 1) {
+    const bool is_help = name == "--help" || name == "-h" || name == "help";
+    if (is_help && arguments.size() == 1) {
         print_overview(streams.out);
         return ExitCode::Done;
     }
@@ -307,9 +307,9 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         return ExitCode::Done;
     }
     // For `help check` and `--help check`, the command is the second argument.
-    const std::string& verb = asks ? arguments[1] : name;
+    const std::string& verb = is_help ? arguments[1] : name;
     for (const Entry& entry : entries) {
-        if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
+        if (entry.usage().name == verb && is_help) return print_help(entry.usage(), streams.out), ExitCode::Done;
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);
     }
     if (verb.starts_with('-'))

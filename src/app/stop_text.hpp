@@ -14,11 +14,12 @@ inline std::string with_who_stopped(std::string reason, bool by_user, const Opti
     constexpr std::string_view word = "stopped", limit = " at the time limit";
     const std::size_t at = reason.find(word);
     if (at == std::string::npos) return reason;
-    const std::size_t behind = at + word.size();
-    if (by_user) return reason.insert(behind, " by Ctrl-C or another signal");
+    const std::size_t insert_at = at + word.size();
+    if (by_user) return reason.insert(insert_at, " by Ctrl-C or another signal");
     if (!options.timeout_ms) return reason;
-    if (reason.compare(behind, limit.size(), limit) != 0) reason.insert(behind, limit);
-    return reason.insert(behind + limit.size(), " of " + seconds_text(static_cast<std::int64_t>(*options.timeout_ms)));
+    if (reason.compare(insert_at, limit.size(), limit) != 0) reason.insert(insert_at, limit);
+    return reason.insert(insert_at + limit.size(),
+                         " of " + seconds_text(static_cast<std::int64_t>(*options.timeout_ms)));
 }
 
 /// Returns `reason` with the option that increases the limit that was reached.

@@ -53,8 +53,8 @@ bool Order::add(std::uint32_t count) {
     const std::size_t wanted = std::size_t{size_} + count;
     if (wanted >= constant_level) return false;
     if (wanted > level_of.size()) {
-        const std::size_t room = std::max(wanted, 2 * level_of.size());
-        if (!level_of.resize(room) || !variable_at.resize(room) || !group_of.resize(room)) return false;
+        const std::size_t new_size = std::max(wanted, 2 * level_of.size());
+        if (!level_of.resize(new_size) || !variable_at.resize(new_size) || !group_of.resize(new_size)) return false;
     }
     for (; size_ < wanted; ++size_) level_of[size_] = variable_at[size_] = group_of[size_] = size_;
     ++version;
@@ -90,9 +90,9 @@ void free_memory(Kernel& kernel, Edge low, Edge high) {
     if (small && grow(kernel)) return;
     if (table.buckets.size() == 0 || kernel.cache.size() == 0) out_of_memory();
     collect(kernel, {low, high});
-    if (table.room() >= table.capacity / 2) return;
+    if (table.free_nodes() >= table.capacity / 2) return;
     if (!small && grow(kernel)) return;
-    if (table.room() < table.capacity / 16 + 1) out_of_memory();
+    if (table.free_nodes() < table.capacity / 16 + 1) out_of_memory();
 }
 
 Session::Session(Kernel& kernel) : kernel_(kernel) {

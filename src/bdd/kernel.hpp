@@ -108,7 +108,7 @@ inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     low ^= flip;
     high ^= flip;
     NodeTable& table = kernel.table;
-    if (!table.has_room()) [[unlikely]] {
+    if (!table.has_free_node()) [[unlikely]] {
         if (table.capacity != 0)
             if (const std::uint32_t n = table.find(level, low, high)) return n << 1U | flip;
         free_memory(kernel, low, high);

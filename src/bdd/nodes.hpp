@@ -60,8 +60,8 @@ public:
         return 0;
     }
 
-    bool has_room() const { return free != 0 || used < capacity; }
-    std::uint64_t room() const { return capacity - in_use; }
+    bool has_free_node() const { return free != 0 || used < capacity; }
+    std::uint64_t free_nodes() const { return capacity - in_use; }
 
     /// Creates a node for a triple that does not have a node yet. Requires a free node.
     std::uint32_t add(std::uint32_t level, Edge low, Edge high) {
@@ -72,7 +72,7 @@ public:
     }
 
     std::uint32_t take() {
-        assert(has_room());
+        assert(has_free_node());
         ++in_use;
         if (free == 0) return used++;
         const std::uint32_t n = free;

@@ -113,17 +113,17 @@ void Relation::join() {
 /// Assigns each variable after a step, and each choice, to the first part that reads it. Preimages process the parts
 /// from last to first.
 void Relation::end_after() {
-    std::vector<std::uint32_t> gone = choices_;
-    for (const NextBit& bit : bits_) gone.push_back(bit.after());
-    std::ranges::sort(gone);
+    std::vector<std::uint32_t> remaining = choices_;
+    for (const NextBit& bit : bits_) remaining.push_back(bit.after());
+    std::ranges::sort(remaining);
     for (Conjunct& each : parts_) {
         std::vector<std::uint32_t> here, rest;
-        std::ranges::set_intersection(gone, each.reads, std::back_inserter(here));
-        std::ranges::set_difference(gone, each.reads, std::back_inserter(rest));
+        std::ranges::set_intersection(remaining, each.reads, std::back_inserter(here));
+        std::ranges::set_difference(remaining, each.reads, std::back_inserter(rest));
         each.after = variable_set(space_, here);
-        gone = std::move(rest);
+        remaining = std::move(rest);
     }
-    unread_after_ = variable_set(space_, gone);
+    unread_after_ = variable_set(space_, remaining);
 }
 
 Relation::Quantified Relation::quantified(std::span<const std::uint32_t> variables) const {

@@ -143,7 +143,7 @@ private:
         const std::size_t nodes = at_[level].size() + at_[level + 1].size();
         kernel_.watch.step(static_cast<std::uint32_t>(4 * nodes + 1));
         if (nodes > longest_exchange) throw NoMemory{};
-        while (table_.room() < 2 * at_[level].size())
+        while (table_.free_nodes() < 2 * at_[level].size())
             if (!grow(kernel_)) throw NoMemory{};
         if (uses_.size() < table_.capacity) uses_.resize(table_.capacity);
         std::vector<std::uint32_t> upper, lower, rewritten;

@@ -25,7 +25,7 @@ std::vector<std::uint32_t> written(const std::vector<NextBit>& bits, std::span<c
 ClusterSteps::ClusterSteps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
                            std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free)
     : relation(space, std::move(bits), std::move(conditions), std::move(choices)),
-      gone(relation.quantified(written(relation.bits(), free))) {}
+      quantified(relation.quantified(written(relation.bits(), free))) {}
 
 Saturation::Saturation(const BddSpace& space, const std::deque<ClusterSteps>& kinds) : space_(space) {
     std::map<std::uint32_t, std::vector<const ClusterSteps*>> by_level;
@@ -61,7 +61,7 @@ Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
     for (Bdd before; before != result;) {
         before = result;
         for (const ClusterSteps* kind : levels_[from].kinds) {
-            const Bdd found = kind->relation.image(result, kind->gone) & ~result;
+            const Bdd found = kind->relation.image(result, kind->quantified) & ~result;
             if (!found.is_false()) result |= closed(found, from + 1);  // a union of closed sets is closed
         }
     }

@@ -21,7 +21,7 @@ struct ClusterSteps {
                  std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free);
 
     Relation relation;
-    Relation::Quantified gone;
+    Relation::Quantified quantified;
 };
 
 class Saturation {

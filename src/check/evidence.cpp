@@ -11,12 +11,12 @@ namespace {
 /// Checks that the states of a trace form a run, and determines in which states the given terms hold.
 class ExternalTraceImport {
 public:
-    ExternalTraceImport(const FlatSystem& flat, const ExternalTrace& told, std::vector<Id<Expr>> terms)
-        : flat_(flat), told_(told), terms_(std::move(terms)), truths_(terms_.size()) {
+    ExternalTraceImport(const FlatSystem& flat, const ExternalTrace& external_trace, std::vector<Id<Expr>> terms)
+        : flat_(flat), external_trace_(external_trace), terms_(std::move(terms)), truths_(terms_.size()) {
         for (std::size_t state = 0; state < size() && broken_.empty(); ++state) look_at(state);
     }
 
-    std::size_t size() const { return told_.states.size(); }
+    std::size_t size() const { return external_trace_.states.size(); }
     /// Returns the reason why the trace is not a run of the system; empty if it is a run.
     const std::string& broken() const { return broken_; }
 
@@ -26,8 +26,8 @@ public:
 
     /// True if each justice condition holds in some state of the loop.
     bool fair() const {
-        return told_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
-                   for (std::size_t state = *told_.loop; state < size(); ++state)
+        return external_trace_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
+                   for (std::size_t state = *external_trace_.loop; state < size(); ++state)
                        if (holds(state, term)) return true;
                    return false;
                });
@@ -37,14 +37,14 @@ private:
     using Values = std::vector<std::optional<std::int64_t>>;  ///< values of all terms in one state
 
     void look_at(std::size_t state) {
-        const std::vector<std::int64_t>& variables = told_.states[state];
+        const std::vector<std::int64_t>& variables = external_trace_.states[state];
         const Values values = evaluate_all(
             flat_.exprs, [&](const Expr& leaf) { return variables[static_cast<std::size_t>(leaf.value)]; });
         const auto all_hold = [&](const std::vector<Id<Expr>>& terms) {
             return std::ranges::all_of(terms, [&](Id<Expr> term) { return values[term.index].value_or(0) != 0; });
         };
         for (std::size_t i = 0; i < terms_.size(); ++i) truths_[i].push_back(values[terms_[i].index].value_or(0) != 0);
-        const std::optional<std::size_t> next = state + 1 < size() ? state + 1 : told_.loop;
+        const std::optional<std::size_t> next = state + 1 < size() ? state + 1 : external_trace_.loop;
         std::string why;
         if (const std::string name = out_of_range(state); !name.empty())
             why = "gives `" + name + "` a value outside its range";
@@ -63,7 +63,7 @@ private:
     std::string out_of_range(std::size_t state) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
             const Type& type = flat_.variables[id].type;
-            const std::int64_t value = told_.states[state][id.index];
+            const std::int64_t value = external_trace_.states[state][id.index];
             if (value < (type.boolean ? 0 : type.low) || value > (type.boolean ? 1 : type.high))
                 return flat_.variables[id].name;
         }
@@ -75,13 +75,14 @@ private:
                         std::size_t to) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
             const std::optional<Id<Expr>>& wanted = flat_.variables[id].*term;
-            if (wanted && values[wanted->index] != told_.states[to][id.index]) return flat_.variables[id].name;
+            if (wanted && values[wanted->index] != external_trace_.states[to][id.index])
+                return flat_.variables[id].name;
         }
         return {};
     }
 
     const FlatSystem& flat_;
-    const ExternalTrace& told_;
+    const ExternalTrace& external_trace_;
     std::vector<Id<Expr>> terms_ = {};
     std::vector<std::vector<bool>> truths_ = {};  ///< truth value of each term in each state
     std::string broken_ = {};

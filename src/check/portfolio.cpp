@@ -25,14 +25,17 @@ using Clock = std::chrono::steady_clock;
 bool is_decided(const Verdict& verdict) { return verdict.outcome != Outcome::Unknown; }
 
 /// Returns the text of a verdict, such as `holds (decided by pdr)`.
-std::string said(const Verdict& verdict) {
+std::string verdict_text(const Verdict& verdict) {
     return std::string(word(verdict.outcome)) + (verdict.notes.empty() ? "" : " (" + verdict.notes.back() + ")");
 }
 
 class Portfolio {
 public:
     Portfolio(const TransitionSystem& system, const PortfolioOptions& options)
-        : system_(system), options_(options), moot_(system.properties.size()), joined_(options.alone == 0) {
+        : system_(system),
+          options_(options),
+          decided_elsewhere_(system.properties.size()),
+          joined_(options.alone == 0) {
         const std::unordered_set<std::string_view> requested(options.properties.begin(), options.properties.end());
         for (const Id<Property> id : system.properties.ids())
             if (requested.empty() || requested.contains(system.properties[id].name)) open_.insert(id.index);
@@ -73,7 +76,7 @@ private:
             wait([] { return false; });
         }
         threaded_ = false;
-        if (refused && goes_on()) guarded([this] { by_solvers(options_.deadline); });
+        if (refused && can_continue()) guarded([this] { by_solvers(options_.deadline); });
         return true;
     }
 
@@ -110,20 +113,22 @@ private:
             return std::min(end, share_of(options_.deadline, shares).value_or(end));
         };
         if (options_.alone != 0) guarded([&] { by_diagrams(options_.max_memory, at_most(look, 4)); });
-        if (options_.alone != 0 && !goes_on()) return;
+        if (options_.alone != 0 && !can_continue()) return;
         joined_ = true;
         guarded([&] { by_solvers(at_most(longest, 4)); });
-        if (goes_on()) guarded([&] { by_diagrams(options_.max_memory, options_.deadline); });
-        if (goes_on()) guarded([&] { by_solvers(options_.deadline); });
+        if (can_continue()) guarded([&] { by_diagrams(options_.max_memory, options_.deadline); });
+        if (can_continue()) guarded([&] { by_solvers(options_.deadline); });
     }
 
     bool is_faulty() const { return symbolic_.fault || circuits_.fault; }
     bool is_stopped() const { return is_over(options_.deadline, options_.stop); }
-    bool goes_on() const { return (!open_.empty() || moot_.empty()) && !is_faulty() && !is_stopped(); }
+    bool can_continue() const {
+        return (!open_.empty() || decided_elsewhere_.empty()) && !is_faulty() && !is_stopped();
+    }
 
     /// True if the symbolic engine left a property open because three quarters of the memory were not sufficient.
     bool memory_was_short() const {
-        return most_memory_ < options_.max_memory && goes_on() &&
+        return most_memory_ < options_.max_memory && can_continue() &&
                std::ranges::any_of(symbolic_.verdicts, [this](const Verdict& verdict) {
                    return verdict.obstacle == UnknownReason::Memory && open_.contains(verdict.about.index);
                });
@@ -154,8 +159,8 @@ private:
         PortfolioProgress now;
         {
             const Lock lock(mutex_);
-            change(told_);
-            now = told_;
+            change(progress_);
+            now = progress_;
         }
         if (!threaded_ && options_.progress) options_.progress(now);
     }
@@ -169,7 +174,7 @@ private:
         options.worked = &worked_;
         options.witnesses = options_.witnesses;
         options.progress = [this](const SymbolicProgress& now) {
-            report([&](PortfolioProgress& told) { told.symbolic = now; });
+            report([&](PortfolioProgress& current) { current.symbolic = now; });
         };
         SymbolicResult found =
             options_.whole ? check_symbolic(system_, options) : check_symbolic_by_parts(system_, options);
@@ -189,14 +194,16 @@ private:
             for (const Verdict& verdict : found) take(verdict, {});
         }
         PdrOptions options;
-        options.method = PdrOptions::Method::InTurns;
+        options.method = PdrOptions::Method::Alternating;
         options.equal_latches = options_.equal_latches;
         options.properties = options_.properties;
         options.max_memory = options_.max_memory;
         options.deadline = deadline;
         options.stop = stop();
-        options.moot = &moot_;
-        options.progress = [this](const PdrProgress& now) { report([&](PortfolioProgress& told) { told.pdr = now; }); };
+        options.decided_elsewhere = &decided_elsewhere_;
+        options.progress = [this](const PdrProgress& now) {
+            report([&](PortfolioProgress& current) { current.pdr = now; });
+        };
         options.answered = [this](const Verdict& verdict, const std::optional<SystemRun>& run) {
             const Lock lock(mutex_);
             take(verdict, run);
@@ -221,8 +228,8 @@ private:
                     settle(id);
             if (open_.empty()) stop_ = true;
         } else if (is_decided(first) && first.outcome != verdict.outcome) {
-            failures_.push_back("the engines disagree on `" + verdict.property + "`: " + said(first) + ", " +
-                                said(verdict));
+            failures_.push_back("the engines disagree on `" + verdict.property + "`: " + verdict_text(first) + ", " +
+                                verdict_text(verdict));
             first = verdict_on(verdict.about, system_.properties[verdict.about]);
             set_unknown(first, UnknownReason::Failed, "this engine failed");
             place->second.second.reset();
@@ -230,7 +237,7 @@ private:
     }
 
     void settle(Id<Property> about) {
-        moot_[about.index] = true;
+        decided_elsewhere_[about.index] = true;
         open_.erase(about.index);
     }
 
@@ -244,7 +251,7 @@ private:
             changed_.wait_for(lock, std::chrono::milliseconds(20));
             if (options_.stop != nullptr && options_.stop->load()) stop_ = true;
             if (!options_.progress) continue;
-            const PortfolioProgress now = told_;
+            const PortfolioProgress now = progress_;
             lock.unlock();
             options_.progress(now);
             lock.lock();
@@ -277,8 +284,9 @@ private:
     const PortfolioOptions& options_;
     std::atomic<bool> stop_ = false;
     std::atomic<std::uint64_t> worked_ = 0;  ///< number of operation steps of decision diagrams
-    std::vector<std::atomic<bool>> moot_;  ///< for each property of the system: true if its verdict is no longer needed
-    bool threaded_ = false;                ///< changes only while no thread is running
+    std::vector<std::atomic<bool>>
+        decided_elsewhere_;  ///< for each property of the system: true if its verdict is no longer needed
+    bool threaded_ = false;  ///< changes only while no thread is running
     /// Memory limit of the last run of the symbolic engine; read only when this run has ended.
     std::uint64_t most_memory_ = 0;
     bool has_tried_first_ = false;
@@ -290,7 +298,7 @@ private:
     std::unordered_set<std::uint32_t> open_ = {};
     std::unordered_map<std::uint32_t, std::pair<Verdict, std::optional<SystemRun>>> first_ = {};
     PdrResult symbolic_ = {}, circuits_ = {};
-    PortfolioProgress told_ = {};
+    PortfolioProgress progress_ = {};
     std::vector<std::string> failures_ = {};
     std::exception_ptr failure_ = {};
 };

@@ -208,10 +208,10 @@ private:
             settled_ = now_(flattened(system_, flat_, system_.settled));
             circuit().settled = (possible_ & truth(settled_)).literal;
         }
-        for (const Id<Property> id : system_.properties.ids()) ask(id);
+        for (const Id<Property> id : system_.properties.ids()) add_query(id);
     }
 
-    void ask(Id<Property> id) {
+    void add_query(Id<Property> id) {
         const Property& property = system_.properties[id];
         std::vector<Term> operands;
         for (const Id<Expr> operand : property.operands) operands.push_back(now_(flattened(system_, flat_, operand)));

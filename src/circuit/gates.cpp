@@ -61,7 +61,7 @@ std::vector<std::uint32_t> cone(const Gates& gates, const std::vector<Gates::Lit
 
 namespace {
 
-Gates* home(const Gate& f, const Gate& g) { return f.gates != nullptr ? f.gates : g.gates; }
+Gates* graph_of(const Gate& f, const Gate& g) { return f.gates != nullptr ? f.gates : g.gates; }
 
 /// Returns the conjunction of two constants, which do not belong to a graph.
 Gate settled(const Gate& f, const Gate& g) {
@@ -71,7 +71,7 @@ Gate settled(const Gate& f, const Gate& g) {
 }  // namespace
 
 Gate operator&(const Gate& f, const Gate& g) {
-    Gates* const gates = home(f, g);
+    Gates* const gates = graph_of(f, g);
     return gates == nullptr ? settled(f, g) : Gate{gates, gates->both(f.literal, g.literal)};
 }
 

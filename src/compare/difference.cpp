@@ -27,9 +27,9 @@ std::string sorted_text(std::vector<std::string> lines) {
 }
 
 /// Matches the steps of the two charts.
-class Twins {
+class StepMatching {
 public:
-    Twins(const Chart& a, const Chart& b) : charts_{&a, &b} {
+    StepMatching(const Chart& a, const Chart& b) : charts_{&a, &b} {
         for (const std::size_t k : {0U, 1U}) of_[k].resize(charts_[k]->steps.size());
         std::map<std::string, Step> named;
         for (const Step step : b.steps.ids()) named.emplace(name_of(b, step).text(), step);
@@ -41,7 +41,7 @@ public:
     }
 
     /// Returns the step of the other chart that corresponds to `step` of chart `k`; invalid if there is none.
-    Step twin(std::size_t k, Step step) const { return of_[k][step.index]; }
+    Step counterpart(std::size_t k, Step step) const { return of_[k][step.index]; }
     /// Returns the name in the first chart if the step exists there, otherwise its name in chart `k`.
     std::string common_name(std::size_t k, Step step) const {
         const Step other = of_[k][step.index];
@@ -65,9 +65,9 @@ private:
         if (whole)
             for (const Transition id : charts_[k]->transitions.ids()) {
                 const Chart::Transition& transition = charts_[k]->transitions[id];
-                const bool beside =
+                const bool is_adjacent =
                     std::ranges::count(transition.from, step) > 0 || std::ranges::count(transition.to, step) > 0;
-                if (beside) lines.push_back(words.way(id) + ' ' + words.guard(id));
+                if (is_adjacent) lines.push_back(words.endpoints(id) + ' ' + words.guard(id));
             }
         return words.head(step) + '\n' + sorted_text(std::move(lines));
     }
@@ -93,7 +93,7 @@ private:
 
 class Difference {
 public:
-    Difference(const Chart& a, const Chart& b) : charts_{&a, &b}, twins_(a, b) {}
+    Difference(const Chart& a, const Chart& b) : charts_{&a, &b}, matching_(a, b) {}
 
     std::vector<ChartChange> changes() && {
         add_variables();
@@ -114,7 +114,7 @@ private:
     }
     /// Returns the texts with the names of the first chart, for comparison.
     Wording common(std::size_t k) const {
-        return {*charts_[k], [this, k](Step step) { return twins_.common_name(k, step); }};
+        return {*charts_[k], [this, k](Step step) { return matching_.common_name(k, step); }};
     }
 
     static std::string word(Chart::VariableKind kind) {
@@ -188,24 +188,26 @@ private:
 
     void add_steps() {
         for (const Step step : charts_[0]->steps.ids()) {
-            const Step twin = twins_.twin(0, step);
+            const Step counterpart = matching_.counterpart(0, step);
             const std::string name = name_of(*charts_[0], step).text();
-            if (!twin.valid()) {
+            if (!counterpart.valid()) {
                 add(Kind::Removed, "step " + name, step_text(0, step), {});
                 continue;
             }
-            const std::string now = name_of(*charts_[1], twin).text();
+            const std::string now = name_of(*charts_[1], counterpart).text();
             if (now != name) add(Kind::Renamed, "step " + name, name, now);
-            if (common(0).head(step) != common(1).head(twin))
-                add(Kind::Changed, "step " + name, own(0).head(step), own(1).head(twin));
-            add_lists("action of step " + name, actions(0, step), actions(1, twin));
+            if (common(0).head(step) != common(1).head(counterpart))
+                add(Kind::Changed, "step " + name, own(0).head(step), own(1).head(counterpart));
+            add_lists("action of step " + name, actions(0, step), actions(1, counterpart));
         }
         for (const Step step : charts_[1]->steps.ids())
-            if (!twins_.twin(1, step).valid())
+            if (!matching_.counterpart(1, step).valid())
                 add(Kind::Added, "step " + name_of(*charts_[1], step).text(), {}, step_text(1, step));
     }
 
-    std::string transition_text(std::size_t k, Transition id) const { return own(k).way(id) + ' ' + own(k).guard(id); }
+    std::string transition_text(std::size_t k, Transition id) const {
+        return own(k).endpoints(id) + ' ' + own(k).guard(id);
+    }
 
     void add_transitions() {
         std::vector<Transition> before, after;
@@ -215,19 +217,20 @@ private:
         const auto name = [&](std::size_t k, Transition id) { return charts_[k]->transitions[id].name; };
         using Alike = std::function<bool(Transition, Transition)>;
         const Alike same_name = [&](Transition x, Transition y) { return name(0, x) == name(1, y); };
-        const Alike same_way = [&](Transition x, Transition y) { return a.way(x) == b.way(y); };
-        const Alike same = [&](Transition x, Transition y) { return same_way(x, y) && a.guard(x) == b.guard(y); };
+        const Alike same_endpoints = [&](Transition x, Transition y) { return a.endpoints(x) == b.endpoints(y); };
+        const Alike same = [&](Transition x, Transition y) { return same_endpoints(x, y) && a.guard(x) == b.guard(y); };
         const Alike wholly = [&](Transition x, Transition y) { return same_name(x, y) && same(x, y); };
         std::vector<std::pair<Transition, Transition>> changed;
-        for (const Alike* alike : {&wholly, &same, &same_name, &same_way})
+        for (const Alike* alike : {&wholly, &same, &same_name, &same_endpoints})
             for (auto one = before.begin(); one != before.end();) {
-                const auto twin = std::ranges::find_if(after, [&](Transition other) { return (*alike)(*one, other); });
-                if (twin == after.end()) {
+                const auto counterpart =
+                    std::ranges::find_if(after, [&](Transition other) { return (*alike)(*one, other); });
+                if (counterpart == after.end()) {
                     ++one;
                     continue;
                 }
-                if (!same(*one, *twin)) changed.emplace_back(*one, *twin);
-                after.erase(twin);
+                if (!same(*one, *counterpart)) changed.emplace_back(*one, *counterpart);
+                after.erase(counterpart);
                 one = before.erase(one);
             }
         std::ranges::sort(changed);
@@ -238,7 +241,7 @@ private:
     }
 
     std::array<const Chart*, 2> charts_;
-    Twins twins_;
+    StepMatching matching_;
     std::vector<ChartChange> changes_ = {};
 };
 

@@ -182,10 +182,10 @@ private:
                 items.insert(items.begin() + static_cast<std::ptrdiff_t>(at.item) + 1, std::move(second));
             });
         for (std::size_t other = at.item + 1; other < list.size(); ++other) {
-            const auto* beside = std::get_if<tree::Transition>(&list[other]);
-            if (!beside || transition.from.empty() || !same_names(file_, beside->from, transition.from)) continue;
+            const auto* sibling = std::get_if<tree::Transition>(&list[other]);
+            if (!sibling || transition.from.empty() || !same_names(file_, sibling->from, transition.from)) continue;
             std::vector<tree::Name> added;
-            for (const tree::Name to : beside->to)
+            for (const tree::Name to : sibling->to)
                 if (std::ranges::none_of(transition.to, [&](tree::Name known) { return known.word == to.word; }))
                     added.push_back(to);
             if (added.empty()) continue;

@@ -97,7 +97,7 @@ std::vector<std::string> Wording::actions(Id<Chart::Step> step) const {
     return found;
 }
 
-std::string Wording::way(Id<Chart::Transition> transition) const {
+std::string Wording::endpoints(Id<Chart::Transition> transition) const {
     const std::string from = names(chart_.transitions[transition].from), to = names(chart_.transitions[transition].to);
     return from + (from.empty() ? "->" : " ->") + (to.empty() ? "" : " ") + to;
 }

@@ -28,7 +28,7 @@ public:
     /// activation`, `force G1 := {2, 3}`.
     std::vector<std::string> actions(Id<Chart::Step> step) const;
     /// Returns the steps of a transition, such as `1, 2 -> 3`.
-    std::string way(Id<Chart::Transition> transition) const;
+    std::string endpoints(Id<Chart::Transition> transition) const;
     /// Returns the condition and actions of a transition, such as `when a do N := 0`.
     std::string guard(Id<Chart::Transition> transition) const;
 

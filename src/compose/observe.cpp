@@ -117,7 +117,7 @@ Network observed(const Network& network, const std::vector<Id<Property>>& chosen
     for (const Id<Property> id : chosen) {
         ObserverTerms& of = terms.emplace_back();
         for (const Id<Expr> operand : network.properties[id].operands) of.operands.push_back(places.readable(operand));
-        of.judged = network.properties[id].at_stable ? places.readable(network.settled) : made.exprs.constant(true);
+        of.considered = network.properties[id].at_stable ? places.readable(network.settled) : made.exprs.constant(true);
     }
     Id<Expr> look;
     if (!chosen.empty()) {
@@ -138,12 +138,12 @@ Network observed(const Network& network, const std::vector<Id<Property>>& chosen
         const auto known =
             std::ranges::find(chosen, property.name, [&](Id<Property> id) { return network.properties[id].name; });
         if (known == chosen.end()) continue;
-        const auto turn = known - chosen.begin();
+        const auto position = known - chosen.begin();
         const bool last = known + 1 == chosen.end();
-        ObserverTerms& of = terms[static_cast<std::size_t>(turn)];
-        of.turn = made.exprs.apply(Op::Equal, look, made.exprs.integer(turn + 1));
+        ObserverTerms& of = terms[static_cast<std::size_t>(position)];
+        of.active = made.exprs.apply(Op::Equal, look, made.exprs.integer(position + 1));
         of.look = look;
-        of.next = made.exprs.integer(last ? 0 : turn + 2);
+        of.next = made.exprs.integer(last ? 0 : position + 2);
         ObserverMade observer =
             observer_of(made.exprs, property.watch, of, property.watch.duration_ms / network.time_unit_ms);
         observer.automaton.name = names.fresh("observer_" + property.name);

@@ -48,13 +48,13 @@ public:
     void sees(Location from, Id<Expr> when, Location to, bool resets = false) {
         const Id<Expr> rest = rest_[from.index];
         rest_[from.index] = both(rest, no(when));
-        look(from, to, both(terms_.judged, both(rest, when)), resets);
+        look(from, to, both(terms_.considered, both(rest, when)), resets);
     }
     /// Adds an edge to `to` that can be taken at any time in a state with `when`, if the clock constraint holds.
     void times(Location from, Id<Expr> when, Op relation, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
-                                  .guard = both(terms_.judged, when),
+                                  .guard = both(terms_.considered, when),
                                   .constraint = {{clock_, relation, exprs_.integer(duration_)}}});
     }
     /// Adds an edge to `to` that can be taken after the duration, independently of the current state, because only
@@ -69,14 +69,14 @@ public:
     /// Completes the automaton with edges for all other cases, which read the state and do not change the location.
     ObserverMade whole(Location initial) {
         for (const Location at : made.automaton.locations.ids())
-            look(at, at, either(no(terms_.judged), rest_[at.index]), false);
+            look(at, at, either(no(terms_.considered), rest_[at.index]), false);
         made.automaton.initial = initial;
         return std::move(made);
     }
 
 private:
     void look(Location from, Location to, Id<Expr> when, bool resets) {
-        Network::Edge edge{.from = from, .to = to, .urgent = true, .guard = both(terms_.turn, when)};
+        Network::Edge edge{.from = from, .to = to, .urgent = true, .guard = both(terms_.active, when)};
         edge.assignments.push_back({terms_.look, terms_.next});
         if (resets) edge.resets.push_back(clock_);
         made.automaton.edges.add(std::move(edge));
@@ -113,26 +113,26 @@ Scoped scoped(Observer& of, Sentence::Scope scope, std::size_t operands) {
 
 /// `p leads to q within d`, that is, AG (p -> AF<=d q).
 ObserverMade within(Observer of, Sentence::Scope scope) {
-    const Id<Expr> q = of.p(1), asks = of.both(of.p(0), of.no(q));
+    const Id<Expr> q = of.p(1), demand = of.both(of.p(0), of.no(q));
     const Location idle = of.location("idle"), due = of.location("due");
     of.clock();
     if (scope == Sentence::Scope::Globally) {
         const Location failed = of.failed();
-        of.sees(idle, asks, due, true);
+        of.sees(idle, demand, due, true);
         of.sees(due, q, idle);
         of.expires(due, failed);
         return of.whole(idle);
     }
     const Scoped in = scoped(of, scope, 2);
     if (scope != Sentence::Scope::Before) {
-        of.sees(in.out, of.both(in.opens, asks), due, true);
+        of.sees(in.out, of.both(in.opens, demand), due, true);
         of.sees(in.out, in.opens, idle);
     }
     if (scope != Sentence::Scope::After) {
         of.sees(idle, in.closes, in.out);
         of.sees(due, in.closes, of.made.pending.front());
     }
-    of.sees(idle, asks, due, true);
+    of.sees(idle, demand, due, true);
     of.sees(due, q, idle);
     of.expires(due, in.failed);
     return of.whole(scope == Sentence::Scope::Before ? idle : in.out);
@@ -290,20 +290,20 @@ ObserverMade existence(Observer of, Sentence::Scope scope) {
 
 /// `p leads to q`.
 ObserverMade response(Observer of, Sentence::Scope scope) {
-    const Id<Expr> p = of.p(0), q = of.p(1), r = of.p(2), asks = of.both(p, of.no(q));
+    const Id<Expr> p = of.p(0), q = of.p(1), r = of.p(2), demand = of.both(p, of.no(q));
     const Location out = of.location("outside"), in = of.location("inside"), due = of.location("due");
     if (scope == Sentence::Scope::Before) {
         const Location failed = of.failed();
         of.sees(in, r, out);
-        of.sees(in, asks, due);
+        of.sees(in, demand, due);
         of.sees(due, r, failed);
         of.sees(due, q, in);
         return of.whole(in);
     }
     if (scope == Sentence::Scope::After) {
-        of.sees(out, of.both(r, asks), due);
+        of.sees(out, of.both(r, demand), due);
         of.sees(out, r, in);
-        of.sees(in, asks, due);
+        of.sees(in, demand, due);
         of.sees(due, q, in);
         of.made.pending = {due};
         of.made.settled = {in};
@@ -311,10 +311,10 @@ ObserverMade response(Observer of, Sentence::Scope scope) {
     }
     const Id<Expr> s = of.p(3), opens = of.both(r, of.no(s));
     const Location failed = of.failed();
-    of.sees(out, of.both(opens, asks), due);
+    of.sees(out, of.both(opens, demand), due);
     of.sees(out, opens, in);
     of.sees(in, s, out);
-    of.sees(in, asks, due);
+    of.sees(in, demand, due);
     of.sees(due, s, failed);
     of.sees(due, q, in);
     if (scope == Sentence::Scope::AfterUntil) {

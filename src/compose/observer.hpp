@@ -12,8 +12,8 @@ namespace grafverif {
 /// Terms that an observer reads. All of them can be used in guards.
 struct ObserverTerms {
     std::vector<Id<Expr>> operands = {};  ///< operands of the property
-    Id<Expr> judged = {};                 ///< true if the current state is relevant for the property
-    Id<Expr> turn = {};                   ///< true if this observer must read the state next
+    Id<Expr> considered = {};             ///< true if the current state is relevant for the property
+    Id<Expr> active = {};                 ///< true if this observer must read the state next
     /// Variable that the observer assigns when it has read the state, and the new value.
     Id<Expr> look = {}, next = {};
 };

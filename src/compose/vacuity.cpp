@@ -59,7 +59,7 @@ public:
     Id<Expr> opens = {}, closes = {};  ///< invalid if the type of scope has no such term
 
     /// Returns a term that is true while the observer reads a relevant state in which `term` holds.
-    Id<Expr> looked_at(Id<Expr> term) { return exprs_.conjunction(std::vector{terms_.turn, terms_.judged, term}); }
+    Id<Expr> observed(Id<Expr> term) { return exprs_.conjunction(std::vector{terms_.active, terms_.considered, term}); }
 
 private:
     Exprs& exprs_;
@@ -92,9 +92,9 @@ Id<Network::Variable> follow_scope(Network& network, UniqueNames& names, const P
     const auto next = [&](bool opening) {
         const Id<Expr> meets = opening ? exprs.conjunction(in.opens, premise) : premise;
         const Id<Expr> open = then(in.closes, scope == Scope::Before ? over : none_yet, then(meets, met, now));
-        if (scope == Scope::Between) return exprs.conditional(terms.judged, open, now);
+        if (scope == Scope::Between) return exprs.conditional(terms.considered, open, now);
         const Id<Expr> is_open = exprs.apply(Op::NotEqual, now, exprs.integer(over));
-        return exprs.conditional(exprs.conjunction(terms.judged, is_open), open, now);
+        return exprs.conditional(exprs.conjunction(terms.considered, is_open), open, now);
     };
     for (Network::Edge& edge : automaton.edges)
         if (edge.urgent)
@@ -111,29 +111,29 @@ std::vector<Property> vacuity_probes(Network& network, const Property& property,
     };
     ScopeTerms in(network, property, terms);
     const Premise premise = premise_of(exprs, property.watch, terms.operands);
-    if (property.at_stable) add("settled", in.looked_at(exprs.constant(true)), "no state is quiescent");
+    if (property.at_stable) add("settled", in.observed(exprs.constant(true)), "no state is quiescent");
     switch (property.watch.scope) {
-    case Scope::Globally: add("premise", in.looked_at(premise.term), premise.never); break;
+    case Scope::Globally: add("premise", in.observed(premise.term), premise.never); break;
     case Scope::After:
     case Scope::AfterUntil: {
-        add("scope", in.looked_at(in.opens), "the scope never opens");
+        add("scope", in.observed(in.opens), "the scope never opens");
         if (premise.never.empty()) break;
         const Network::Template& automaton = network.templates[network.processes[observer].automaton];
         const Id<Expr> outside = exprs.at(observer.index, automaton.initial.index);
         Id<Expr> inside = exprs.disjunction(exprs.negation(outside), in.opens);
         if (in.closes.valid()) inside = exprs.conjunction(inside, exprs.negation(in.closes));
-        add("premise", in.looked_at(exprs.conjunction(inside, premise.term)), premise.never + " within the scope");
+        add("premise", in.observed(exprs.conjunction(inside, premise.term)), premise.never + " within the scope");
         break;
     }
     case Scope::Before:
     case Scope::Between:
-        if (in.opens.valid()) add("scope", in.looked_at(in.opens), "the scope never opens");
-        else add("scope", in.looked_at(in.closes), "the scope never closes");
+        if (in.opens.valid()) add("scope", in.observed(in.opens), "the scope never opens");
+        else add("scope", in.observed(in.closes), "the scope never closes");
         if (!followed.valid()) break;
         const Id<Expr> is_met = exprs.apply(Op::Equal, exprs.leaf(Op::Variable, followed.index), exprs.integer(met));
         std::string never = in.opens.valid() ? "the scope never closes" : "the scope is always empty";
         if (!premise.never.empty()) never = premise.never + " within a scope that closes";
-        add("premise", in.looked_at(exprs.conjunction(in.closes, is_met)), std::move(never));
+        add("premise", in.observed(exprs.conjunction(in.closes, is_met)), std::move(never));
         break;
     }
     return probes;

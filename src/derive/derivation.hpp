@@ -33,8 +33,8 @@ struct Hierarchy {
     /// itself.
     std::vector<Id<Chart::Step>> entered = {}, left = {};
     /// For each partial chart: the chart that contains it as a (nested) expansion; otherwise itself.
-    std::vector<Id<Chart::PartialChart>> home = {};
-    /// Homes in topological order: each chart follows the charts that enclose or force it.
+    std::vector<Id<Chart::PartialChart>> root_chart = {};
+    /// Root charts in topological order: each chart follows the charts that enclose or force it.
     std::vector<Id<Chart::PartialChart>> order = {};
     std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< for each partial chart: steps of its region
     std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =

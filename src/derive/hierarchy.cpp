@@ -21,10 +21,10 @@ public:
         const std::size_t errors = diagnostics_.errors();
         check_ownership();
         if (diagnostics_.errors() != errors) return {};
-        find_homes();
+        find_root_charts();
         find_stand_ins();
         find_orders();
-        sort_homes();
+        sort_root_charts();
         if (diagnostics_.errors() != errors) return {};
         find_initial();
         check_orders();
@@ -57,16 +57,17 @@ private:
             }
     }
 
-    void find_homes() {
-        result_.home.resize(chart_.partial_charts.size());
+    void find_root_charts() {
+        result_.root_chart.resize(chart_.partial_charts.size());
         for (const Id<Partial> start : chart_.partial_charts.ids()) {
-            Id<Partial> home = start;
-            while (!result_.home[home.index].valid() && partial(home).kind == Chart::PartialKind::Expansion)
-                home = outer(home);
-            if (result_.home[home.index].valid()) home = result_.home[home.index];
-            for (Id<Partial> at = start; at != home && !result_.home[at.index].valid(); at = outer(at))
-                result_.home[at.index] = home;
-            result_.home[home.index] = home;
+            Id<Partial> root_chart = start;
+            while (!result_.root_chart[root_chart.index].valid() &&
+                   partial(root_chart).kind == Chart::PartialKind::Expansion)
+                root_chart = outer(root_chart);
+            if (result_.root_chart[root_chart.index].valid()) root_chart = result_.root_chart[root_chart.index];
+            for (Id<Partial> at = start; at != root_chart && !result_.root_chart[at.index].valid(); at = outer(at))
+                result_.root_chart[at.index] = root_chart;
+            result_.root_chart[root_chart.index] = root_chart;
         }
         result_.region.resize(chart_.partial_charts.size());
         for (const Id<Chart::Step> step : chart_.steps.ids())
@@ -119,25 +120,25 @@ private:
     }
 
     /// Sorts the homes by Kahn's algorithm. Charts that remain lie on a cycle or depend on a chart of a cycle.
-    void sort_homes() {
+    void sort_root_charts() {
         std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
         std::vector<std::size_t> waits(chart_.partial_charts.size());
         const auto depend = [&](Id<Partial> lower, Id<Chart::Step> step) {
-            const Id<Partial> upper = result_.home[chart_.steps[step].chart.index];
-            below[upper.index].push_back(result_.home[lower.index]);
-            ++waits[result_.home[lower.index].index];
+            const Id<Partial> upper = result_.root_chart[chart_.steps[step].chart.index];
+            below[upper.index].push_back(result_.root_chart[lower.index]);
+            ++waits[result_.root_chart[lower.index].index];
         };
         for (const Id<Partial> id : chart_.partial_charts.ids())
             if (partial(id).kind == Chart::PartialKind::Enclosed) depend(id, partial(id).owner);
         for (const Chart::ForcingOrder& order : chart_.forcing) depend(order.forced, order.step);
         for (const Id<Partial> id : chart_.partial_charts.ids())
-            if (result_.home[id.index] == id && waits[id.index] == 0) result_.order.push_back(id);
+            if (result_.root_chart[id.index] == id && waits[id.index] == 0) result_.order.push_back(id);
         for (std::size_t k = 0; k < result_.order.size(); ++k)
             for (const Id<Partial> lower : below[result_.order[k].index])
                 if (--waits[lower.index] == 0) result_.order.push_back(lower);
         for (const Chart::ForcingOrder& order : chart_.forcing) {
-            const bool blocked = waits[result_.home[order.forced.index].index] > 0 &&
-                                 waits[result_.home[chart_.steps[order.step].chart.index].index] > 0;
+            const bool blocked = waits[result_.root_chart[order.forced.index].index] > 0 &&
+                                 waits[result_.root_chart[chart_.steps[order.step].chart.index].index] > 0;
             if (!blocked) continue;
             diagnostics_.add(messages::forcing_cycle(order.origin, partial(order.forced).name));
             return;
@@ -155,13 +156,13 @@ private:
         // For each home: forcing orders for it or its expansions.
         std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());
         for (const Id<Chart::ForcingOrder> id : chart_.forcing.ids())
-            orders[result_.home[chart_.forcing[id].forced.index].index].push_back(id);
-        for (const Id<Partial> home : result_.order) {
-            for (const Id<Chart::ForcingOrder> order : orders[home.index]) force_initial(order);
-            const bool enclosed = partial(home).kind == Chart::PartialKind::Enclosed;
-            if (enclosed && !initial[partial(home).owner.index])
-                for (const Id<Chart::Step> step : result_.region[home.index]) initial[step.index] = false;
-            find_initial_macros(home);
+            orders[result_.root_chart[chart_.forcing[id].forced.index].index].push_back(id);
+        for (const Id<Partial> root_chart : result_.order) {
+            for (const Id<Chart::ForcingOrder> order : orders[root_chart.index]) force_initial(order);
+            const bool enclosed = partial(root_chart).kind == Chart::PartialKind::Enclosed;
+            if (enclosed && !initial[partial(root_chart).owner.index])
+                for (const Id<Chart::Step> step : result_.region[root_chart.index]) initial[step.index] = false;
+            find_initial_macros(root_chart);
         }
     }
 
@@ -172,12 +173,12 @@ private:
         for (const Id<Chart::Step> step : result_.forced[id.index]) result_.initial[step.index] = true;
     }
 
-    void find_initial_macros(Id<Partial> home) {
-        for (const Id<Chart::Step> step : result_.region[home.index])
+    void find_initial_macros(Id<Partial> root_chart) {
+        for (const Id<Chart::Step> step : result_.region[root_chart.index])
             if (chart_.steps[step].kind == Chart::StepKind::Macro) result_.initial[step.index] = false;
-        for (const Id<Chart::Step> step : result_.region[home.index]) {
+        for (const Id<Chart::Step> step : result_.region[root_chart.index]) {
             if (!result_.initial[step.index] || chart_.steps[step].kind == Chart::StepKind::Macro) continue;
-            for (Id<Partial> at = chart_.steps[step].chart; at != home; at = outer(at))
+            for (Id<Partial> at = chart_.steps[step].chart; at != root_chart; at = outer(at))
                 result_.initial[partial(at).owner.index] = true;
         }
     }

@@ -61,12 +61,12 @@ public:
         steps.resize(chart_.steps.size());
         std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // per home
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
-            if (hierarchy_.home[id.index] != id) expansions[hierarchy_.home[id.index].index].push_back(id);
-        for (const Id<Chart::PartialChart> home : hierarchy_.order) {
-            for (const Id<Chart::Step> step : hierarchy_.region[home.index])
-                if (chart_.steps[step].kind != Chart::StepKind::Macro) steps[step.index] = activity(step, home);
+            if (hierarchy_.root_chart[id.index] != id) expansions[hierarchy_.root_chart[id.index].index].push_back(id);
+        for (const Id<Chart::PartialChart> root_chart : hierarchy_.order) {
+            for (const Id<Chart::Step> step : hierarchy_.region[root_chart.index])
+                if (chart_.steps[step].kind != Chart::StepKind::Macro) steps[step.index] = activity(step, root_chart);
             if (failed(derivation_)) return;
-            for (const Id<Chart::PartialChart> expansion : expansions[home.index]) derive_macro(expansion);
+            for (const Id<Chart::PartialChart> expansion : expansions[root_chart.index]) derive_macro(expansion);
         }
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
             steps[id.index].variable = derivation_.steps[id.index];
@@ -81,22 +81,22 @@ private:
 
     /// Returns equation (12). Activation has priority over deactivation (IEC 60848, rule 5): a step that is activated
     /// and deactivated simultaneously remains active, and is neither `activated` nor `deactivated`.
-    Equations::StepActivity activity(Id<Chart::Step> step, Id<Chart::PartialChart> home) {
+    Equations::StepActivity activity(Id<Chart::Step> step, Id<Chart::PartialChart> root_chart) {
         const Id<Chart::PartialChart> chart = chart_.steps[step].chart;
         const Id<Expr> on = exprs_.disjunction(on_[step.index]);
         const Id<Expr> off = exprs_.disjunction(off_[step.index]);
         const Id<Expr> base = exprs_.disjunction(on, exprs_.conjunction(active(step), exprs_.negation(off)));
-        const Id<Chart::Step> enclosing = chart_.partial_charts[home].owner;
+        const Id<Chart::Step> enclosing = chart_.partial_charts[root_chart].owner;
         if (!enclosing.valid() && hierarchy_.orders[chart.index].empty()) {
             const std::array<Id<Expr>, 3> left{active(step), off, exprs_.negation(on)};
             return {.next = base,
                     .activated = exprs_.conjunction(on, exprs_.negation(active(step))),
                     .deactivated = consistent(exprs_, exprs_.conjunction(left))};
         }
-        return changed(step, under_orders(step, home, base));
+        return changed(step, under_orders(step, root_chart, base));
     }
 
-    Id<Expr> under_orders(Id<Chart::Step> step, Id<Chart::PartialChart> home, Id<Expr> base) {
+    Id<Expr> under_orders(Id<Chart::Step> step, Id<Chart::PartialChart> root_chart, Id<Expr> base) {
         std::vector<Id<Expr>> raised, cleared, held;
         for (const Order order : hierarchy_.orders[chart_.steps[step].chart.index]) {
             const Id<Chart::Step> forcing = chart_.forcing[order].step;
@@ -106,7 +106,7 @@ private:
                 raised.push_back(of(forcing).next);
             else cleared.push_back(of(forcing).next);
         }
-        const Id<Chart::Step> enclosing = chart_.partial_charts[home].owner;
+        const Id<Chart::Step> enclosing = chart_.partial_charts[root_chart].owner;
         if (enclosing.valid() && linked_[step.index])
             base = exprs_.disjunction(
                 base, exprs_.conjunction(of(enclosing).activated, exprs_.negation(exprs_.disjunction(held))));

@@ -8,13 +8,13 @@ namespace grafverif {
 
 namespace {
 
-/// Returns `wish` followed by the name of the variable if `term` is a variable, otherwise by a number: `P_START`,
+/// Returns `prefix` followed by the name of the variable if `term` is a variable, otherwise by a number: `P_START`,
 /// `P_1`.
-std::string name_for(Derivation& derivation, const std::string& wish, Id<Expr> term, std::size_t number) {
+std::string name_for(Derivation& derivation, const std::string& prefix, Id<Expr> term, std::size_t number) {
     const Expr& node = derivation.equations.exprs[term];
-    if (node.op != Op::Variable) return derivation.names.fresh(wish + std::to_string(number));
+    if (node.op != Op::Variable) return derivation.names.fresh(prefix + std::to_string(number));
     const Id<Equations::Variable> variable{static_cast<std::uint32_t>(node.value)};
-    return derivation.names.fresh(wish + derivation.equations.variables[variable].name);
+    return derivation.names.fresh(prefix + derivation.equations.variables[variable].name);
 }
 
 /// Returns `X2` or `G_X2` for a step. For any other term, returns the name of its variable without `V_`.

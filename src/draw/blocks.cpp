@@ -16,7 +16,7 @@ struct Edge {
     std::size_t from = 0, to = 0, block = 0;
     /// Blocks that are attached to inner ends of the edge and longer than the edge.
     std::vector<std::size_t> hanging = {};
-    bool gone = false;
+    bool removed = false;
 };
 
 /// A vertex of the reduced graph. `in` and `out` are the exclusive or of the numbers of all edges on this side; if one
@@ -25,12 +25,13 @@ struct End {
     std::size_t in_count = 0, out_count = 0;
     std::size_t in = 0, out = 0;
     std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks that are attached to this end
-    bool gone = false;
+    bool removed = false;
 };
 
-class Melting {
+class SeriesParallelReduction {
 public:
-    Melting(const Flow& flow, const Order& order) : flow_(flow), order_(order), ends_(2 * flow.nodes.size()) {
+    SeriesParallelReduction(const Flow& flow, const Order& order)
+        : flow_(flow), order_(order), ends_(2 * flow.nodes.size()) {
         result_.of_node.assign(flow.nodes.size(), nowhere);
         result_.of_arc = result_.exits = result_.entries = std::vector<std::size_t>(flow.arcs.size(), nowhere);
     }
@@ -42,11 +43,11 @@ public:
         while (!waiting_.empty()) {
             const std::size_t end = waiting_.front();
             waiting_.pop_front();
-            melt(end);
+            reduce(end);
         }
         gather_cores();
         result_.root = joined(Block::Kind::Parallel, parts_);
-        settle_parents();
+        set_parents();
         return std::move(result_);
     }
 
@@ -90,14 +91,14 @@ private:
             Edge& other = edges_[same->second];
             other.block = joined(Block::Kind::Parallel, {other.block, block});
             append(other.hanging, hanging);
-            other.block = beside(other.block, other.hanging);
+            other.block = with_hanging(other.block, other.hanging);
         } else {
             ends_[from].out ^= edges_.size();
             ends_[to].in ^= edges_.size();
             ++ends_[from].out_count;
             ++ends_[to].in_count;
             edges_.push_back({from, to, block, {}});
-            edges_.back().block = beside(block, hanging);
+            edges_.back().block = with_hanging(block, hanging);
             edges_.back().hanging = std::move(hanging);
         }
         waiting_.push_back(from);
@@ -111,7 +112,7 @@ private:
     }
 
     Edge remove(std::size_t number) {
-        edges_[number].gone = true;
+        edges_[number].removed = true;
         Edge edge = std::move(edges_[number]);
         between_.erase(pair(edge.from, edge.to));
         ends_[edge.from].out ^= number;
@@ -143,7 +144,7 @@ private:
 
     /// Returns a block that contains `block` in parallel with the blocks of `hanging` that are not longer, or with all
     /// blocks of `hanging`.
-    std::size_t beside(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
+    std::size_t with_hanging(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;
         std::vector<std::size_t> parts{block}, others;
         for (const std::size_t one : hanging) {
@@ -155,26 +156,26 @@ private:
         return joined(Block::Kind::Parallel, parts);
     }
 
-    void melt(std::size_t number) {
+    void reduce(std::size_t number) {
         End& end = ends_[number];
-        if (end.gone || end.in_count > 1 || end.out_count > 1) return;
-        end.gone = true;
+        if (end.removed || end.in_count > 1 || end.out_count > 1) return;
+        end.removed = true;
         if (end.in_count == 1 && end.out_count == 1) {
             Edge in = remove(end.in), out = remove(end.out);
-            in.block = beside(in.block, end.from_nowhere);
-            out.block = beside(out.block, end.to_nowhere);
+            in.block = with_hanging(in.block, end.from_nowhere);
+            out.block = with_hanging(out.block, end.to_nowhere);
             for (std::vector<std::size_t>* more : {&out.hanging, &end.from_nowhere, &end.to_nowhere})
                 append(in.hanging, *more);
             add_edge(in.from, out.to, joined(Block::Kind::Series, {in.block, out.block}), std::move(in.hanging));
         } else if (end.out_count == 1) {
             Edge out = remove(end.out);
-            out.block = beside(out.block, end.to_nowhere);
+            out.block = with_hanging(out.block, end.to_nowhere);
             append(out.hanging, end.to_nowhere);
             hang(end.from_nowhere, out, false, ends_[out.to].from_nowhere);
             waiting_.push_back(out.to);
         } else if (end.in_count == 1) {
             Edge in = remove(end.in);
-            in.block = beside(in.block, end.from_nowhere);
+            in.block = with_hanging(in.block, end.from_nowhere);
             append(in.hanging, end.from_nowhere);
             hang(end.to_nowhere, in, true, ends_[in.from].to_nowhere);
             waiting_.push_back(in.from);
@@ -190,7 +191,7 @@ private:
             const std::size_t all = joined(Block::Kind::Parallel, free);
             block = joined(Block::Kind::Series, below ? std::vector{block, all} : std::vector{all, block});
         }
-        list.push_back(beside(block, edge.hanging, true));
+        list.push_back(with_hanging(block, edge.hanging, true));
     }
 
     /// Handles the last end of a connected component of the flow.
@@ -210,7 +211,7 @@ private:
         part_.resize(ends_.size());
         std::iota(part_.begin(), part_.end(), std::size_t{0});
         for (const Edge& edge : edges_)
-            if (!edge.gone) part_[part_of(edge.from)] = part_of(edge.to);
+            if (!edge.removed) part_[part_of(edge.from)] = part_of(edge.to);
         std::vector<std::vector<std::size_t>> cores(ends_.size());
         const auto strip = [&](std::size_t block, std::size_t above, std::size_t below) {
             result_.blocks[block].above = above;
@@ -218,9 +219,9 @@ private:
             cores[part_of(above == nowhere ? below : above)].push_back(block);
         };
         for (Edge& edge : edges_)
-            if (!edge.gone) strip(beside(edge.block, edge.hanging, true), edge.from, edge.to);
+            if (!edge.removed) strip(with_hanging(edge.block, edge.hanging, true), edge.from, edge.to);
         for (std::size_t end = 0; end < ends_.size(); ++end) {
-            if (ends_[end].gone) continue;
+            if (ends_[end].removed) continue;
             for (const std::size_t block : ends_[end].from_nowhere) strip(block, nowhere, end);
             for (const std::size_t block : ends_[end].to_nowhere) strip(block, end, nowhere);
         }
@@ -229,7 +230,7 @@ private:
     }
 
     /// Sets the parents of all descendants of the root, and sorts the parts of each Parallel by their keys.
-    void settle_parents() {
+    void set_parents() {
         std::vector<Block>& blocks = result_.blocks;
         if (blocks.empty()) return;
         for (std::size_t number = result_.root + 1; number-- > 0;) {
@@ -260,6 +261,6 @@ private:
 
 }  // namespace
 
-Blocks blocks_of(const Flow& flow, const Order& order) { return Melting(flow, order).run(); }
+Blocks blocks_of(const Flow& flow, const Order& order) { return SeriesParallelReduction(flow, order).run(); }
 
 }  // namespace grafverif::draw

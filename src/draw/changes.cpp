@@ -30,10 +30,10 @@ void mark_changes(Drawing& drawing, const Drawing& other) {
     }
     std::vector<Drawing::Element*> moved;
     for (Drawing::Element& element : drawing.elements) {
-        const std::string said = content(element);
-        if (said.empty()) continue;
+        const std::string element_text = content(element);
+        if (element_text.empty()) continue;
         const auto found = by_id.find(element.id);
-        if (found != by_id.end() && found->second == said) --there[said];
+        if (found != by_id.end() && found->second == element_text) --there[element_text];
         else moved.push_back(&element);
     }
     for (Drawing::Element* element : moved)

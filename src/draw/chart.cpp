@@ -71,7 +71,7 @@ public:
 
 private:
     void add_node(Symbol symbol, bool bar) {
-        flow_.add(bar, symbol.port, symbol.room);
+        flow_.add(bar, symbol.port, symbol.space);
         parts_.push_back(std::move(symbol));
     }
 
@@ -184,11 +184,11 @@ public:
             if (const int lowest = lowest_above(k, size.width); lowest < y) best = k, y = lowest;
         const int left = levels_[best].x, end = left + size.width + margin;
         const auto first = levels_.begin() + static_cast<std::ptrdiff_t>(best);
-        auto behind = first;
-        while (behind != levels_.end() && behind->x < end) ++behind;
+        auto last = first;
+        while (last != levels_.end() && last->x < end) ++last;
         std::vector<Point> made = {{left, y + size.height + margin}};
-        if (behind == levels_.end() || behind->x > end) made.push_back({end, std::prev(behind)->y});
-        levels_.insert(levels_.erase(first, behind), made.begin(), made.end());
+        if (last == levels_.end() || last->x > end) made.push_back({end, std::prev(last)->y});
+        levels_.insert(levels_.erase(first, last), made.begin(), made.end());
         return {left, y};
     }
 

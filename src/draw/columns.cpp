@@ -22,7 +22,7 @@ struct Reach {
 enum class Side : unsigned char { Left, Right };
 
 /// Lanes on one side of a block.
-struct Beside {
+struct SideLanes {
     std::vector<std::size_t> lanes = {};
     int width = 0;
 };
@@ -79,11 +79,11 @@ private:
         for (; block != whole; block = at(block).parent) {
             const Block& parent = at(at(block).parent);
             if (parent.kind == Block::Kind::Series) continue;
-            bool behind = false;
+            bool after_block = false;
             std::size_t seen = 0;
             for (std::size_t part = parent.first; part != nowhere && seen < far_enough; part = at(part).next, ++seen) {
-                if (part == block) behind = true;
-                else if (at(part).low <= channel && channel <= at(part).high) crossed += behind ? -1 : 1;
+                if (part == block) after_block = true;
+                else if (at(part).low <= channel && channel <= at(part).high) crossed += after_block ? -1 : 1;
             }
         }
         return crossed;
@@ -111,18 +111,18 @@ private:
             }
             columns_.lane_of[arc] = lane;
         }
-        for (std::size_t lane = 0; lane < places.size(); ++lane) beside_[places[lane]].lanes.push_back(lane);
+        for (std::size_t lane = 0; lane < places.size(); ++lane) side_lanes_[places[lane]].lanes.push_back(lane);
     }
 
     /// Places shorter lanes nearer to the block. Lanes with disjoint rows may share a column. `x` is relative to the
     /// block.
     void pack_lanes() {
-        for (auto& [place, beside] : beside_) {
+        for (auto& [place, side_lanes] : side_lanes_) {
             std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // pairs of low and high for each column
-            std::ranges::stable_sort(beside.lanes, {}, [&](std::size_t lane) {
+            std::ranges::stable_sort(side_lanes.lanes, {}, [&](std::size_t lane) {
                 return columns_.lanes[lane].high - columns_.lanes[lane].low;
             });
-            for (const std::size_t number : beside.lanes) {
+            for (const std::size_t number : side_lanes.lanes) {
                 Lane& lane = columns_.lanes[number];
                 const auto free_in = [&](const std::set<std::pair<std::size_t, std::size_t>>& column) {
                     const auto next = column.lower_bound({lane.low, 0});
@@ -134,7 +134,7 @@ private:
                 taken[static_cast<std::size_t>(column)].emplace(lane.low, lane.high);
                 lane.x = static_cast<int>(column + 1) * pitch_;
             }
-            beside.width = static_cast<int>(taken.size()) * pitch_;
+            side_lanes.width = static_cast<int>(taken.size()) * pitch_;
         }
     }
 
@@ -145,8 +145,8 @@ private:
         Reach& reach = reach_[number];
         switch (block.kind) {
         case Block::Kind::Node:
-            reach.left = flow_.nodes[block.what].room.left;
-            reach.right = flow_.nodes[block.what].room.right;
+            reach.left = flow_.nodes[block.what].space.left;
+            reach.right = flow_.nodes[block.what].space.right;
             break;
         case Block::Kind::Arc:
         case Block::Kind::Exit:
@@ -156,11 +156,11 @@ private:
         case Block::Kind::Core: measure_core(number); break;
         }
         for (const Side side : {Side::Left, Side::Right}) {
-            const auto beside = beside_.find({number, side});
-            if (beside == beside_.end()) continue;
+            const auto side_lanes = side_lanes_.find({number, side});
+            if (side_lanes == side_lanes_.end()) continue;
             int& edge = side == Side::Left ? reach.left : reach.right;
-            for (const std::size_t lane : beside->second.lanes) columns_.lanes[lane].x += edge;
-            edge += beside->second.width + pitch_ / 2;
+            for (const std::size_t lane : side_lanes->second.lanes) columns_.lanes[lane].x += edge;
+            edge += side_lanes->second.width + pitch_ / 2;
         }
     }
 
@@ -317,8 +317,8 @@ private:
             case Block::Kind::Core: break;
             }
         }
-        for (const auto& [place, beside] : beside_)
-            for (const std::size_t lane : beside.lanes) {
+        for (const auto& [place, side_lanes] : side_lanes_)
+            for (const std::size_t lane : side_lanes.lanes) {
                 int& x = columns_.lanes[lane].x;
                 x = axes[place.first] + (place.second == Side::Left ? -x : x);
             }
@@ -330,7 +330,7 @@ private:
     const Blocks& blocks_;
     int pitch_;
     std::vector<Reach> reach_;
-    std::map<std::pair<std::size_t, Side>, Beside> beside_ = {};
+    std::map<std::pair<std::size_t, Side>, SideLanes> side_lanes_ = {};
     Columns columns_ = {};
 };
 

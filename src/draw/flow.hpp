@@ -20,7 +20,7 @@ struct Flow {
     struct Node {
         bool bar = false;  ///< for a transition: true if several links join in a double line
         int port = 0;      ///< distance from the centre to the upper and lower ends of links
-        ReservedSpace room = {};
+        ReservedSpace space = {};
         std::vector<std::size_t> in = {}, out = {};  ///< incoming and outgoing arcs, in order
     };
     struct Arc {
@@ -31,8 +31,8 @@ struct Flow {
     /// Nodes at which the search starts; it continues with nodes that are not reachable from them.
     std::vector<std::size_t> roots = {};
 
-    std::size_t add(bool bar, int port, ReservedSpace room) {
-        nodes.push_back({.bar = bar, .port = port, .room = room});
+    std::size_t add(bool bar, int port, ReservedSpace space) {
+        nodes.push_back({.bar = bar, .port = port, .space = space});
         return nodes.size() - 1;
     }
     void link(std::size_t from, std::size_t to) {

@@ -149,8 +149,8 @@ private:
         std::vector<int> up(rows_, 0), down(rows_, 0);
         for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
             const std::size_t row = order_.rows[node];
-            up[row] = std::max(up[row], flow_.nodes[node].room.up);
-            down[row] = std::max(down[row], flow_.nodes[node].room.down);
+            up[row] = std::max(up[row], flow_.nodes[node].space.up);
+            down[row] = std::max(down[row], flow_.nodes[node].space.down);
         }
         int y = 0;
         for (std::size_t channel = 0; channel <= rows_; ++channel) {
@@ -224,8 +224,8 @@ private:
         };
         for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
             const std::size_t piece = piece_of_row(order_.rows[node]);
-            const ReservedSpace& room = flow_.nodes[node].room;
-            reach(piece, piece, columns_.nodes[node] - room.left, columns_.nodes[node] + room.right);
+            const ReservedSpace& space = flow_.nodes[node].space;
+            reach(piece, piece, columns_.nodes[node] - space.left, columns_.nodes[node] + space.right);
         }
         for (std::size_t arc = 0; arc < flow_.arcs.size(); ++arc) {
             const std::size_t from = order_.rows[flow_.arcs[arc].from], to = order_.rows[flow_.arcs[arc].to];

@@ -121,11 +121,12 @@ void Symbols::add_comment(const std::string& comment, Symbol& symbol) const {
     Drawing::Element text{.classes = "comment", .title = comment};
     const int half_height = static_cast<int>(lines.size()) * (line_height - 1) / 2;
     for (std::size_t k = 0; k < lines.size(); ++k)
-        text.texts.push_back(text_at(symbol.room.right + 12, 11 - half_height + static_cast<int>(k) * (line_height - 1),
-                                     lines[k], small_size, Anchor::Start, "comment"));
-    symbol.room.right += 12 + widest_of(lines, small_size);
-    symbol.room.up = std::max(symbol.room.up, half_height);
-    symbol.room.down = std::max(symbol.room.down, half_height);
+        text.texts.push_back(text_at(symbol.space.right + 12,
+                                     11 - half_height + static_cast<int>(k) * (line_height - 1), lines[k], small_size,
+                                     Anchor::Start, "comment"));
+    symbol.space.right += 12 + widest_of(lines, small_size);
+    symbol.space.up = std::max(symbol.space.up, half_height);
+    symbol.space.down = std::max(symbol.space.down, half_height);
     symbol.elements.push_back(std::move(text));
 }
 
@@ -243,9 +244,9 @@ void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol)
         if (k == 0) drawn.lines.push_back({{{left, 0}, {x, 0}}});
         else if (!row) drawn.lines.push_back({{{left + lead / 2, 0}, {left + lead / 2, y}, {x, y}}});
         symbol.elements.push_back(std::move(drawn));
-        symbol.room.right = std::max(symbol.room.right, x + action.width());
-        symbol.room.up = std::max(symbol.room.up, box_height / 2 + action.head() - y);
-        symbol.room.down = std::max(symbol.room.down, y + box_height / 2 + action.foot());
+        symbol.space.right = std::max(symbol.space.right, x + action.width());
+        symbol.space.up = std::max(symbol.space.up, box_height / 2 + action.head() - y);
+        symbol.space.down = std::max(symbol.space.down, y + box_height / 2 + action.foot());
         if (row) x += action.width();
         else y += box_height / 2 + action.foot();
     }
@@ -272,7 +273,7 @@ Symbol Symbols::step(Id<Chart::Step> id) const {
     const Chart::Step& step = chart_.steps[id];
     const std::string name = shortened(step.name, longest_name);
     const int half = std::max(half_step, width_of(name, 13) / 2 + 10);
-    Symbol symbol{.room = {half + (step.activation_link ? 18 : 0), half, half_step, half_step}, .port = half_step};
+    Symbol symbol{.space = {half + (step.activation_link ? 18 : 0), half, half_step, half_step}, .port = half_step};
     Drawing::Element element{.id = ids_.steps[id.index], .classes = "step", .title = "step " + step.name};
     const auto also = [&](bool is, const char* word) {
         if (is) element.classes += fmt::format(" {}", word), element.title += fmt::format(", {}", word);
@@ -302,8 +303,8 @@ Symbol Symbols::transition(Id<Chart::Transition> id) const {
     const std::vector<Runs> lines = wrapped(condition, text_size, widest_text);
     const int text_x = half_bar + 7, width = widest_of(lines, text_size);
     const int half_height = static_cast<int>(lines.size()) * line_height / 2;
-    Symbol symbol{.room = {half_bar + 6 + width_of(name, small_size), text_x + width, std::max(9, half_height),
-                           std::max(9, half_height)},
+    Symbol symbol{.space = {half_bar + 6 + width_of(name, small_size), text_x + width, std::max(9, half_height),
+                            std::max(9, half_height)},
                   .port = 2};
     Drawing::Element bar{.id = ids_.transitions[id.index], .classes = "transition", .title = title(id)};
     if (transition.from.empty()) bar.classes += " source";
@@ -316,17 +317,17 @@ Symbol Symbols::transition(Id<Chart::Transition> id) const {
         text.texts.push_back(text_at(text_x, 11 - half_height + static_cast<int>(k) * line_height, lines[k], text_size,
                                      Anchor::Start, "condition"));
     symbol.elements.push_back(std::move(text));
-    int y = symbol.room.down;
+    int y = symbol.space.down;
     for (const auto stored_id : on_clearing_[id.index]) {
         const Action action = stored(stored_id);
         y += box_height / 2 + 4;
         Drawing::Element drawn = action.at(text_x + 8, y);
         drawn.lines.push_back({{{half_bar - 4, 2}, {half_bar - 4, y}, {text_x + 8, y}}, true});
         symbol.elements.push_back(std::move(drawn));
-        symbol.room.right = std::max(symbol.room.right, text_x + 8 + action.width());
+        symbol.space.right = std::max(symbol.space.right, text_x + 8 + action.width());
         y += box_height / 2;
     }
-    symbol.room.down = std::max(symbol.room.down, y);
+    symbol.space.down = std::max(symbol.space.down, y);
     return symbol;
 }
 

@@ -16,7 +16,7 @@ namespace grafverif::draw {
 
 /// The symbol of one node, with its actions and texts, relative to (0, 0).
 struct Symbol {
-    ReservedSpace room = {};
+    ReservedSpace space = {};
     int port = 0;  ///< distance from the centre to the upper and lower ends of links
     std::vector<Drawing::Element> elements = {};
 };

@@ -160,29 +160,32 @@ private:
     std::optional<Causes> safety() {
         RequiredTerm demand(exprs_, safe(property_, exprs_));
         for (std::size_t state = 0; state < count_; ++state)
-            if (judged(state) && explain(demand, state)) return std::move(causes_);
+            if (is_considered(state) && explain(demand, state)) return std::move(causes_);
         return {};
     }
 
     std::optional<Causes> response() {
         const Id<Expr> p = property_.operands[0], q = property_.operands[1];
-        std::size_t asks = count_;
-        for (std::size_t state = 0; state < count_ && asks == count_; ++state) {
+        std::size_t premise_state = count_;
+        for (std::size_t state = 0; state < count_ && premise_state == count_; ++state) {
             const auto later = states_from(state, count_, loop_);
             const auto is = [&](Id<Expr> term, std::size_t at) {
-                return judged(at) && states_.value(at, term).value_or(0) != 0;
+                return is_considered(at) && states_.value(at, term).value_or(0) != 0;
             };
-            if (is(p, state) && std::ranges::none_of(later, [&](std::size_t at) { return is(q, at); })) asks = state;
+            if (is(p, state) && std::ranges::none_of(later, [&](std::size_t at) { return is(q, at); }))
+                premise_state = state;
         }
-        if (asks == count_) return {};
+        if (premise_state == count_) return {};
         const Id<Expr> answered = exprs_.disjunction(exprs_.negation(p), q);
         RequiredTerm here(exprs_, answered), there(exprs_, q);
-        for (const std::size_t state : states_from(asks, count_, loop_))
-            if (judged(state) && !explain(state == asks ? here : there, state)) return {};
+        for (const std::size_t state : states_from(premise_state, count_, loop_))
+            if (is_considered(state) && !explain(state == premise_state ? here : there, state)) return {};
         return std::move(causes_);
     }
 
-    bool judged(std::size_t state) const { return !property_.at_stable || states_.value(state, states_.settled) == 1; }
+    bool is_considered(std::size_t state) const {
+        return !property_.at_stable || states_.value(state, states_.settled) == 1;
+    }
 
     bool explain(RequiredTerm& demand, std::size_t state) {
         Terms found;

@@ -21,7 +21,7 @@ using Values = std::vector<std::int64_t>;  // value of each variable of the flat
 
 /// Maximum number of steps after the end of the run. If no state is repeated within this number of steps, the run is
 /// rejected.
-constexpr std::size_t most_behind = 1000;
+constexpr std::size_t most_extra_steps = 1000;
 
 /// Number of terms up to which the maximum number of steps is not reduced. For larger systems it is reduced, because
 /// the cost of a step depends on the number of terms.
@@ -29,12 +29,12 @@ constexpr std::size_t few_terms = 1000;
 
 /// A free variable of the module `main`.
 struct Free {
-    enum class What { Input, Time, Turn };
+    enum class What { Input, Time, Move };
     Symbol symbol = {};
     std::uint32_t variable = 0;  ///< index of the variable in the flat system
-    What what = What::Turn;
+    What what = What::Move;
     std::int64_t rest = 0;
-    Values told = {};              ///< value in each state of the run
+    Values recorded = {};          ///< value in each state of the run
     std::vector<bool> event = {};  ///< true for each state of the run with an event
 };
 
@@ -154,16 +154,16 @@ private:
             if (!symbols.contains(id.index)) return false;
             Free each{.symbol = symbols.at(id.index), .variable = id.index};
             each.rest = std::clamp<std::int64_t>(0, variable.type.low, variable.type.high);
-            for (const auto& state : run_.states) each.told.push_back(state[each.symbol.index]);
-            const bool may_be_turn = system_.controllers.size() > 1 && variable.type.boolean;
-            if (!know(each) && !may_be_turn) return false;
+            for (const auto& state : run_.states) each.recorded.push_back(state[each.symbol.index]);
+            const bool may_be_mover = system_.controllers.size() > 1 && variable.type.boolean;
+            if (!determine_role(each) && !may_be_mover) return false;
             free_.push_back(std::move(each));
         }
         return true;
     }
 
     /// Determines the role of the variable in the controllers. Returns true if it has a role.
-    bool know(Free& free) const {
+    bool determine_role(Free& free) const {
         for (const System::Controller& controller : system_.controllers) {
             for (const System::Named& input : controller.words.inputs)
                 if (input.variable == free.symbol) free.what = Free::What::Input;
@@ -171,11 +171,11 @@ private:
                 if (timer.end == free.symbol) free.what = Free::What::Time;
         }
         for (std::size_t state = 0; state < length(); ++state) {
-            const std::int64_t now = free.told[state], before = state == 0 ? free.rest : free.told[state - 1];
+            const std::int64_t now = free.recorded[state], before = state == 0 ? free.rest : free.recorded[state - 1];
             const bool changes = free.what == Free::What::Time ? now > before : now != before;
-            free.event.push_back(changes && free.what != Free::What::Turn);
+            free.event.push_back(changes && free.what != Free::What::Move);
         }
-        return free.what != Free::What::Turn;
+        return free.what != Free::What::Move;
     }
 
     std::vector<ChoiceEvent> events() const {
@@ -190,7 +190,7 @@ private:
     bool again() {
         Values values(model_.flat().variables.size());
         for (std::size_t state = 0; state < length(); ++state) {
-            for (const Free& free : free_) values[free.variable] = free.told[state];
+            for (const Free& free : free_) values[free.variable] = free.recorded[state];
             if (state == 0 && !model_.begin(values)) return false;
             const Steps::TermValues seen(model_, values);
             if (symbol_values(model_.flat(), values) != run_.states[state] || !seen.allowed()) return false;
@@ -210,8 +210,8 @@ private:
             const bool changes = free.event[state] && !is_in(left_out, free, state);
             const std::int64_t kept = state == 0 ? free.rest : before[free.variable];
             switch (free.what) {
-            case Free::What::Turn: now = free.told[state]; break;
-            case Free::What::Input: now = changes ? free.told[state] : kept; break;
+            case Free::What::Move: now = free.recorded[state]; break;
+            case Free::What::Input: now = changes ? free.recorded[state] : kept; break;
             case Free::What::Time: now = time_reported(left_out, free, state); break;
             }
         }
@@ -220,8 +220,8 @@ private:
     /// Returns the value of a timer output in a state. If an expiry is omitted, the value is 0 until the next expiry.
     std::int64_t time_reported(const std::vector<ChoiceEvent>& left_out, const Free& free, std::size_t state) const {
         for (std::size_t k = state + 1; k-- > 0;)
-            if (free.event[k]) return is_in(left_out, free, k) ? 0 : free.told[state];
-        return free.told[state];
+            if (free.event[k]) return is_in(left_out, free, k) ? 0 : free.recorded[state];
+        return free.recorded[state];
     }
 
     static bool is_in(const std::vector<ChoiceEvent>& left_out, const Free& free, std::size_t state) {
@@ -258,10 +258,10 @@ private:
 
     bool for_ever(FlatRun& made, Values values) {
         for (const Free& free : free_)
-            if (free.what == Free::What::Turn) values[free.variable] = 1;
-        std::map<Values, std::size_t> behind;
-        for (std::size_t k = 0; k < most_behind; ++k) {
-            const auto [known, is_new] = behind.emplace(values, made.states.size());
+            if (free.what == Free::What::Move) values[free.variable] = 1;
+        std::map<Values, std::size_t> index_of;
+        for (std::size_t k = 0; k < most_extra_steps; ++k) {
+            const auto [known, is_new] = index_of.emplace(values, made.states.size());
             if (!is_new) {
                 made.loop = known->second;
                 return true;
@@ -293,31 +293,31 @@ namespace {
 
 /// Returns the first event, from `first` on, at which `told` shows the expiry of the timer. The event may be later than
 /// `last`, if the step of the timer becomes active later. If there is no such event, returns `last`.
-std::size_t event_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
-    for (std::size_t moment = first; moment < told.moments.size(); ++moment)
-        if (told.moments[moment].timer == timer) return moment;
+std::size_t event_of(const ChartRun& chart_run, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
+    for (std::size_t moment = first; moment < chart_run.moments.size(); ++moment)
+        if (chart_run.moments[moment].timer == timer) return moment;
     return last;
 }
 
 }  // namespace
 
-void mark(const System& system, const std::vector<ChoiceEvent>& left_out, ChartRun& told) {
-    const std::vector<std::size_t> moments = events_of_states(told);
+void mark(const System& system, const std::vector<ChoiceEvent>& left_out, ChartRun& chart_run) {
+    const std::vector<std::size_t> moments = events_of_states(chart_run);
     for (const ChoiceEvent& event : left_out) {
         const std::size_t last = moments[event.state], first = event.state == 0 ? 0 : moments[event.state - 1] + 1;
         std::optional<ChartRun::Counterfactual> known;
-        for (const Id<ChartRun::Controller> id : told.controllers.ids()) {
+        for (const Id<ChartRun::Controller> id : chart_run.controllers.ids()) {
             const auto& words = system.controllers[id.index].words;
-            const ChartRun::Controller& controller = told.controllers[id];
+            const ChartRun::Controller& controller = chart_run.controllers[id];
             for (std::size_t k = 0; k < words.inputs.size(); ++k)
                 if (words.inputs[k].variable == event.symbol) known = {last, controller.inputs[k], {}};
             for (std::size_t k = 0; k < words.timers.size(); ++k)
                 if (words.timers[k].end == event.symbol)
-                    known = {event_of(told, controller.timers[k], first, last), {}, controller.timers[k]};
+                    known = {event_of(chart_run, controller.timers[k], first, last), {}, controller.timers[k]};
         }
-        if (known) told.counterfactual_values.push_back(*known);
+        if (known) chart_run.counterfactual_values.push_back(*known);
     }
-    std::ranges::stable_sort(told.counterfactual_values, {}, &ChartRun::Counterfactual::moment);
+    std::ranges::stable_sort(chart_run.counterfactual_values, {}, &ChartRun::Counterfactual::moment);
 }
 
 }  // namespace grafverif

@@ -53,6 +53,6 @@ InputChange fewest_input_changes(const TransitionSystem& system, const Property&
                                  std::size_t effort = 20'000, const StopRequested& stopped = {});
 
 /// Records the omitted events in `told`, the projection of the same run.
-void mark(const TransitionSystem& system, const std::vector<InputChange::ChoiceEvent>& left_out, ChartRun& told);
+void mark(const TransitionSystem& system, const std::vector<InputChange::ChoiceEvent>& left_out, ChartRun& chart_run);
 
 }  // namespace grafverif

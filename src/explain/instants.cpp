@@ -41,13 +41,14 @@ public:
 private:
     using Input = std::pair<Id<Chart::Variable>, Id<ChartRun::Signal>>;
 
-    std::int64_t told(const Input& input, std::size_t moment) const {
+    std::int64_t value_at(const Input& input, std::size_t moment) const {
         return run_.moments[moment].after.values[input.second.index];
     }
 
     bool same(std::size_t left, std::size_t right) const {
         return run_.moments[left].after.time_ms == run_.moments[right].after.time_ms &&
-               std::ranges::all_of(inputs_, [&](const Input& each) { return told(each, left) == told(each, right); });
+               std::ranges::all_of(inputs_,
+                                   [&](const Input& each) { return value_at(each, left) == value_at(each, right); });
     }
 
     std::int64_t rest(const Input& input) const {
@@ -56,7 +57,8 @@ private:
     }
 
     bool changes(const Input& input, std::size_t instant) const {
-        return told(input, instants_[instant]) != (instant == 0 ? rest(input) : told(input, instants_[instant - 1]));
+        return value_at(input, instants_[instant]) !=
+               (instant == 0 ? rest(input) : value_at(input, instants_[instant - 1]));
     }
 
     std::vector<ChartRun::Counterfactual> all_events() const {
@@ -78,7 +80,7 @@ private:
             for (const Input& input : inputs_)
                 if (changes(input, instant) &&
                     std::ranges::find(left_out, ChartRun::Counterfactual{moment, input.second, {}}) == left_out.end())
-                    values[input.first.index] = told(input, moment);
+                    values[input.first.index] = value_at(input, moment);
             const std::int64_t before = std::exchange(now, run_.moments[moment].after.time_ms);
             if (instant > 0) state = pass_time(std::move(state), now - before);
             Cycle done = cycle(chart_, state, values, mode_);

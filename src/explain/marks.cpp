@@ -72,11 +72,11 @@ struct Places {
     std::map<std::uint32_t, Id<ChartRun::Timer>> times = {};  ///< timers by their output variables
 
     template <class Variable>
-    void add(const ControllerWords<Variable>& words, const ChartRun::Controller& told) {
-        for (std::size_t k = 0; k < words.steps.size(); ++k) steps[words.steps[k].variable.index] = told.steps[k];
+    void add(const ControllerWords<Variable>& words, const ChartRun::Controller& recorded) {
+        for (std::size_t k = 0; k < words.steps.size(); ++k) steps[words.steps[k].variable.index] = recorded.steps[k];
         for (std::size_t k = 0; k < words.internals.size(); ++k)
-            signals[words.internals[k].variable.index] = told.internals[k];
-        for (std::size_t k = 0; k < words.timers.size(); ++k) times[words.timers[k].end.index] = told.timers[k];
+            signals[words.internals[k].variable.index] = recorded.internals[k];
+        for (std::size_t k = 0; k < words.timers.size(); ++k) times[words.timers[k].end.index] = recorded.timers[k];
     }
 
     /// Marks the value of `variable` at the event of `cause`. If the variable is a timer output, `over` is its value.

@@ -75,7 +75,7 @@ private:
 };
 
 /// Returns the symbol of the module `main` that selects the next move: a process, no process, or time.
-std::optional<std::uint32_t> turn_of(const Network& network, const TransitionSystem& system) {
+std::optional<std::uint32_t> mover_variable_of(const Network& network, const TransitionSystem& system) {
     const auto& symbols = system.modules[system.main].symbols;
     for (const auto id : symbols.ids())
         if (std::holds_alternative<TransitionSystem::ChoiceSymbol>(symbols[id].kind) &&
@@ -92,14 +92,14 @@ Network without_clocks(Network network) {
 }
 
 std::optional<Moves> moves_of(const Network& network, const TransitionSystem& system, const SystemRun& run) {
-    const auto turn = turn_of(network, system);
-    if (!turn || run.loop) return {};
+    const auto mover_variable = mover_variable_of(network, system);
+    if (!mover_variable || run.loop) return {};
     const MainView view(network, system);
     const auto processes = static_cast<std::int64_t>(network.processes.size());
     NetworkState state = initial_state(network);
     Moves made;
     for (std::size_t step = 0; step + 1 < run.states.size(); ++step) {
-        const std::int64_t who = run.states[step][*turn];
+        const std::int64_t who = run.states[step][*mover_variable];
         std::vector<Move> choices;
         if (who < processes) {
             for (const Fire& fire : enabled(network, state))
@@ -125,16 +125,16 @@ std::optional<Moves> moves_of(const Network& network, const TransitionSystem& sy
     return made;
 }
 
-bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& told) {
+bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& chart_run) {
     std::vector<std::size_t> found;
     for (const std::size_t move : left_out) {
         const std::size_t before = found.size();
-        for (std::size_t moment = 1; moment < told.moments.size(); ++moment)
-            if (told.moments[moment].move == moves.steps[move] && told.moments[moment].instance.valid())
+        for (std::size_t moment = 1; moment < chart_run.moments.size(); ++moment)
+            if (chart_run.moments[moment].move == moves.steps[move] && chart_run.moments[moment].instance.valid())
                 found.push_back(moment);
         if (found.size() != before + 1) return false;
     }
-    told.left_out = std::move(found);
+    chart_run.left_out = std::move(found);
     return true;
 }
 

@@ -29,8 +29,8 @@ struct Moves {
 /// system continues.
 std::optional<Moves> moves_of(const Network& network, const TransitionSystem& system, const SystemRun& run);
 
-/// Records the omitted moves in `told`, the projection of the same run. If an omitted move does not correspond to a
-/// single event, returns false and changes nothing.
-bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& told);
+/// Records the omitted moves in `chart_run`, the projection of the same run. If an omitted move does not correspond to
+/// a single event, returns false and changes nothing.
+bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& chart_run);
 
 }  // namespace grafverif

@@ -155,8 +155,8 @@ private:
     static Term joined(bool disjunction, std::span<const Term* const> operands) {
         Bit value = Bit::constant(!disjunction), undefined;
         for (const Term* operand : operands) {
-            const Bit looked_at = disjunction ? ~value : value;
-            if (!operand->undefined.is_false()) undefined = undefined | (looked_at & operand->undefined);
+            const Bit evaluates_next = disjunction ? ~value : value;
+            if (!operand->undefined.is_false()) undefined = undefined | (evaluates_next & operand->undefined);
             value = disjunction ? value | operand->bits.front() : value & operand->bits.front();
         }
         return {true, {value}, undefined};

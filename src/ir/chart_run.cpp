@@ -82,12 +82,12 @@ std::vector<std::string> verify(const ChartRun& run) {
         if (run.moments[i].after.time_ms < time) faults.push_back(where + ": time goes back");
         time = run.moments[i].after.time_ms;
     }
-    std::size_t told = 0;
+    std::size_t last_moment = 0;
     for (const ChartRun::Row& row : run.rows) {
-        if (row.moment < told || row.moment >= run.moments.size()) faults.emplace_back("a row is out of order");
+        if (row.moment < last_moment || row.moment >= run.moments.size()) faults.emplace_back("a row is out of order");
         for (const std::vector<Id<ChartRun::Transition>>& evolution : row.fired)
             if (!are_in(evolution, run.transitions)) faults.emplace_back("a row clears an unknown transition");
-        told = row.moment;
+        last_moment = row.moment;
     }
     if (run.loop && (*run.loop == 0 || *run.loop > run.moments.size()))
         faults.emplace_back("the loop has no first event");

@@ -25,7 +25,7 @@ ElementIds element_ids(const Chart& chart, std::string_view prefix) {
     ElementIds ids;
     UniqueNames names;
     const std::string before = word_of(prefix);
-    const auto fresh = [&](const std::string& wish) { return names.fresh(before + wish); };
+    const auto fresh = [&](const std::string& suffix) { return names.fresh(before + suffix); };
     for (const Chart::PartialChart& partial : chart.partial_charts)
         ids.partial_charts.push_back(fresh(partial.name.empty() ? "chart" : "partial-" + word_of(partial.name)));
     for (const Chart::Step& step : chart.steps) {

@@ -20,7 +20,7 @@ struct Mutant {
     std::string text = {};                ///< complete text of the mutated file
 };
 
-struct MutantFate {
+struct MutantResult {
     enum class Kind {
         Refused,     ///< the mutated file is rejected
         Equivalent,  ///< equivalence proved by `compare`
@@ -46,7 +46,7 @@ struct Mutation {
     std::size_t possible = 0;          ///< number of all possible mutants
     std::vector<Mutant> mutants = {};  ///< the selected mutants
     /// Result per mutant; empty if the run was stopped before its check.
-    std::vector<std::optional<MutantFate>> fates = {};
+    std::vector<std::optional<MutantResult>> results = {};
     std::vector<std::string> properties = {};    ///< properties with the expected verdict for the original
     std::vector<std::string> vacuous = {};       ///< properties that hold vacuously for the original
     std::vector<std::string> undecided = {};     ///< properties that are unknown for the original, and not considered
@@ -55,13 +55,13 @@ struct Mutation {
 };
 
 /// Returns `refused`, `equivalent`, `noticed`, `unnoticed` or `unknown`.
-constexpr std::string_view word(MutantFate::Kind kind) {
+constexpr std::string_view word(MutantResult::Kind kind) {
     switch (kind) {
-    case MutantFate::Kind::Refused: return "refused";
-    case MutantFate::Kind::Equivalent: return "equivalent";
-    case MutantFate::Kind::Noticed: return "noticed";
-    case MutantFate::Kind::Unnoticed: return "unnoticed";
-    case MutantFate::Kind::Unknown: return "unknown";
+    case MutantResult::Kind::Refused: return "refused";
+    case MutantResult::Kind::Equivalent: return "equivalent";
+    case MutantResult::Kind::Noticed: return "noticed";
+    case MutantResult::Kind::Unnoticed: return "unnoticed";
+    case MutantResult::Kind::Unknown: return "unknown";
     }
     return {};
 }

@@ -56,7 +56,7 @@ public:
     SubNetworkBuilder& operator=(const SubNetworkBuilder&) = delete;
 
     /// Adds a property of the complete network to the subnetwork.
-    void ask(Property property);
+    void add_property(Property property);
     SubNetwork build() && { return std::move(made_); }
 
 private:

@@ -15,12 +15,12 @@ public:
     explicit Reads(const Exprs& exprs) : exprs_(exprs), seen_(exprs.size(), 0) {}
 
     /// Starts a new traversal. It also visits the subterms that earlier traversals visited.
-    void start() { ++walk_; }
+    void start() { ++generation_; }
 
     template <class Visit>
     void each(Id<Expr> root, const Visit& visit) {
-        if (seen_[root.index] == walk_) return;
-        seen_[root.index] = walk_;
+        if (seen_[root.index] == generation_) return;
+        seen_[root.index] = generation_;
         if (exprs_[root].op == Op::Variable) visit(static_cast<std::uint32_t>(exprs_[root].value));
         for (const Id<Expr> operand : exprs_.operands(root)) each(operand, visit);
     }
@@ -28,7 +28,7 @@ public:
 private:
     const Exprs& exprs_;
     std::vector<std::uint32_t> seen_;
-    std::uint32_t walk_ = 1;
+    std::uint32_t generation_ = 1;
 };
 
 }  // namespace grafverif

@@ -45,8 +45,8 @@ std::string reported_by_check(const Report& report, const PropertyResult& answer
 
 }  // namespace
 
-BackgroundChecker::BackgroundChecker(Callbacks ears, std::optional<std::chrono::milliseconds> patience)
-    : callbacks_(std::move(ears)), patience_(patience), thread_([this] { work(); }) {}
+BackgroundChecker::BackgroundChecker(Callbacks callbacks, std::optional<std::chrono::milliseconds> response_timeout)
+    : callbacks_(std::move(callbacks)), response_timeout_(response_timeout), thread_([this] { work(); }) {}
 
 BackgroundChecker::~BackgroundChecker() {
     {
@@ -58,7 +58,7 @@ BackgroundChecker::~BackgroundChecker() {
     thread_.join();
 }
 
-void BackgroundChecker::ask(Task task) {
+void BackgroundChecker::submit(Task task) {
     const std::lock_guard hold(door_);
     if (task.what == Task::What::Models) tasks_.push_front(std::move(task));
     else tasks_.push_back(std::move(task));
@@ -113,14 +113,15 @@ void BackgroundChecker::run_and_report(const Task& task, const std::string& sour
     } catch (const std::system_error& failure) {
         refused.add(messages::io_error(failure.what()));
     }
-    if (refused.has_errors()) outcome = {task.root, source, told(refused, *task.root->places), {}};
+    if (refused.has_errors()) outcome = {task.root, source, lsp_diagnostics(refused, *task.root->places), {}};
     if (!stop_) callbacks_.found(std::move(outcome));
 }
 
 /// Derives the models of the root, and reports the errors that this reveals.
 void BackgroundChecker::make_models(const Task& task) {
-    run_and_report(task, "models",
-                   [&](Found& outcome) { outcome.told = told(refused_models(task), *task.root->places); });
+    run_and_report(task, "models", [&](Found& outcome) {
+        outcome.diagnostics = lsp_diagnostics(refused_models(task), *task.root->places);
+    });
 }
 
 Diagnostics BackgroundChecker::refused_models(const Task& task) const {
@@ -144,7 +145,7 @@ Limits BackgroundChecker::limits(const std::string& what) {
     Limits limits;
     limits.stop = &stop_;
     const auto begin = std::chrono::steady_clock::now();
-    if (patience_) limits.deadline = begin + *patience_;
+    if (response_timeout_) limits.deadline = begin + *response_timeout_;
     limits.progress = [this, what, last = begin](const Progress& now) mutable {
         if (std::chrono::steady_clock::now() - last < progress_interval) return;
         last = std::chrono::steady_clock::now();
@@ -179,34 +180,36 @@ void BackgroundChecker::prove_loop(const Root& root, Id<ClosedLoop> loop, Found&
     Diagnostics refused;
     const auto report = check(model, loop, ModelOptions{}, options, refused);
     if (!report) return;  // the task that derives the models reports the reason
-    const TraceLocations story(model, loop, *root.places);
+    const TraceLocations trace_locations(model, loop, *root.places);
     for (const PropertyResult& answer : report->answers) {
         const Verdict& verdict = answer.verdict;
         outcome.verdicts["loop " + model.loops[loop].name + "/q " + verdict.property] = {
             outcome_text(verdict), reported_by_check(*report, answer)};
         if (as_expected(verdict) || (verdict.outcome == Outcome::Unknown && !verdict.declared)) continue;
         const bool open = verdict.outcome == Outcome::Unknown;
-        LspDiagnostic told{root.places->of(verdict.origin.source.valid() ? verdict.origin : model.loops[loop].origin),
-                           open ? Severity::Warning : Severity::Error,
-                           open ? "unknown" : std::string(word(verdict.outcome)),
-                           "",
-                           {},
-                           {}};
-        told.message = fmt::format("`{}` {}{}", verdict.property,
-                                   open                                   ? "is undecided: " + printable(verdict.reason)
-                                   : verdict.outcome == Outcome::Violated ? "is violated"
-                                                                          : "holds, but is expected to be violated",
-                                   answer.text.empty() ? "" : ": " + printable(answer.text));
-        if (answer.trace && !open) told.related = story.of(*answer.trace);
-        outcome.told.push_back(std::move(told));
+        LspDiagnostic diagnostic{
+            root.places->of(verdict.origin.source.valid() ? verdict.origin : model.loops[loop].origin),
+            open ? Severity::Warning : Severity::Error,
+            open ? "unknown" : std::string(word(verdict.outcome)),
+            "",
+            {},
+            {}};
+        diagnostic.message =
+            fmt::format("`{}` {}{}", verdict.property,
+                        open                                   ? "is undecided: " + printable(verdict.reason)
+                        : verdict.outcome == Outcome::Violated ? "is violated"
+                                                               : "holds, but is expected to be violated",
+                        answer.text.empty() ? "" : ": " + printable(answer.text));
+        if (answer.trace && !open) diagnostic.related = trace_locations.of(*answer.trace);
+        outcome.diagnostics.push_back(std::move(diagnostic));
     }
     for (const ModelErrorTrace& breakdown : report->error_traces)
-        outcome.told.push_back({root.places->of(model.loops[loop].origin),
-                                Severity::Error,
-                                breakdown.code,
-                                printable(breakdown.message),
-                                story.of(breakdown.trace),
-                                {}});
+        outcome.diagnostics.push_back({root.places->of(model.loops[loop].origin),
+                                       Severity::Error,
+                                       breakdown.code,
+                                       printable(breakdown.message),
+                                       trace_locations.of(breakdown.trace),
+                                       {}});
 }
 
 void BackgroundChecker::look_into(const Root& root, Id<Chart> chart, Found& outcome) {
@@ -214,21 +217,21 @@ void BackgroundChecker::look_into(const Root& root, Id<Chart> chart, Found& outc
     Diagnostics refused;
     const auto analysis = analysis_of(model, chart, {}, limits(model.charts[chart].name), refused);
     if (!analysis) return;
-    const TraceLocations story(model, chart, *root.places);
+    const TraceLocations trace_locations(model, chart, *root.places);
     for (const Finding& finding : analysis->findings) {
         if (!is_open(finding)) continue;
-        LspDiagnostic told{root.places->of(finding.origin),
-                           finding.level == Finding::Level::Error ? Severity::Error : Severity::Warning,
-                           finding.code,
-                           printable(finding.message),
-                           {},
-                           {}};
+        LspDiagnostic diagnostic{root.places->of(finding.origin),
+                                 finding.level == Finding::Level::Error ? Severity::Error : Severity::Warning,
+                                 finding.code,
+                                 printable(finding.message),
+                                 {},
+                                 {}};
         for (const Finding::Related& related : finding.related)
             if (related.where.source.valid())
-                told.related.push_back({root.places->of(related.where), printable(related.message)});
+                diagnostic.related.push_back({root.places->of(related.where), printable(related.message)});
         if (finding.evidence)
-            for (Related& each : story.of(*finding.evidence)) told.related.push_back(std::move(each));
-        outcome.told.push_back(std::move(told));
+            for (Related& each : trace_locations.of(*finding.evidence)) diagnostic.related.push_back(std::move(each));
+        outcome.diagnostics.push_back(std::move(diagnostic));
     }
 }
 

@@ -38,7 +38,7 @@ struct Task {
 struct Found {
     std::shared_ptr<const Root> root = {};
     std::string source = {};  ///< the source of the findings; they replace all earlier findings of this source
-    std::vector<LspDiagnostic> told = {};
+    std::vector<LspDiagnostic> diagnostics = {};
     std::map<std::string, VerdictDetails> verdicts = {};  ///< verdicts by key, such as `loop station/q P15`
 };
 
@@ -50,12 +50,12 @@ public:
         std::function<void(std::string words)> progress = {};
     };
     /// The thread of the checker calls both callbacks.
-    BackgroundChecker(Callbacks ears, std::optional<std::chrono::milliseconds> patience);
+    BackgroundChecker(Callbacks callbacks, std::optional<std::chrono::milliseconds> response_timeout);
     ~BackgroundChecker();
     BackgroundChecker(const BackgroundChecker&) = delete;
     BackgroundChecker& operator=(const BackgroundChecker&) = delete;
 
-    void ask(Task task);
+    void submit(Task task);
     /// Cancels the tasks of roots for which `current` is false.
     void keep(const std::function<bool(const Root&)>& current);
     void give_up();
@@ -72,7 +72,7 @@ private:
     Limits limits(const std::string& what);
 
     Callbacks callbacks_;
-    std::optional<std::chrono::milliseconds> patience_;
+    std::optional<std::chrono::milliseconds> response_timeout_;
     std::mutex door_ = {};
     std::condition_variable wake_ = {};
     std::deque<Task> tasks_ = {};

@@ -67,20 +67,20 @@ private:
     void add(Proposal proposal) {
         if (seen_.insert(proposal.label).second) found_.push_back(std::move(proposal));
     }
-    void thing(const Declaration& thing, std::string_view prefix = "") {
-        add({std::string(prefix) + thing.name, kind_of(thing.kind), declaration_text(thing),
-             comment_of(*thing.file, thing.whole), ""});
+    void element(const Declaration& element, std::string_view prefix = "") {
+        add({std::string(prefix) + element.name, kind_of(element.kind), declaration_text(element),
+             comment_of(*element.file, element.whole), ""});
     }
     void parts(const std::string& owner, std::initializer_list<DeclarationKind> kinds, std::string_view prefix = "") {
         for (const Declaration* const part : names_.parts(owner))
-            if (part->owner == owner && std::ranges::find(kinds, part->kind) != kinds.end()) thing(*part, prefix);
+            if (part->owner == owner && std::ranges::find(kinds, part->kind) != kinds.end()) element(*part, prefix);
     }
     /// Proposes the steps of one partial chart, or of all partial charts.
     void steps(const std::string& chart, const std::string* partial, std::string_view prefix) {
         for (const Declaration* const part : names_.parts(chart))
             if (part->kind == DeclarationKind::Step &&
                 (partial == nullptr || part->key.starts_with(chart + "/s " + *partial + "/")))
-                thing(*part, prefix);
+                element(*part, prefix);
     }
 
     // -- cursor positions ---------------------------------------------------------------------------------------------
@@ -195,7 +195,7 @@ private:
         if (first == "controller") {
             if (has("with")) return keywords({"stability_search", "every_cycle"});
             if (words.size() > 1) return keywords({"with"});
-            for (const Declaration* const chart : names_.all(DeclarationKind::Chart)) thing(*chart);
+            for (const Declaration* const chart : names_.all(DeclarationKind::Chart)) element(*chart);
         }
         if (first == "constant") return constants();
         if (first == "grain") keywords({"phased", "atomic"});
@@ -213,17 +213,17 @@ private:
             return;
         }
         const std::string key = "component " + words[3];
-        const Names& where = names_.thing(key) != nullptr ? names_ : library_names();
+        const Names& where = names_.element(key) != nullptr ? names_ : library_names();
         if (last() == "initially") {
             for (const Declaration* const part : where.parts(key))
-                if (part->kind == DeclarationKind::Location) thing(*part);
+                if (part->kind == DeclarationKind::Location) element(*part);
             return;
         }
         if (last() == ")") return keywords({"initially"});
         if (!has("(") || has(")")) return;
         if (last() == "(" || last() == ",") return parameters(where, key);
         if (last() == "=") {
-            const Declaration* const parameter = where.thing(key + "/v " + words[words.size() - 2]);
+            const Declaration* const parameter = where.element(key + "/v " + words[words.size() - 2]);
             if (parameter != nullptr && parameter->kind == DeclarationKind::Constant) return constant();
             shared();
             if (parameter != nullptr && parameter->kind == DeclarationKind::InputParameter)
@@ -253,7 +253,7 @@ private:
     }
 
     void parameters(const Names& where, const std::string& component) {
-        const Declaration* const whole = where.thing(component);
+        const Declaration* const whole = where.element(component);
         for (const Declaration* const part : where.parts(component)) {
             const bool parameter = part->kind == DeclarationKind::InputParameter ||
                                    part->kind == DeclarationKind::OutputParameter ||
@@ -345,7 +345,7 @@ private:
         for (const std::string& chart : names_.controllers(owner_)) {
             if (chart == "chart " + before)
                 steps(chart, nullptr, "X"), parts(chart, {DeclarationKind::Internal, DeclarationKind::Partial});
-            else if (names_.thing(chart + "/p " + before) != nullptr) steps(chart, &before, "X");
+            else if (names_.element(chart + "/p " + before) != nullptr) steps(chart, &before, "X");
         }
     }
 

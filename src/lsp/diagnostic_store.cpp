@@ -61,7 +61,7 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
         open != nullptr && open->out_of_step ? std::optional(messages::out_of_step()) : failure_of(path, [&] {
             root->reading = workspace.reading(path, root->inputs);
             root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
-            root->typed = told(root->reading.diagnostics, *root->places);
+            root->typed = lsp_diagnostics(root->reading.diagnostics, *root->places);
         });
     if (!failure) return root;
     Diagnostics diagnostics;
@@ -69,7 +69,7 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
     root->reading = {};
     root->inputs = {{path, nullptr}};  // a null text is never current, so that the next call reads the document again
     root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
-    root->typed = told(diagnostics, *root->places);
+    root->typed = lsp_diagnostics(diagnostics, *root->places);
     return root;
 }
 
@@ -89,21 +89,22 @@ bool DiagnosticStore::is_current(const Root& root) const {
     return found != entries_.end() && found->second.root->number == root.number;
 }
 
-void DiagnosticStore::add(const Root& root, const std::string& source, std::vector<LspDiagnostic> told) {
-    if (is_current(root)) entries_.at(root.path).added[source] = std::move(told);
+void DiagnosticStore::add(const Root& root, const std::string& source, std::vector<LspDiagnostic> source_diagnostics) {
+    if (is_current(root)) entries_.at(root.path).added[source] = std::move(source_diagnostics);
 }
 
 std::map<std::string, std::vector<LspDiagnostic>> DiagnosticStore::all() const {
     std::map<std::string, std::set<LspDiagnostic>> found;
-    const auto take = [&](const std::vector<LspDiagnostic>& told) {
-        for (const LspDiagnostic& one : told) found[one.where.path].insert(one);
+    const auto take = [&](const std::vector<LspDiagnostic>& source_diagnostics) {
+        for (const LspDiagnostic& one : source_diagnostics) found[one.where.path].insert(one);
     };
     for (const auto& [path, entry] : entries_) {
         take(entry.root->typed);
-        for (const auto& [source, told] : entry.added) take(told);
+        for (const auto& [source, source_diagnostics] : entry.added) take(source_diagnostics);
     }
     std::map<std::string, std::vector<LspDiagnostic>> sorted;
-    for (const auto& [path, told] : found) sorted[path].assign(told.begin(), told.end());
+    for (const auto& [path, source_diagnostics] : found)
+        sorted[path].assign(source_diagnostics.begin(), source_diagnostics.end());
     return sorted;
 }
 

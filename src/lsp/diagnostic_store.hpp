@@ -33,7 +33,7 @@ public:
     bool is_current(const Root& root) const;
 
     /// Adds further diagnostics of a root. They are discarded when the root is parsed again.
-    void add(const Root& root, const std::string& source, std::vector<LspDiagnostic> told);
+    void add(const Root& root, const std::string& source, std::vector<LspDiagnostic> source_diagnostics);
 
     /// Returns all diagnostics by path, sorted by position, without duplicates.
     std::map<std::string, std::vector<LspDiagnostic>> all() const;

@@ -22,7 +22,7 @@ Place Places::of(Span where) const {
     return {paths_[where.source.index], texts_[where.source.index].range(where.begin, where.end)};
 }
 
-std::vector<LspDiagnostic> told(const Diagnostics& diagnostics, const Places& places) {
+std::vector<LspDiagnostic> lsp_diagnostics(const Diagnostics& diagnostics, const Places& places) {
     std::vector<LspDiagnostic> all;
     for (const Diagnostic& diagnostic : diagnostics.all()) {
         LspDiagnostic one{places.of(diagnostic.where), diagnostic.severity, diagnostic.code,

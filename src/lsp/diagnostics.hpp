@@ -58,6 +58,6 @@ private:
 };
 
 /// Converts diagnostics. A note without position is appended to the message.
-std::vector<LspDiagnostic> told(const Diagnostics& diagnostics, const Places& places);
+std::vector<LspDiagnostic> lsp_diagnostics(const Diagnostics& diagnostics, const Places& places);
 
 }  // namespace grafverif::lsp

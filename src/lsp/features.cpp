@@ -108,22 +108,22 @@ Json Session::place_json(const Parsed& file, Span where) const {
 
 Json Session::hover(const Json& params) {
     const Pointed at = pointed(params);
-    const Declaration* const thing = at.names->thing(at.key);
-    if (thing == nullptr) return nullptr;
+    const Declaration* const element = at.names->element(at.key);
+    if (element == nullptr) return nullptr;
     settle();
     const Model* model = nullptr;
     for (const std::string& path : workspace_.roots(at.file->path))
         if (const auto root = board_.root(path); root != nullptr && root->reading.model) model = &*root->reading.model;
-    return {{"contents", markdown(hover_text(*at.names, *thing, model) + verdict_text(*thing))},
+    return {{"contents", markdown(hover_text(*at.names, *element, model) + verdict_text(*element))},
             {"range", json_of(at.file->text->range(at.where.begin, at.where.end))}};
 }
 
 Json Session::definition(const Json& params) {
     const Pointed at = pointed(params);
-    const Declaration* const thing = at.names->thing(at.key);
+    const Declaration* const element = at.names->element(at.key);
     // An editor cannot open library files, which are not on the disk.
-    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;
-    return place_json(*thing->file, thing->where);
+    if (element == nullptr || element->file->path.starts_with('<')) return nullptr;
+    return place_json(*element->file, element->where);
 }
 
 Json Session::references(const Json& params) {
@@ -150,20 +150,21 @@ Json Session::highlights(const Json& params) {
 
 Json Session::prepare_rename(const Json& params) {
     const Pointed at = pointed(params);
-    const Declaration* const thing = at.names->thing(at.key);
-    if (thing == nullptr) return nullptr;
+    const Declaration* const element = at.names->element(at.key);
+    if (element == nullptr) return nullptr;
     return {{"range", json_of(at.file->text->range(at.where.begin + at.skipped, at.where.end))},
-            {"placeholder", thing->name}};
+            {"placeholder", element->name}};
 }
 
 Json Session::rename(const Json& params) {
     const auto name = params.at("newName").get<std::string>();
     const Pointed at = pointed(params);
-    const Declaration* thing = at.names->thing(at.key);
+    const Declaration* element = at.names->element(at.key);
     std::string key = at.key;
     const Names* all = at.names;
-    if (thing != nullptr && !thing->file->path.starts_with('<'))
-        all = &names(*workspace_.parsed(thing->file->path));  // includes the names of all files that include this file
+    if (element != nullptr && !element->file->path.starts_with('<'))
+        all =
+            &names(*workspace_.parsed(element->file->path));  // includes the names of all files that include this file
     if (workspace_.cut_short()) throw RequestError{request_failed, "the workspace is too large to find all references"};
     Renaming renaming = renamed(*all, key, name);
     if (!renaming.obstacle.empty()) throw RequestError{request_failed, renaming.obstacle};
@@ -176,11 +177,11 @@ Json Session::symbols(const Json& params) {
     std::vector<Json> symbols;
     for (const Entry& entry : entries)
         symbols.push_back(
-            {{"name", entry.thing->name.empty() ? "?" : entry.thing->name},
-             {"detail", declaration_text(*entry.thing).substr(0, 100)},
-             {"kind", symbol_kind(entry.thing->kind)},
-             {"range", json_of(file->text->range(entry.thing->whole.begin, entry.thing->whole.end))},
-             {"selectionRange", json_of(file->text->range(entry.thing->where.begin, entry.thing->where.end))}});
+            {{"name", entry.element->name.empty() ? "?" : entry.element->name},
+             {"detail", declaration_text(*entry.element).substr(0, 100)},
+             {"kind", symbol_kind(entry.element->kind)},
+             {"range", json_of(file->text->range(entry.element->whole.begin, entry.element->whole.end))},
+             {"selectionRange", json_of(file->text->range(entry.element->where.begin, entry.element->where.end))}});
     Json top = Json::array();
     for (std::size_t k = entries.size(); k-- > 0;) {
         Json& symbol = symbols[k];

@@ -33,12 +33,12 @@ std::optional<std::uint64_t> content_length(std::string_view line) {
 }  // namespace
 
 Framing::Framing(Receive receive, std::size_t largest) : receive_(std::move(receive)), largest_(largest) {
-    line_.reserve(longest_header + room_.size());
+    line_.reserve(longest_header + buffer_.size());
 }
 
 bool Framing::more() {
     begin_ = 0;
-    end_ = receive_(room_);
+    end_ = receive_(buffer_);
     return end_ != 0;
 }
 
@@ -46,7 +46,7 @@ bool Framing::more() {
 /// other bytes is found.
 bool Framing::line() {
     for (line_.clear();;) {
-        const std::string_view here(room_.data() + begin_, end_ - begin_);
+        const std::string_view here(buffer_.data() + begin_, end_ - begin_);
         const std::size_t count = std::min(here.find('\n'), here.size());
         line_.append(here.substr(0, count));
         if (line_.size() > longest_header) line_.erase(0, line_.size() - longest_header / 2);
@@ -67,7 +67,7 @@ bool Framing::take(std::size_t count, std::string* text) {
     for (;;) {
         const std::size_t here = std::min(count, end_ - begin_);
         try {
-            if (text != nullptr && !refused) text->append(room_.data() + begin_, here);
+            if (text != nullptr && !refused) text->append(buffer_.data() + begin_, here);
         } catch (const std::bad_alloc&) {
             refused = true;
             *text = {};

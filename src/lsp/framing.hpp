@@ -17,7 +17,7 @@ namespace grafverif::lsp {
 
 /// Waits for bytes and stores some of them at the beginning of the buffer. Returns their number; 0 at the end of the
 /// stream.
-using Receive = std::function<std::size_t(std::span<char> room)>;
+using Receive = std::function<std::size_t(std::span<char> buffer)>;
 /// Writes all bytes.
 using Send = std::function<void(std::string_view bytes)>;
 
@@ -46,7 +46,7 @@ private:
     Receive receive_;
     std::size_t largest_;
     /// Received bytes. The bytes from `begin_` to `end_` are not consumed yet.
-    std::array<char, std::size_t{1} << 16U> room_ = {};
+    std::array<char, std::size_t{1} << 16U> buffer_ = {};
     std::size_t begin_ = 0, end_ = 0;
     std::string line_ = {};  ///< the current line of the header
 };

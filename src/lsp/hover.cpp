@@ -18,23 +18,24 @@ std::string fenced(std::string_view text, const char* language) {
 }
 
 /// Returns the equations of a step, a transition, an output or a stored variable, or an empty string if there are none.
-std::string equation_of(const Declaration& thing, const Model& model) {
-    const std::string name = thing.owner.substr(thing.owner.find(' ') + 1);
+std::string equation_of(const Declaration& element, const Model& model) {
+    const std::string name = element.owner.substr(element.owner.find(' ') + 1);
     const auto chart = find_chart(model, name);
     Diagnostics ignored;
     const auto equations = chart ? equations_of(model, *chart, ignored) : std::nullopt;
     if (!equations) return {};
     const auto is_called = [&](Id<Equations::Variable> variable) {
-        return equations->variables[variable].name == thing.name;
+        return equations->variables[variable].name == element.name;
     };
-    if (thing.kind == DeclarationKind::Step) {
+    if (element.kind == DeclarationKind::Step) {
         for (const Equations::StepActivity& step : equations->steps)
-            if (step.step.step == thing.name && thing.key.starts_with(thing.owner + "/s " + step.step.partial + "/"))
+            if (step.step.step == element.name &&
+                element.key.starts_with(element.owner + "/s " + step.step.partial + "/"))
                 return equation_text(*equations, step.variable, step.next);
-    } else if (thing.kind == DeclarationKind::Transition) {
+    } else if (element.kind == DeclarationKind::Transition) {
         for (const Equations::Firing& firing : equations->firings)
-            if (firing.transition == thing.name) return equation_text(*equations, firing.variable, firing.condition);
-    } else if (thing.kind == DeclarationKind::Output || thing.kind == DeclarationKind::Internal) {
+            if (firing.transition == element.name) return equation_text(*equations, firing.variable, firing.condition);
+    } else if (element.kind == DeclarationKind::Output || element.kind == DeclarationKind::Internal) {
         for (const Equations::Stored& stored : equations->stored)
             if (is_called(stored.variable)) return equation_text(*equations, stored.variable, stored.next);
         for (const Equations::Output& output : equations->outputs)
@@ -43,26 +44,27 @@ std::string equation_of(const Declaration& thing, const Model& model) {
     return {};
 }
 
-std::string documentation_of(const Names& names, const Declaration& thing) {
-    const bool parameter = thing.kind == DeclarationKind::InputParameter ||
-                           thing.kind == DeclarationKind::OutputParameter || thing.kind == DeclarationKind::Constant;
-    if (parameter && !thing.owner.starts_with("loop "))
-        if (const Declaration* const component = names.thing(thing.owner))
-            return parameter_comment(*component->file, component->whole, thing.name);
-    if (thing.kind == DeclarationKind::Instance) {
-        const Declaration* const component = names.thing(names.component_of(thing.key));
+std::string documentation_of(const Names& names, const Declaration& element) {
+    const bool parameter = element.kind == DeclarationKind::InputParameter ||
+                           element.kind == DeclarationKind::OutputParameter ||
+                           element.kind == DeclarationKind::Constant;
+    if (parameter && !element.owner.starts_with("loop "))
+        if (const Declaration* const component = names.element(element.owner))
+            return parameter_comment(*component->file, component->whole, element.name);
+    if (element.kind == DeclarationKind::Instance) {
+        const Declaration* const component = names.element(names.component_of(element.key));
         return component == nullptr ? std::string() : comment_of(*component->file, component->whole);
     }
-    return comment_of(*thing.file, thing.whole);
+    return comment_of(*element.file, element.whole);
 }
 
 /// Returns the declaration with types that are implicit in the source.
-std::string shown_declaration(const Declaration& thing) {
-    const std::string text = declaration_text(thing);
-    const bool variable = thing.kind == DeclarationKind::Input || thing.kind == DeclarationKind::Output ||
-                          thing.kind == DeclarationKind::Internal || thing.kind == DeclarationKind::Own ||
-                          thing.kind == DeclarationKind::InputParameter ||
-                          thing.kind == DeclarationKind::OutputParameter;
+std::string shown_declaration(const Declaration& element) {
+    const std::string text = declaration_text(element);
+    const bool variable = element.kind == DeclarationKind::Input || element.kind == DeclarationKind::Output ||
+                          element.kind == DeclarationKind::Internal || element.kind == DeclarationKind::Own ||
+                          element.kind == DeclarationKind::InputParameter ||
+                          element.kind == DeclarationKind::OutputParameter;
     if (!variable || text.find(':') != std::string::npos) return text;
     const std::size_t value = std::min(text.find(" ="), text.size());
     return text.substr(0, value) + ": bool" + text.substr(value);
@@ -70,12 +72,12 @@ std::string shown_declaration(const Declaration& thing) {
 
 }  // namespace
 
-std::string hover_text(const Names& names, const Declaration& thing, const Model* model) {
-    std::string text = fenced(shown_declaration(thing), "grafcet");
-    const std::string documentation = documentation_of(names, thing);
+std::string hover_text(const Names& names, const Declaration& element, const Model* model) {
+    std::string text = fenced(shown_declaration(element), "grafcet");
+    const std::string documentation = documentation_of(names, element);
     if (!documentation.empty()) text += "\n" + fenced(documentation, "text");
     const std::string equation =
-        model != nullptr && thing.owner.starts_with("chart ") ? equation_of(thing, *model) : "";
+        model != nullptr && element.owner.starts_with("chart ") ? equation_of(element, *model) : "";
     if (!equation.empty()) text += "\n" + fenced(equation, "text");
     return text;
 }

@@ -11,6 +11,6 @@ namespace grafverif::lsp {
 
 /// Returns the declaration of the element, its comment and, if the model has no errors, its equation, as Markdown.
 /// `model` is a model of a file that includes the element's file, or null.
-std::string hover_text(const Names& names, const Declaration& thing, const Model* model);
+std::string hover_text(const Names& names, const Declaration& element, const Model* model);
 
 }  // namespace grafverif::lsp

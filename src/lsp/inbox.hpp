@@ -31,8 +31,8 @@ public:
     /// Closes the queue: no further items are added.
     void close();
 
-    /// Returns the next item. Returns nothing if no item arrives within `patience`, or if the queue is closed.
-    std::optional<Item> take(std::chrono::milliseconds patience);
+    /// Returns the next item. Returns nothing if no item arrives within `timeout`, or if the queue is closed.
+    std::optional<Item> take(std::chrono::milliseconds timeout);
     bool closed() const;
 
 private:

@@ -52,7 +52,7 @@ const Use* Names::use_at(const Parsed& file, std::size_t offset) const {
     return nullptr;
 }
 
-const Declaration* Names::thing(const std::string& key) const {
+const Declaration* Names::element(const std::string& key) const {
     const auto found = elements_.find(key);
     return found == elements_.end() ? nullptr : &found->second;
 }
@@ -67,17 +67,17 @@ std::vector<const Declaration*> Names::parts(const std::string& owner) const {
 
 std::vector<const Declaration*> Names::all(DeclarationKind kind) const {
     std::vector<const Declaration*> found;
-    for (const auto& [key, thing] : elements_)
-        if (thing.kind == kind) found.push_back(&thing);
+    for (const auto& [key, element] : elements_)
+        if (element.kind == kind) found.push_back(&element);
     return found;
 }
 
 const Declaration* Names::around(const Parsed& file, std::size_t offset) const {
     const Declaration* best = nullptr;
-    for (const auto& [key, thing] : elements_) {
-        const bool holds =
-            thing.file == &file && thing.owner.empty() && thing.whole.begin <= offset && offset <= thing.whole.end;
-        if (holds && (best == nullptr || best->whole.begin < thing.whole.begin)) best = &thing;
+    for (const auto& [key, element] : elements_) {
+        const bool holds = element.file == &file && element.owner.empty() && element.whole.begin <= offset &&
+                           offset <= element.whole.end;
+        if (holds && (best == nullptr || best->whole.begin < element.whole.begin)) best = &element;
     }
     return best;
 }
@@ -95,7 +95,7 @@ std::string Names::component_of(const std::string& instance) const {
 /// Returns the inputs and outputs that are shared with the element `key`, directly or through several loops.
 std::set<std::string> Names::tied(const std::string& key) const {
     std::set<std::string> found = {key};
-    const Declaration* const first = thing(key);
+    const Declaration* const first = element(key);
     if (first == nullptr || !is_shared(first->kind)) return found;
     std::vector<std::string> waiting = {first->owner};
     while (!waiting.empty()) {
@@ -104,7 +104,7 @@ std::set<std::string> Names::tied(const std::string& key) const {
         for (const auto& [loop, charts] : controllers_) {
             if (std::ranges::find(charts, chart) == charts.end()) continue;
             for (const std::string& other : charts) {
-                const Declaration* const same = thing(other + "/v " + first->name);
+                const Declaration* const same = element(other + "/v " + first->name);
                 if (same != nullptr && is_shared(same->kind) && found.insert(same->key).second)
                     waiting.push_back(other);
             }
@@ -193,10 +193,10 @@ std::string parameter_comment(const Parsed& file, Span component, std::string_vi
     return {};
 }
 
-std::string declaration_text(const Declaration& thing) {
+std::string declaration_text(const Declaration& element) {
     const auto joined = [&](Span where) {
         std::string text;
-        for (const char byte : thing.file->bytes(where)) {
+        for (const char byte : element.file->bytes(where)) {
             const bool blank = byte == ' ' || byte == '\n' || byte == '\r' || byte == '\t';
             if (!blank) text += byte;
             else if (!text.ends_with(' ')) text += ' ';
@@ -204,31 +204,32 @@ std::string declaration_text(const Declaration& thing) {
         return text;
     };
     const auto head = [&] {  // text of the declaration, up to its body
-        std::string text = joined(thing.whole);
+        std::string text = joined(element.whole);
         text.resize(std::min(text.find('{'), text.size()));
         while (text.ends_with(' ') || text.ends_with(';')) text.pop_back();
         return text;
     };
-    switch (thing.kind) {
+    switch (element.kind) {
     case DeclarationKind::Chart:
     case DeclarationKind::Component:
     case DeclarationKind::Loop:
     case DeclarationKind::Partial:
     case DeclarationKind::Step:
     case DeclarationKind::Observer: return head();
-    case DeclarationKind::Input: return "input " + joined(thing.whole);
-    case DeclarationKind::Output: return "output " + joined(thing.whole);
-    case DeclarationKind::Internal: return "internal " + joined(thing.whole);
-    case DeclarationKind::InputParameter: return "input " + joined(thing.whole);
-    case DeclarationKind::OutputParameter: return "output " + joined(thing.whole);
-    case DeclarationKind::Constant: return (thing.owner.starts_with("loop ") ? "constant " : "") + joined(thing.whole);
-    case DeclarationKind::Own: return "variable " + joined(thing.whole);
-    case DeclarationKind::Clock: return "clock " + thing.name;
-    case DeclarationKind::PlantVariable: return thing.name + ", of the plant: " + joined(thing.whole);
+    case DeclarationKind::Input: return "input " + joined(element.whole);
+    case DeclarationKind::Output: return "output " + joined(element.whole);
+    case DeclarationKind::Internal: return "internal " + joined(element.whole);
+    case DeclarationKind::InputParameter: return "input " + joined(element.whole);
+    case DeclarationKind::OutputParameter: return "output " + joined(element.whole);
+    case DeclarationKind::Constant:
+        return (element.owner.starts_with("loop ") ? "constant " : "") + joined(element.whole);
+    case DeclarationKind::Own: return "variable " + joined(element.whole);
+    case DeclarationKind::Clock: return "clock " + element.name;
+    case DeclarationKind::PlantVariable: return element.name + ", of the plant: " + joined(element.whole);
     case DeclarationKind::Transition:
     case DeclarationKind::Location:
     case DeclarationKind::Instance:
-    case DeclarationKind::Property: return joined(thing.whole);
+    case DeclarationKind::Property: return joined(element.whole);
     }
     unreachable();
 }

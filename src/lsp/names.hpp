@@ -71,7 +71,7 @@ public:
     /// Returns all uses of names in a file, sorted by position; empty if `files()` does not contain the file.
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
-    const Declaration* thing(const std::string& key) const;
+    const Declaration* element(const std::string& key) const;
     /// Returns the key of the element that `name` would denote at `offset`, as a term or as a step. Returns an empty
     /// string if there is no such element.
     std::string meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
@@ -109,6 +109,6 @@ std::string comment_of(const Parsed& file, Span whole);
 /// Returns the line of a component's comment that describes a parameter: `order: rod in`.
 std::string parameter_comment(const Parsed& file, Span component, std::string_view parameter);
 /// Returns the declaration of an element in one line.
-std::string declaration_text(const Declaration& thing);
+std::string declaration_text(const Declaration& element);
 
 }  // namespace grafverif::lsp

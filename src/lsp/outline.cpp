@@ -15,10 +15,10 @@ std::vector<const Declaration*> elements_in(const Names& names, const Parsed& fi
     std::vector<const Declaration*> found;
     std::map<std::string, bool> seen;
     for (const Use& use : names.uses(file)) {
-        const Declaration* const thing = use.declares ? names.thing(use.key) : nullptr;
-        if (thing != nullptr && seen.emplace(use.key, true).second) found.push_back(thing);
+        const Declaration* const element = use.declares ? names.element(use.key) : nullptr;
+        if (element != nullptr && seen.emplace(use.key, true).second) found.push_back(element);
     }
-    std::ranges::stable_sort(found, {}, [](const Declaration* thing) { return thing->whole.begin; });
+    std::ranges::stable_sort(found, {}, [](const Declaration* element) { return element->whole.begin; });
     return found;
 }
 
@@ -73,10 +73,10 @@ bool is_read_only(DeclarationKind kind) {
 std::vector<Entry> outline(const Names& names, const Parsed& file) {
     std::vector<Entry> entries;
     std::vector<std::size_t> open;
-    for (const Declaration* const thing : elements_in(names, file)) {
-        while (!open.empty() && entries[open.back()].thing->whole.end < thing->whole.end) open.pop_back();
-        if (thing->kind == DeclarationKind::PlantVariable) continue;
-        entries.push_back({thing, open.empty() ? std::nullopt : std::optional(open.back())});
+    for (const Declaration* const element : elements_in(names, file)) {
+        while (!open.empty() && entries[open.back()].element->whole.end < element->whole.end) open.pop_back();
+        if (element->kind == DeclarationKind::PlantVariable) continue;
+        entries.push_back({element, open.empty() ? std::nullopt : std::optional(open.back())});
         open.push_back(entries.size() - 1);
     }
     return entries;
@@ -85,15 +85,15 @@ std::vector<Entry> outline(const Names& names, const Parsed& file) {
 std::vector<Fold> folds(const Names& names, const Parsed& file) {
     std::vector<Fold> found;
     const auto line = [&](std::size_t offset) { return file.text->position(offset).line; };
-    for (const Declaration* const thing : elements_in(names, file)) {
-        const Fold fold{line(thing->whole.begin), line(thing->whole.end)};
+    for (const Declaration* const element : elements_in(names, file)) {
+        const Fold fold{line(element->whole.begin), line(element->whole.end)};
         if (fold.first < fold.last) found.push_back(fold);
     }
     for (const tree::Comment& comment : file.tree.comments) {
         const Fold fold{line(comment.where.begin), line(comment.where.end), true};
-        const bool goes_on =
+        const bool continues =
             comment.own_line && !found.empty() && found.back().comment && found.back().last + 1 == fold.first;
-        if (goes_on) found.back().last = fold.last;
+        if (continues) found.back().last = fold.last;
         else if (comment.own_line) found.push_back(fold);
     }
     std::erase_if(found, [](const Fold& fold) { return fold.first == fold.last; });
@@ -124,10 +124,10 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
     for (const Word& word : words_of(text)) {
         while (use != uses.end() && use->where.end <= word.begin) ++use;
         const bool named = use != uses.end() && use->where.begin <= word.begin && word.end <= use->where.end;
-        const Declaration* const thing = named ? names.thing(use->key) : nullptr;
-        if (thing != nullptr && word.kind != Word::Kind::Comment) {
-            put(word.begin, word.end, type_of(thing->kind),
-                (use->declares ? 1U : 0U) | (is_read_only(thing->kind) ? 2U : 0U) | (use->writes ? 4U : 0U));
+        const Declaration* const element = named ? names.element(use->key) : nullptr;
+        if (element != nullptr && word.kind != Word::Kind::Comment) {
+            put(word.begin, word.end, type_of(element->kind),
+                (use->declares ? 1U : 0U) | (is_read_only(element->kind) ? 2U : 0U) | (use->writes ? 4U : 0U));
             continue;
         }
         switch (word.kind) {

@@ -13,7 +13,7 @@ namespace grafverif::lsp {
 
 /// An entry of the outline of a file. `parent` is the index of an earlier entry; empty at the top level.
 struct Entry {
-    const Declaration* thing = nullptr;
+    const Declaration* element = nullptr;
     std::optional<std::size_t> parent = {};
 };
 std::vector<Entry> outline(const Names& names, const Parsed& file);

@@ -27,13 +27,13 @@ void Session::saved() {
 void Session::prove(const std::string& path, const std::string& only) {
     const auto root = board_.root(path);
     if (root == nullptr || !root->reading.model) return;
-    prover_->ask({root, Task::What::Proofs, only});
+    prover_->submit({root, Task::What::Proofs, only});
 }
 
 void Session::found(Found outcome) {
     if (!board_.is_current(*outcome.root)) return;
     dirty_ = true;  // stays true until the diagnostics are published
-    board_.add(*outcome.root, outcome.source, std::move(outcome.told));
+    board_.add(*outcome.root, outcome.source, std::move(outcome.diagnostics));
     Verdicts& known = verdicts_[outcome.root->path];
     if (known.number != outcome.root->number) known = {outcome.root->number, {}};
     const bool news = !outcome.verdicts.empty();
@@ -48,21 +48,21 @@ void Session::progress(const std::string& words) {
         send({{"jsonrpc", "2.0"}, {"method", "$/progress"}, {"params", {{"token", token_}, {"value", value}}}});
     };
     if (words.empty()) {
-        if (telling_ == ProgressState::Going) report_progress({{"kind", "end"}});
-        telling_ = ProgressState::Nothing;
-    } else if (telling_ == ProgressState::Nothing) {
-        telling_ = ProgressState::Requested;
+        if (progress_state_ == ProgressState::Going) report_progress({{"kind", "end"}});
+        progress_state_ = ProgressState::Nothing;
+    } else if (progress_state_ == ProgressState::Nothing) {
+        progress_state_ = ProgressState::Requested;
         ++token_;
         request_client("grafverif/progress/" + std::to_string(token_), "window/workDoneProgress/create",
                        {{"token", token_}});
-    } else if (telling_ == ProgressState::Going) {
+    } else if (progress_state_ == ProgressState::Going) {
         report_progress({{"kind", "report"}, {"message", words}});
     }
 }
 
 void Session::progress_is_requested() {
-    if (telling_ != ProgressState::Requested) return;
-    telling_ = ProgressState::Going;
+    if (progress_state_ != ProgressState::Requested) return;
+    progress_state_ = ProgressState::Going;
     send({{"jsonrpc", "2.0"},
           {"method", "$/progress"},
           {"params",
@@ -82,9 +82,9 @@ const VerdictDetails* Session::shown(const std::string& path, const std::string&
     return part != known->second.by_key.end() && part->first.starts_with(key + ".") ? &part->second : nullptr;
 }
 
-std::string Session::verdict_text(const Declaration& thing) const {
+std::string Session::verdict_text(const Declaration& element) const {
     const VerdictDetails* const known =
-        thing.kind == DeclarationKind::Property ? shown(thing.file->path, thing.key) : nullptr;
+        element.kind == DeclarationKind::Property ? shown(element.file->path, element.key) : nullptr;
     return known == nullptr ? std::string() : "\n```text\n" + known->text + "```\n";
 }
 
@@ -96,24 +96,24 @@ Json Session::lenses(const Json& params) {
     settle();
     const std::string uri = params.at("textDocument").at("uri").get<std::string>();
     Json found = Json::array();
-    const auto add = [&](const Declaration& thing, const std::string& title, const char* command, Json arguments) {
+    const auto add = [&](const Declaration& element, const std::string& title, const char* command, Json arguments) {
         arguments.insert(arguments.begin(), uri);
-        found.push_back({{"range", json_of(file->text->range(thing.where.begin, thing.where.end))},
+        found.push_back({{"range", json_of(file->text->range(element.where.begin, element.where.end))},
                          {"command", {{"title", title}, {"command", command}, {"arguments", std::move(arguments)}}}});
     };
     for (const Use& use : all.uses(*file)) {
-        const Declaration* const thing = use.declares ? all.thing(use.key) : nullptr;
-        if (thing == nullptr) continue;
-        if (thing->kind == DeclarationKind::Loop || thing->kind == DeclarationKind::Chart) {
-            add(*thing, "check", "grafverif.check", Json::array({thing->name}));
-            if (thing->kind == DeclarationKind::Chart)
-                add(*thing, "draw", "grafverif.draw", Json::array({thing->name}));
-            add(*thing, "simulate", "grafverif.simulate", Json::array());
-        } else if (thing->kind == DeclarationKind::Property) {
-            const VerdictDetails* const known = shown(file->path, thing->key);
-            const std::string loop = thing->owner.substr(thing->owner.find(' ') + 1);
-            if (known == nullptr) add(*thing, "not checked: check", "grafverif.check", Json::array({loop}));
-            else add(*thing, known->word, "grafverif.showVerdict", Json::array({loop, thing->name}));
+        const Declaration* const element = use.declares ? all.element(use.key) : nullptr;
+        if (element == nullptr) continue;
+        if (element->kind == DeclarationKind::Loop || element->kind == DeclarationKind::Chart) {
+            add(*element, "check", "grafverif.check", Json::array({element->name}));
+            if (element->kind == DeclarationKind::Chart)
+                add(*element, "draw", "grafverif.draw", Json::array({element->name}));
+            add(*element, "simulate", "grafverif.simulate", Json::array());
+        } else if (element->kind == DeclarationKind::Property) {
+            const VerdictDetails* const known = shown(file->path, element->key);
+            const std::string loop = element->owner.substr(element->owner.find(' ') + 1);
+            if (known == nullptr) add(*element, "not checked: check", "grafverif.check", Json::array({loop}));
+            else add(*element, known->word, "grafverif.showVerdict", Json::array({loop, element->name}));
         }
     }
     return found;

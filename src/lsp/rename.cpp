@@ -17,9 +17,9 @@ namespace {
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
 /// Returns the reason why an element cannot be renamed, for any new name. Returns an empty string if it can be renamed.
-std::string obstacle_of(const Names& names, const Declaration& thing) {
-    if (is_of_library(*thing.file))
-        return fmt::format("`{}` belongs to the component library and cannot be renamed", thing.name);
+std::string obstacle_of(const Names& names, const Declaration& element) {
+    if (is_of_library(*element.file))
+        return fmt::format("`{}` belongs to the component library and cannot be renamed", element.name);
     for (const auto& file : names.files()) {
         if (file->broken)
             return fmt::format("`{}` has syntax errors, so some names may not be found; correct them first",
@@ -32,10 +32,10 @@ std::string obstacle_of(const Names& names, const Declaration& thing) {
                 for (const Word& word : words_of(property->raw))
                     if (std::string_view(property->raw)
                             .substr(word.begin, word.end - word.begin)
-                            .ends_with(thing.name) &&
+                            .ends_with(element.name) &&
                         word.kind != Word::Kind::Sign)
                         return fmt::format("the formula of property `{}` may contain `{}`; change both manually",
-                                           file->tree.text(property->name), thing.name);
+                                           file->tree.text(property->name), element.name);
             }
         }
     }
@@ -72,16 +72,16 @@ std::shared_ptr<const Parsed> with_edits(const Parsed& file, std::vector<std::pa
 }  // namespace
 
 Renaming renamed(const Names& names, const std::string& key, const std::string& name) {
-    const Declaration* const thing = names.thing(key);
-    if (thing == nullptr) return {{}, "there is no name here"};
-    const bool numbers = thing->kind == DeclarationKind::Step || thing->kind == DeclarationKind::Location ||
-                         thing->kind == DeclarationKind::Transition;
+    const Declaration* const element = names.element(key);
+    if (element == nullptr) return {{}, "there is no name here"};
+    const bool numbers = element->kind == DeclarationKind::Step || element->kind == DeclarationKind::Location ||
+                         element->kind == DeclarationKind::Transition;
     if (!is_name(name, numbers)) return {{}, fmt::format("`{}` is not a valid name here", name)};
-    if (std::string obstacle = obstacle_of(names, *thing); !obstacle.empty()) return {{}, std::move(obstacle)};
+    if (std::string obstacle = obstacle_of(names, *element); !obstacle.empty()) return {{}, std::move(obstacle)};
     Renaming result;
     std::map<const Parsed*, std::vector<std::pair<Span, std::string>>> edits;
     for (const FileUse& each : names.everywhere(key)) {
-        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", thing->name)};
+        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", element->name)};
         const Span where = {each.use.where.source, each.use.where.begin + each.use.skipped, each.use.where.end};
         edits[each.file].emplace_back(where, name);
         result.edits.push_back({{each.file->path, each.file->text->range(where.begin, where.end)}, name});
@@ -94,7 +94,7 @@ Renaming renamed(const Names& names, const std::string& key, const std::string& 
     }
     if (shape_of(Names(std::move(files))) != shape_of(names))
         return {{},
-                fmt::format("`{}` is already declared in the scope of `{}`; choose another name", name, thing->name)};
+                fmt::format("`{}` is already declared in the scope of `{}`; choose another name", name, element->name)};
     return result;
 }
 

@@ -33,10 +33,10 @@ bool begins_name(char byte) {
 }
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
 
-/// Returns the end of the longest sequence of bytes, starting at `at`, for which `goes_on` returns true.
-template <class GoesOn>
-std::size_t end_of_run(std::string_view text, std::size_t at, GoesOn goes_on) {
-    while (at < text.size() && goes_on(text[at])) ++at;
+/// Returns the end of the longest sequence of bytes, starting at `at`, for which `continues` returns true.
+template <class Continues>
+std::size_t end_of_run(std::string_view text, std::size_t at, Continues continues) {
+    while (at < text.size() && continues(text[at])) ++at;
     return at;
 }
 

@@ -33,9 +33,9 @@ void Inbox::close() {
     wake_.notify_all();
 }
 
-std::optional<Item> Inbox::take(std::chrono::milliseconds patience) {
+std::optional<Item> Inbox::take(std::chrono::milliseconds timeout) {
     std::unique_lock hold(door_);
-    wake_.wait_for(hold, patience, [this] { return closed_ || !items_.empty(); });
+    wake_.wait_for(hold, timeout, [this] { return closed_ || !items_.empty(); });
     if (items_.empty()) return {};
     Item item = std::move(items_.front());
     items_.pop_front();
@@ -135,8 +135,8 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
     Session session(
         send, surroundings, [&](std::function<void()> call) { inbox.put({.call = std::move(call)}); }, ending);
     const Receiver receiver(receive, inbox, ending, surroundings.hang_up);
-    bool gone = false;
-    while (!session.over() && !gone) {
+    bool disconnected = false;
+    while (!session.over() && !disconnected) {
         if (surroundings.keep_memory_back) surroundings.keep_memory_back();
         try {
             const ReserveUse use(true);  // the report of a failure may use the reserved memory
@@ -149,13 +149,14 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
             else if (item && item->message != nullptr) session.take(*item->message, item->cancelled);
             else if (item)
                 session.refuse(item->refused ? "there is not enough memory for the message" : item->error_text);
-            else if (inbox.closed()) gone = true;
-            else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
+            else if (inbox.closed()) disconnected = true;
+            else if (session.client() && surroundings.is_alive)
+                disconnected = !surroundings.is_alive(*session.client());
         } catch (const std::bad_alloc&) {  // no response, because it also needs memory
         } catch (const std::system_error&) {
         }
     }
-    if (gone) return Ending::Gone;
+    if (disconnected) return Ending::Gone;
     return session.end_requested() ? Ending::Requested : Ending::Unrequested;
 }
 

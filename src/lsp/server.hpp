@@ -24,7 +24,7 @@ struct ServerEnvironment {
     /// True if the client's process exists; called periodically.
     std::function<bool(std::int64_t process)> is_alive = {};
     /// Time limit for the check of a loop or the analysis of a chart; unlimited if empty.
-    std::optional<std::chrono::milliseconds> patience = {};
+    std::optional<std::chrono::milliseconds> response_timeout = {};
     /// Returns the address of a page that draws and simulates the file. If necessary, the function creates the page; it
     /// may throw std::system_error. The function is empty if pages are not available.
     std::function<std::string(const std::string& path)> simulator = {};

@@ -20,13 +20,15 @@ const Json& member(const Json& object, const char* name) {
 
 Session::Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending)
     : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders, &ending) {
-    BackgroundChecker::Callbacks ears;
-    ears.found = [this, later](Found outcome) {
+    BackgroundChecker::Callbacks callbacks;
+    callbacks.found = [this, later](Found outcome) {
         auto kept = std::make_shared<Found>(std::move(outcome));
         later([this, kept] { found(std::move(*kept)); });
     };
-    ears.progress = [this, later](std::string words) { later([this, words = std::move(words)] { progress(words); }); };
-    prover_ = std::make_unique<BackgroundChecker>(std::move(ears), surroundings.patience);
+    callbacks.progress = [this, later](std::string words) {
+        later([this, words = std::move(words)] { progress(words); });
+    };
+    prover_ = std::make_unique<BackgroundChecker>(std::move(callbacks), surroundings.response_timeout);
 }
 
 void Session::send(const Json& message) { send_(framed(message.dump(-1, ' ', false, Json::error_handler_t::replace))); }
@@ -187,7 +189,7 @@ void Session::settle() {
         prover_->keep([this](const Root& root) { return board_.is_current(root); });
         publish();
         for (; !unmade_.empty(); unmade_.pop_back())
-            if (board_.is_current(*unmade_.back())) prover_->ask({unmade_.back(), Task::What::Models, ""});
+            if (board_.is_current(*unmade_.back())) prover_->submit({unmade_.back(), Task::What::Models, ""});
         dirty_ = false;
     } catch (const std::bad_alloc&) {  // `dirty_` is still true, so that the next call tries again
     } catch (const std::system_error&) {
@@ -196,10 +198,10 @@ void Session::settle() {
 
 void Session::publish() {
     std::map<std::string, std::string> now;
-    for (const auto& [path, told] : board_.all()) {
+    for (const auto& [path, diagnostics] : board_.all()) {
         const std::string uri = workspace_.uri_of(path);
         Json params = {{"uri", uri}, {"diagnostics", Json::array()}};
-        for (const LspDiagnostic& one : told) params["diagnostics"].push_back(json_of(one, uris()));
+        for (const LspDiagnostic& one : diagnostics) params["diagnostics"].push_back(json_of(one, uris()));
         now[uri] = params.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
     for (const OpenText& open : workspace_.open_texts())
@@ -213,9 +215,9 @@ void Session::publish() {
     for (const auto& [uri, params] : now) {
         const auto before = published_.find(uri);
         if (before != published_.end() && before->second == params) continue;
-        Json told = Json::parse(params);
-        if (const OpenText* const open = workspace_.find(uri)) told["version"] = open->version;
-        send({{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(told)}});
+        Json parameters = Json::parse(params);
+        if (const OpenText* const open = workspace_.find(uri)) parameters["version"] = open->version;
+        send({{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(parameters)}});
     }
     published_ = std::move(now);
 }

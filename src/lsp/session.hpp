@@ -80,7 +80,7 @@ private:
     Json semantic_tokens(const Json& params);
     Json completion(const Json& params);
     Json formatting(const Json& params);
-    std::string verdict_text(const Declaration& thing) const;
+    std::string verdict_text(const Declaration& element) const;
 
     // Defined in proofs.cpp:
     void saved();
@@ -130,7 +130,7 @@ private:
     };
     std::map<std::string, Verdicts> verdicts_ = {};  ///< verdicts by path of the root
     enum class ProgressState { Nothing, Requested, Going };
-    ProgressState telling_ = ProgressState::Nothing;  ///< state of the progress report to the client
+    ProgressState progress_state_ = ProgressState::Nothing;  ///< state of the progress report to the client
     std::uint64_t token_ = 0;
     std::unique_ptr<BackgroundChecker> prover_;  ///< declared last, so that it is destroyed first
 };

@@ -39,14 +39,14 @@ Json json_of(const Place& place, const UriOf& uri_of) {
     return {{"uri", uri_of(place.path)}, {"range", json_of(place.range)}};
 }
 
-Json json_of(const LspDiagnostic& told, const UriOf& uri_of) {
-    Json json = {{"range", json_of(told.where.range)},
-                 {"severity", number_of(told.severity)},
+Json json_of(const LspDiagnostic& diagnostic, const UriOf& uri_of) {
+    Json json = {{"range", json_of(diagnostic.where.range)},
+                 {"severity", number_of(diagnostic.severity)},
                  {"source", "grafverif"},
-                 {"message", told.message}};
-    if (!told.code.empty()) json["code"] = told.code;
-    if (!told.page.empty()) json["codeDescription"] = {{"href", told.page}};
-    for (const Related& related : told.related)
+                 {"message", diagnostic.message}};
+    if (!diagnostic.code.empty()) json["code"] = diagnostic.code;
+    if (!diagnostic.page.empty()) json["codeDescription"] = {{"href", diagnostic.page}};
+    for (const Related& related : diagnostic.related)
         json["relatedInformation"].push_back(
             {{"location", json_of(related.where, uri_of)}, {"message", related.message}});
     return json;
@@ -60,12 +60,12 @@ Json json_of(const std::vector<Edit>& edits, const UriOf& uri_of) {
     return {{"changes", std::move(changes)}};
 }
 
-Json quick_fix(const LspDiagnostic& told, const UriOf& uri_of) {
-    return {{"title", title_of(*told.fix)},
+Json quick_fix(const LspDiagnostic& diagnostic, const UriOf& uri_of) {
+    return {{"title", title_of(*diagnostic.fix)},
             {"kind", "quickfix"},
             {"isPreferred", true},
-            {"diagnostics", Json::array({json_of(told, uri_of)})},
-            {"edit", json_of(std::vector{*told.fix}, uri_of)}};
+            {"diagnostics", Json::array({json_of(diagnostic, uri_of)})},
+            {"edit", json_of(std::vector{*diagnostic.fix}, uri_of)}};
 }
 
 Position position_of(const Json& json) { return {small_number(json.at("line")), small_number(json.at("character"))}; }

@@ -21,11 +21,11 @@ using UriOf = std::function<std::string(const std::string& path)>;
 Json json_of(Position position);
 Json json_of(Range range);
 Json json_of(const Place& place, const UriOf& uri_of);
-Json json_of(const LspDiagnostic& told, const UriOf& uri_of);
+Json json_of(const LspDiagnostic& diagnostic, const UriOf& uri_of);
 /// Returns a WorkspaceEdit.
 Json json_of(const std::vector<Edit>& edits, const UriOf& uri_of);
-/// Returns a CodeAction that applies the fix of `told`.
-Json quick_fix(const LspDiagnostic& told, const UriOf& uri_of);
+/// Returns a CodeAction that applies the fix of `diagnostic`.
+Json quick_fix(const LspDiagnostic& diagnostic, const UriOf& uri_of);
 
 Position position_of(const Json& json);
 Range range_of(const Json& json);

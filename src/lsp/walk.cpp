@@ -76,13 +76,13 @@ public:
     /// declares it.
     void declare_plant(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);
-        const Declaration* const owner = names_.thing(key);
+        const Declaration* const owner = names_.element(key);
         for (const tree::LoopItem& item : loop.items) {
             const auto* instance = std::get_if<tree::Instance>(&item);
             if (instance == nullptr || owner == nullptr) continue;
             for (const tree::Argument& argument : instance->arguments) {
                 const Declaration* const parameter =
-                    names_.thing("component " + text(instance->component) + "/v " + text(argument.parameter));
+                    names_.element("component " + text(instance->component) + "/v " + text(argument.parameter));
                 if (parameter == nullptr || parameter->kind != DeclarationKind::OutputParameter) continue;
                 const tree::Expr& value = file_.tree.exprs[argument.value];
                 if (value.op != tree::Op::Name || !term_key(names_, *owner, "", file_.tree.text(value.word)).empty())
@@ -95,10 +95,10 @@ public:
 private:
     std::string text(const tree::Name& name) const { return std::string(file_.tree.text(name)); }
 
-    std::string add(Declaration thing) {
-        std::string key = thing.key;
+    std::string add(Declaration element) {
+        std::string key = element.key;
         // If two elements have the same name, the first one is used.
-        names_.elements_.try_emplace(key, std::move(thing));
+        names_.elements_.try_emplace(key, std::move(element));
         return key;
     }
     std::string top(DeclarationKind kind, const char* word, const tree::Name& name, Span whole) {
@@ -186,24 +186,24 @@ private:
     std::string text(const tree::Name& name) const { return std::string(file_.tree.text(name)); }
 
     void use(std::string key, Span where, std::uint32_t skipped = 0) {
-        if (!key.empty() && names_.thing(key) != nullptr) found_.push_back({std::move(key), where, skipped});
+        if (!key.empty() && names_.element(key) != nullptr) found_.push_back({std::move(key), where, skipped});
     }
     void write(const std::string& key, Span where) {
         use(key, where);
         if (!found_.empty() && found_.back().key == key) found_.back().writes = true;
     }
     void declared(const std::string& key, Span where) {
-        const Declaration* const thing = names_.thing(key);
-        if (thing == nullptr) return;
-        const bool first = thing->file == &file_ && thing->where.begin == where.begin;
+        const Declaration* const element = names_.element(key);
+        if (element == nullptr) return;
+        const bool first = element->file == &file_ && element->where.begin == where.begin;
         found_.push_back({key, where, 0, first, false});
     }
 
     // Terms.
 
     std::uint32_t skipped(const std::string& key) const {
-        const Declaration* const thing = names_.thing(key);
-        return thing != nullptr && thing->kind == DeclarationKind::Step ? 1 : 0;
+        const Declaration* const element = names_.element(key);
+        return element != nullptr && element->kind == DeclarationKind::Step ? 1 : 0;
     }
 
     void term(const Declaration& owner, const std::string& partial, Id<tree::Expr> root) {
@@ -243,21 +243,21 @@ private:
         const std::string before = text(last);
         if (owner.kind == DeclarationKind::Loop && left.op == tree::Op::Name) {
             const std::string part = owner.key + "/i " + before;
-            if (names_.thing(part) != nullptr) {
+            if (names_.element(part) != nullptr) {
                 use(part, last.where);
                 const std::string component = names_.component_of(part);
                 const std::string owned = (component.empty() ? part : component) + '/';
-                const bool variable = expr.op == tree::Op::Member && names_.thing(owned + "l " + name) == nullptr;
+                const bool variable = expr.op == tree::Op::Member && names_.element(owned + "l " + name) == nullptr;
                 return use(owned + (variable ? "v " : "l ") + name, where);
             }
             const auto charts = names_.controllers(owner.key);
             if (std::ranges::find(charts, "chart " + before) != charts.end()) chart = "chart " + before;
             for (const std::string& each : charts)
-                if (chart.empty() && names_.thing(each + "/p " + before) != nullptr) chart = each;
+                if (chart.empty() && names_.element(each + "/p " + before) != nullptr) chart = each;
         }
         if ("chart " + before == chart) use(chart, last.where);
         else partial = before, use(chart + "/p " + before, last.where);
-        if (names_.thing(chart + "/v " + name) != nullptr && partial.empty()) return use(chart + "/v " + name, where);
+        if (names_.element(chart + "/v " + name) != nullptr && partial.empty()) return use(chart + "/v " + name, where);
         if (name.starts_with('X')) use(step_key(names_, chart, partial, name.substr(1)), where, 1);
     }
 
@@ -284,7 +284,7 @@ private:
     void find(const tree::Chart& chart) {
         const std::string key = "chart " + text(chart.name);
         declared(key, chart.name.where);
-        if (const Declaration* const owner = names_.thing(key)) items(*owner, "", chart.items);
+        if (const Declaration* const owner = names_.element(key)) items(*owner, "", chart.items);
     }
 
     void items(const Declaration& chart, const std::string& partial, const std::vector<tree::ChartItem>& all) {
@@ -349,7 +349,7 @@ private:
         const auto begin = static_cast<std::uint32_t>(accept.where.begin + at + dot);
         const Span where = {accept.where.source, begin, begin + static_cast<std::uint32_t>(name.size())};
         const std::string partial = dot == 0 ? "" : accept.subject.substr(0, dot - 1);
-        if (names_.thing(chart.key + "/t " + name) != nullptr) return use(chart.key + "/t " + name, where);
+        if (names_.element(chart.key + "/t " + name) != nullptr) return use(chart.key + "/t " + name, where);
         const std::string key = term_key(names_, chart, partial, name);
         use(key, where, skipped(key));
     }
@@ -359,7 +359,7 @@ private:
     void find(const tree::Component& component) {
         const std::string key = "component " + text(component.name);
         declared(key, component.name.where);
-        const Declaration* const owner = names_.thing(key);
+        const Declaration* const owner = names_.element(key);
         if (owner == nullptr) return;
         for (const tree::Variables& group : component.parameters) variables(*owner, group);
         for (const tree::ComponentItem& item : component.items)
@@ -390,7 +390,7 @@ private:
     void find(const tree::ClosedLoop& loop) {
         const std::string key = "loop " + text(loop.name);
         declared(key, loop.name.where);
-        const Declaration* const owner = names_.thing(key);
+        const Declaration* const owner = names_.element(key);
         if (owner == nullptr) return;
         for (const tree::LoopItem& item : loop.items)
             std::visit(overloaded{
@@ -422,11 +422,11 @@ private:
             const tree::Expr& value = file_.tree.exprs[argument.value];
             const std::size_t before = found_.size();
             term(loop, "", argument.value);
-            const Declaration* const bound = names_.thing(parameter);
+            const Declaration* const bound = names_.element(parameter);
             if (found_.size() != before + 1 || bound == nullptr || bound->kind != DeclarationKind::OutputParameter)
                 continue;
             found_.back().writes = true;
-            const Declaration* const plant = names_.thing(found_.back().key);
+            const Declaration* const plant = names_.element(found_.back().key);
             found_.back().declares = plant->kind == DeclarationKind::PlantVariable && plant->file == &file_ &&
                                      plant->where.begin == value.where.begin;
         }
@@ -465,16 +465,16 @@ std::string term_key(const Names& names, const Declaration& owner, std::string_v
     };
     const std::string own = owner.key + "/v " + wanted;
     if (owner.kind != DeclarationKind::Loop) {
-        if (names.thing(own) != nullptr) return own;
+        if (names.element(own) != nullptr) return own;
         return owner.kind == DeclarationKind::Chart ? step(owner.key) : std::string();
     }
     const std::vector<std::string> charts = names.controllers(owner.key);
     for (const bool internal : {false, true}) {
         for (const std::string& chart : charts) {
-            const Declaration* const found = names.thing(chart + "/v " + wanted);
+            const Declaration* const found = names.element(chart + "/v " + wanted);
             if (found != nullptr && (found->kind == DeclarationKind::Internal) == internal) return found->key;
         }
-        if (!internal && names.thing(own) != nullptr) return own;
+        if (!internal && names.element(own) != nullptr) return own;
     }
     for (const std::string& chart : charts)
         if (std::string key = step(chart); !key.empty()) return key;

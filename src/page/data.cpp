@@ -154,10 +154,10 @@ std::vector<Playable> playable_runs(const PageContent& content) {
     std::vector<Playable> runs;
     std::vector<std::size_t> all;
     for (std::size_t k = 0; k < content.charts.size(); ++k) all.push_back(k);
-    std::size_t room = longest_playable;
+    std::size_t remaining = longest_playable;
     const auto add = [&](Playable run) {
-        if (!can_be_played(*run.run) || run.run->moments.size() > room) return;
-        room -= run.run->moments.size();
+        if (!can_be_played(*run.run) || run.run->moments.size() > remaining) return;
+        remaining -= run.run->moments.size();
         runs.push_back(std::move(run));
     };
     for (std::size_t k = 0; k < content.report.error_traces.size(); ++k) {

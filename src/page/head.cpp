@@ -83,48 +83,48 @@ std::string tally_text(const PageContent& content) {
 /// Returns the assumptions of all verdicts, one sentence each.
 std::vector<std::string> assumptions(const PageContent& content) {
     const CheckSettings& settings = content.report.settings;
-    std::vector<std::string> said;
+    std::vector<std::string> sentences;
     if (!content.requested.empty())
-        said.push_back("Only these properties were selected: " + listed(content.requested) + ".");
+        sentences.push_back("Only these properties were selected: " + listed(content.requested) + ".");
     if (settings.untimed.empty())
-        said.push_back(
+        sentences.push_back(
             fmt::format("Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time.",
                         settings.engine, seconds_text(settings.time_unit_ms)));
     else
-        said.push_back(
+        sentences.push_back(
             fmt::format("No time: the {} engine checked the untimed model ({}){}.", settings.engine, settings.untimed,
                         content.loop.valid() ? "; each verdict states its implication for the timed loop" : ""));
     if (!settings.constants.empty())
-        said.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");
+        sentences.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");
     if (settings.mode == word(ExecutionMode::StabilitySearch))
-        said.push_back(
+        sentences.push_back(
             "Stability search: the PLC reads its inputs, evolves until the situation is stable, and then writes its "
             "outputs.");
     else if (settings.mode == word(ExecutionMode::EveryCycle))
-        said.push_back("Every cycle: the PLC makes one evolution per cycle and writes its outputs in each cycle.");
-    else said.push_back(fmt::format("Modes of the controllers: {}.", settings.mode));
+        sentences.push_back("Every cycle: the PLC makes one evolution per cycle and writes its outputs in each cycle.");
+    else sentences.push_back(fmt::format("Modes of the controllers: {}.", settings.mode));
     if (settings.grain == "phased")
-        said.push_back("Grain phased: the plant and the timers can move between the phases of a PLC cycle.");
+        sentences.push_back("Grain phased: the plant and the timers can move between the phases of a PLC cycle.");
     else if (settings.grain == "atomic")
-        said.push_back(
+        sentences.push_back(
             "Grain atomic: the plant does not move during a PLC cycle; verdicts apply only to this model unless stated "
             "otherwise.");
     if (!content.loop.valid()) {
-        said.push_back("There is no plant: every input can change at any time.");
+        sentences.push_back("There is no plant: every input can change at any time.");
         for (const ChartContent& each : content.charts)
             for (const Chart::Constraint& constraint : content.model.charts[each.chart].constraints)
-                said.push_back("Input constraint, assumed by the findings, but not by the verdicts: " +
-                               term_text(content.model.charts[each.chart], constraint.condition));
-        return said;
+                sentences.push_back("Input constraint, assumed by the findings, but not by the verdicts: " +
+                                    term_text(content.model.charts[each.chart], constraint.condition));
+        return sentences;
     }
     const ClosedLoop& loop = content.model.loops[content.loop];
     if (settings.untimed.starts_with("no plant")) {
-        said.push_back("This model has no plant: every input can change at any time.");
-        if (settings.untimed.find("constrained inputs") == std::string::npos) return said;
+        sentences.push_back("This model has no plant: every input can change at any time.");
+        if (settings.untimed.find("constrained inputs") == std::string::npos) return sentences;
         for (const ClosedLoop::Constraint& constraint : loop.constraints)
-            said.push_back(fmt::format("The inputs always satisfy {}: {}", constraint.name,
-                                       term_text(content.model, loop, constraint.condition)));
-        return said;
+            sentences.push_back(fmt::format("The inputs always satisfy {}: {}", constraint.name,
+                                            term_text(content.model, loop, constraint.condition)));
+        return sentences;
     }
     std::vector<std::string> environment;
     for (const ClosedLoop::Instance& instance : loop.instances)
@@ -132,9 +132,9 @@ std::vector<std::string> assumptions(const PageContent& content) {
             environment.push_back(
                 fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
     if (!environment.empty())
-        said.push_back("The components of the environment can behave in any possible way: " + listed(environment) +
-                       ".");
-    return said;
+        sentences.push_back("The components of the environment can behave in any possible way: " + listed(environment) +
+                            ".");
+    return sentences;
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ Html& Html::prose(std::string_view message) {
     }
 }
 
-Html& Html::ours(std::string_view markup) {
+Html& Html::trusted(std::string_view markup) {
     html_ += markup;
     return *this;
 }

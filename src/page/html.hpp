@@ -23,7 +23,7 @@ public:
     /// Adds a message. Text between backticks is formatted as code.
     Html& prose(std::string_view message);
     /// Adds markup that the program generated.
-    Html& ours(std::string_view markup);
+    Html& trusted(std::string_view markup);
 
     const std::string& str() const { return html_; }
 

@@ -35,14 +35,14 @@ void add_contents(const PageContent& content, Html& html) {
 
 std::string page_of(const PageContent& content) {
     Html html;
-    html.ours("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
+    html.trusted("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
     html.open("meta", {{"charset", "utf-8"}})
         .open("meta", {{"http-equiv", "Content-Security-Policy"}, {"content", policy()}})
         .open("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}})
         .open("meta", {{"name", "color-scheme"}, {"content", "light dark"}})
         .open("meta", {{"name", "generator"}, {"content", "grafverif " + content.version}});
     html.put("title", content.report.model + " - grafverif");
-    html.ours("<style>").ours(page_style().text).ours("</style>\n").close("head");
+    html.trusted("<style>").trusted(page_style().text).trusted("</style>\n").close("head");
     html.open("body");
     add_head(content, html);
     add_contents(content, html);
@@ -55,8 +55,8 @@ std::string page_of(const PageContent& content) {
     add_equations(content, html);
     add_coverage(content, html);
     html.close("main");
-    html.open("script", {{"type", "application/json"}, {"id", "data"}}).ours(page_data(content)).close("script");
-    html.open("script", {{"type", "module"}}).ours(page_script().text).close("script");
+    html.open("script", {{"type", "application/json"}, {"id", "data"}}).trusted(page_data(content)).close("script");
+    html.open("script", {{"type", "module"}}).trusted(page_script().text).close("script");
     html.close("body").close("html");
     return html.str();
 }

@@ -80,7 +80,7 @@ void add_component(const Component& component, const ComponentContent& content, 
                           {"tabindex", "0"},
                           {"role", "region"},
                           {"aria-label", "Drawing of " + component.name}})
-            .ours(content.drawing)
+            .trusted(content.drawing)
             .close("div");
     html.open("details", content.drawing.empty() ? Html::Attributes{{"open", ""}} : Html::Attributes{});
     html.put("summary", "Tables of this automaton");

@@ -87,9 +87,9 @@ std::map<std::uint32_t, std::string> comments_of(const tree::File& file, std::st
     std::map<std::uint32_t, std::string> found;
     for (const tree::Comment& comment : file.comments) {
         if (comment.own_line) continue;
-        const auto behind = std::ranges::upper_bound(steps, comment.where.begin, {}, begin);
-        if (behind == steps.begin()) continue;
-        const WrittenStep& step = *std::prev(behind);
+        const auto next_step = std::ranges::upper_bound(steps, comment.where.begin, {}, begin);
+        if (next_step == steps.begin()) continue;
+        const WrittenStep& step = *std::prev(next_step);
         if (one_line(step.where.begin, comment.where.begin) || one_line(step.where.end, comment.where.begin))
             found.try_emplace(step.name, words_of(comment.text));
     }

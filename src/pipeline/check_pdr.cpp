@@ -56,9 +56,10 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
         pdr.progress = [&options](const PdrProgress& now) {
             options.limits.progress({[&now] { return words_of(now); }});
         };
-    const bool asks = options.properties.empty() || !pdr.properties.empty();  // an empty list selects all properties
+    const bool has_queries =
+        options.properties.empty() || !pdr.properties.empty();  // an empty list selects all properties
     const auto of = search.reach ? SystemReporter::Of::Program : SystemReporter::Of::EmbeddedEngine;
-    return reported(asks ? check_pdr(check.system, pdr) : PdrResult(), check, of, search.name, options);
+    return reported(has_queries ? check_pdr(check.system, pdr) : PdrResult(), check, of, search.name, options);
 }
 
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone) {
@@ -84,8 +85,9 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options, s
         own.limits.progress = {};
         return decided_by_cells(check, own);
     };
-    const bool asks = options.properties.empty() || !all.properties.empty();  // an empty list selects all properties
-    PortfolioResult result = asks ? check_together(check.system, all) : PortfolioResult{{}, true};
+    const bool has_queries =
+        options.properties.empty() || !all.properties.empty();  // an empty list selects all properties
+    PortfolioResult result = has_queries ? check_together(check.system, all) : PortfolioResult{{}, true};
     const std::string engine = result.alone ? "symbolic" : "auto";
     return reported(std::move(result), check, SystemReporter::Of::EmbeddedEngine, engine, options);
 }

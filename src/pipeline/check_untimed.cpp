@@ -90,14 +90,14 @@ SystemReporter::SystemReporter(const SystemToCheck& check, Of of, std::string en
 
 void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     if (is_probe(check_.system.properties[verdict.about])) return;
-    const bool told = verdict.outcome != Outcome::Holds || options_.witnesses;
+    const bool shows_trace = verdict.outcome != Outcome::Holds || options_.witnesses;
     if (run && of_ == Of::Program) {
         if (const auto found = disagreement(project(check_.system, *run), check_.charts))
             distrust(verdict, replay_failure("its trace", *found));
-    } else if (run && told && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) {
+    } else if (run && shows_trace && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) {
         run.reset();
     }
-    if (!told || verdict.outcome == Outcome::Unknown) run.reset();
+    if (!shows_trace || verdict.outcome == Outcome::Unknown) run.reset();
     if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
         verdict.notes.push_back(fmt::format("no plant has this run: {}/{} has expired in it, but {}/{} has not",
                                             duration_text(found->longer_ms), found->step.variable(),

@@ -27,7 +27,7 @@ std::string Simulator::execute(std::string_view command) {
 }
 const std::string& Simulator::problem() const { return inside_->problem; }
 std::vector<Choice> Simulator::choices() const { return inside_->moved->choices(); }
-const ChartRun& Simulator::run() const { return inside_->moved->told(); }
+const ChartRun& Simulator::run() const { return inside_->moved->recorded_run(); }
 std::optional<std::size_t> Simulator::what_if_row() const { return inside_->moved->what_if_row(); }
 
 std::string Simulator::disagreement() const {

@@ -38,7 +38,7 @@ bool reads_observer(const TransitionSystem& system, const Property& property) {
 /// True if an outcome of a model without a plant applies to every plant. It does not apply to a `leads to` that holds
 /// and whose premise reads a free variable: with a plant, the premise may be true between two cycles although no cycle
 /// reads this value.
-bool speaks_of_every_plant(const SystemToCheck& check, const Property& property, Outcome outcome) {
+bool holds_for_every_plant(const SystemToCheck& check, const Property& property, Outcome outcome) {
     const bool holds = outcome == Outcome::Holds;
     if (is_about_all_states(property.pattern)) return holds;
     if (property.at_stable) return false;
@@ -80,7 +80,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     const bool observed = reads_observer(check.system, property);
     switch (check.abstraction.preservation) {
     case Abstraction::Preservation::ToEveryPlant: {
-        if (observed || !speaks_of_every_plant(check, property, verdict.outcome))
+        if (observed || !holds_for_every_plant(check, property, verdict.outcome))
             return all_runs && !holds ? "may hold with the real plant" : "no conclusion about any plant";
         const bool constrained = check.abstraction.constrained;
         std::string words =
@@ -112,8 +112,10 @@ std::vector<std::string> unproven_faults(const TransitionSystem& system, const s
     std::vector<std::string> unproven;
     for (const Id<Property> id : system.properties.ids()) {
         const Property& property = system.properties[id];
-        const bool ours = !property.origin.source.valid();  // false if the user declares a property with this name
-        if (!ours || !(property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range"))) continue;
+        const bool is_implicit =
+            !property.origin.source.valid();  // false if the user declares a property with this name
+        if (!is_implicit || !(property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range")))
+            continue;
         const auto verdict = std::ranges::find(verdicts, id, &Verdict::about);
         if (verdict == verdicts.end() || verdict->outcome != Outcome::Holds) unproven.push_back(property.name);
     }

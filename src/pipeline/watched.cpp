@@ -13,25 +13,25 @@ namespace {
 
 /// Returns the names that variables have in the charts, for variables that have another name in the network.
 std::map<Id<Network::Variable>, std::string> reported_variables(const Network& network) {
-    std::map<Id<Network::Variable>, std::string> told;
+    std::map<Id<Network::Variable>, std::string> names;
     for (const Network::Controller& controller : network.controllers) {
         const std::string owner = prefix_of(network, controller);
-        for (const auto& step : controller.words.steps) told[step.variable] = owner + step.name.variable();
-        for (const auto& internal : controller.words.internals) told[internal.variable] = owner + internal.name;
+        for (const auto& step : controller.words.steps) names[step.variable] = owner + step.name.variable();
+        for (const auto& internal : controller.words.internals) names[internal.variable] = owner + internal.name;
         for (std::size_t k = 0; k < controller.timers.size(); ++k)
             if (const std::string timer = time_text(network, controller, k); !timer.empty())
-                told[controller.words.timers[k].end] = timer;
+                names[controller.words.timers[k].end] = timer;
     }
-    return told;
+    return names;
 }
 
 std::string term_text(const Network& network, Id<Expr> term) {
-    const auto told = reported_variables(network);
+    const auto names = reported_variables(network);
     return expr_text(network.exprs, term, chart_spelling, [&](std::ostream& out, const Expr& leaf) {
         if (leaf.op == Op::Variable) {
             const Id<Network::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
-            const auto known = told.find(variable);
-            out << (known == told.end() ? network.variables[variable].name : known->second);
+            const auto known = names.find(variable);
+            out << (known == names.end() ? network.variables[variable].name : known->second);
             return;
         }
         const Network::Process& process = network.processes[{at_process(leaf)}];

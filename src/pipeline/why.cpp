@@ -80,11 +80,11 @@ std::string owner_of(const Chart& chart, const TermPlace& place) {
 /// Returns `shut -> opening`, with its guard if there are several edges between these locations.
 std::string edge_name(const Component& component, Id<Component::Edge> id) {
     const Component::Edge& edge = component.edges[id];
-    const std::string ways = component.locations[edge.from].name + " -> " + component.locations[edge.to].name;
-    const auto beside = std::ranges::count_if(
+    const std::string endpoints = component.locations[edge.from].name + " -> " + component.locations[edge.to].name;
+    const auto parallel_edges = std::ranges::count_if(
         component.edges, [&](const Component::Edge& other) { return other.from == edge.from && other.to == edge.to; });
-    const std::string guard = beside > 1 ? guard_text(component, edge) : "";
-    return ways + (guard.empty() ? "" : " when " + guard);
+    const std::string guard = parallel_edges > 1 ? guard_text(component, edge) : "";
+    return endpoints + (guard.empty() ? "" : " when " + guard);
 }
 
 class ProofCoreSearch {
@@ -131,7 +131,7 @@ public:
 private:
     /// A change to the model, with the properties that are still undecided for the changed model.
     struct Trial {
-        ModelElement thing = {};
+        ModelElement element = {};
         Names names = {}, open = {};
         std::function<void(Model&)> change = {};
         const Network* original = nullptr;  ///< for a change to the plant: the network of the unchanged model
@@ -179,12 +179,12 @@ private:
         for (Trial& trial : trials_) {
             Names needed_by;
             for (const std::string& name : trial.names)
-                if (std::ranges::find(trial.thing.needed_by, name) != trial.thing.needed_by.end())
+                if (std::ranges::find(trial.element.needed_by, name) != trial.element.needed_by.end())
                     needed_by.push_back(name);
-            trial.thing.needed_by = std::move(needed_by);
-            trial.thing.open = std::move(trial.open);
-            if (!trial.thing.open.empty()) (void)stopped();
-            why_.things.push_back(std::move(trial.thing));
+            trial.element.needed_by = std::move(needed_by);
+            trial.element.open = std::move(trial.open);
+            if (!trial.element.open.empty()) (void)stopped();
+            why_.things.push_back(std::move(trial.element));
         }
         conclude_parts();
         number_namesakes();
@@ -223,8 +223,8 @@ private:
         return names_of([](const ProofCore&) { return true; });
     }
 
-    void add(ModelElement thing, Names names, std::function<void(Model&)> change, const Network* original = nullptr) {
-        trials_.push_back({std::move(thing), names, names, std::move(change), original});
+    void add(ModelElement element, Names names, std::function<void(Model&)> change, const Network* original = nullptr) {
+        trials_.push_back({std::move(element), names, names, std::move(change), original});
     }
 
     /// Checks the undecided properties of the changed model.
@@ -248,11 +248,11 @@ private:
         std::erase_if(trial.open, [&](const std::string& name) {
             // The change may remove an implicit property of the model: if no race of stored actions is possible any
             // more, the model has no property `no_race`.
-            const auto asks = [&](const Property& property) { return property.name == name; };
-            const bool gone =
-                std::ranges::none_of(network->properties, asks) && std::ranges::find(timeless, name) == timeless.end();
-            const Outcome outcome = gone ? Outcome::Holds : outcome_of(found, name);
-            if (outcome == Outcome::Violated) trial.thing.needed_by.push_back(name);
+            const auto has_name = [&](const Property& property) { return property.name == name; };
+            const bool is_absent = std::ranges::none_of(network->properties, has_name) &&
+                                   std::ranges::find(timeless, name) == timeless.end();
+            const Outcome outcome = is_absent ? Outcome::Holds : outcome_of(found, name);
+            if (outcome == Outcome::Violated) trial.element.needed_by.push_back(name);
             return outcome != Outcome::Unknown;
         });
     }
@@ -313,42 +313,42 @@ private:
     /// of this instance, so that no search is necessary. However, if an edge has assignments, a model error may be
     /// possible without its guard.
     void collect_guards(const Network& original) {
-        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
+        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement element) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
             if (!is_guarded(component, edge) || std::ranges::none_of(why_.grounds, &ProofCore::about_states)) return;
             const bool assigns = !component.edges[edge].assignments.empty();
             const auto requested = [&](const ProofCore& ground) {
-                const auto names = [&](const Names& list) { return std::ranges::find(list, thing.of) != list.end(); };
-                return ground.about_states && (assigns || names(ground.parts) || is_undecided(ground, thing.of));
+                const auto names = [&](const Names& list) { return std::ranges::find(list, element.of) != list.end(); };
+                return ground.about_states && (assigns || names(ground.parts) || is_undecided(ground, element.of));
             };
-            thing.kind = ProofExplanation::Kind::Guard;
+            element.kind = ProofExplanation::Kind::Guard;
             add(
-                thing, names_of(requested), [this, id, edge](Model& without) { drop_guard(without, loop_, id, edge); },
-                &original);
+                element, names_of(requested),
+                [this, id, edge](Model& without) { drop_guard(without, loop_, id, edge); }, &original);
         });
     }
 
     /// Adds trials for edges. If an edge is not urgent and no invariant forces it, the loop without the edge has no new
     /// behaviour. Therefore a property about all states that holds with the edge also holds without it.
     void collect_edges(const Network& original) {
-        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement thing) {
+        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement element) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
-            thing.kind = ProofExplanation::Kind::Edge;
+            element.kind = ProofExplanation::Kind::Edge;
             add(
-                thing, names_of([&](const ProofCore& ground) { return forced || !ground.about_states; }),
+                element, names_of([&](const ProofCore& ground) { return forced || !ground.about_states; }),
                 [this, id, edge](Model& without) { drop_edge(without, loop_, id, edge); }, &original);
         });
     }
 
     void number_namesakes() {
         std::map<std::tuple<ProofExplanation::Kind, std::string, std::string>, std::size_t> seen;
-        for (ModelElement& thing : why_.things) thing.nth = ++seen[{thing.kind, thing.of, thing.name}];
+        for (ModelElement& element : why_.things) element.nth = ++seen[{element.kind, element.of, element.name}];
     }
 
     // -- the plant and the timers ------------------------------------------------------------------------------------
 
     void collect_parts(const Network& network) {
-        told_ = display_names(network);
+        display_names_ = display_names(network);
         order_ = in_order(network);
         for (std::size_t k = 0; k < why_.grounds.size(); ++k)
             if (why_.grounds[k].about_states) parts_.push_back({k, network, order_});
@@ -358,7 +358,8 @@ private:
     bool is_undecided(const ProofCore& ground, const std::string& part) const {
         return std::ranges::any_of(parts_, [&](const PartsOf& parts) {
             return why_.grounds[parts.ground].property == ground.property &&
-                   std::ranges::any_of(parts.order, [&](Id<Network::Process> id) { return told_[id.index] == part; });
+                   std::ranges::any_of(parts.order,
+                                       [&](Id<Network::Process> id) { return display_names_[id.index] == part; });
         });
     }
 
@@ -366,18 +367,19 @@ private:
         std::set<std::string> needed;
         for (const PartsOf& parts : parts_) {
             ProofCore& ground = why_.grounds[parts.ground];
-            for (const Id<Network::Process> id : parts.order) ground.open.push_back(told_[id.index]);
+            for (const Id<Network::Process> id : parts.order) ground.open.push_back(display_names_[id.index]);
             if (!ground.open.empty()) (void)stopped();
             for (const auto* names : {&ground.parts, &ground.open}) needed.insert(names->begin(), names->end());
         }
         for (const Id<Network::Process> id : order_)
-            if (!parts_.empty() && !needed.contains(told_[id.index])) why_.unneeded_parts.push_back(told_[id.index]);
+            if (!parts_.empty() && !needed.contains(display_names_[id.index]))
+                why_.unneeded_parts.push_back(display_names_[id.index]);
     }
 
     /// Returns the processes in the order of removal. Processes that write inputs of controllers come first: after they
     /// are removed, others may have no further effect.
     static std::vector<Id<Network::Process>> in_order(const Network& network) {
-        std::vector<Id<Network::Process>> order, behind;
+        std::vector<Id<Network::Process>> order, others;
         for (const Id<Network::Process> id : network.processes.ids()) {
             const Network::Process& process = network.processes[id];
             if (process.kind == Network::ProcessKind::Controller) continue;
@@ -389,9 +391,9 @@ private:
                                Network::Role::Input;
                     });
                 });
-            (drives ? order : behind).push_back(id);
+            (drives ? order : others).push_back(id);
         }
-        order.insert(order.end(), behind.begin(), behind.end());
+        order.insert(order.end(), others.begin(), others.end());
         return order;
     }
 
@@ -425,7 +427,7 @@ private:
     /// clocks. Returns Holds if the property does not depend on the process, Violated if it does, and Unknown
     /// otherwise.
     Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground, const Deadline& end) {
-        const std::string& name = told_[id.index];
+        const std::string& name = display_names_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
         const bool timer = open.processes[id].kind == Network::ProcessKind::Timer;
         const auto without = [&](Network less) {
@@ -469,7 +471,7 @@ private:
     std::vector<Trial> trials_ = {};
     std::vector<PartsOf> parts_ = {};
     std::vector<Id<Network::Process>> order_ = {};
-    std::vector<std::string> told_ = {};  // displayed name of each process
+    std::vector<std::string> display_names_ = {};  // displayed name of each process
     ProofExplanation why_ = {};
 };
 

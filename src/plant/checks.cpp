@@ -124,13 +124,13 @@ std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
 }  // namespace
 
 void check_urgent_invariants(const Network& network, Diagnostics& diagnostics) {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> told;  // pairs of template and edge that are already reported
+    std::set<std::pair<std::uint32_t, std::uint32_t>> reported;  // pairs of template and edge that are already reported
     for (const Network::Process& process : network.processes) {
         const Network::Template& automaton = network.templates[process.automaton];
         for (const Id<Network::Edge> id : automaton.edges.ids()) {
             const Network::Edge& edge = automaton.edges[id];
             if (!edge.urgent || keeps_target_invariant(network, process, edge)) continue;
-            if (told.emplace(process.automaton.index, id.index).second)
+            if (reported.emplace(process.automaton.index, id.index).second)
                 diagnostics.add(
                     messages::urgent_invariant(edge.origin, automaton.name, automaton.locations[edge.to].name));
         }
@@ -140,7 +140,7 @@ void check_urgent_invariants(const Network& network, Diagnostics& diagnostics) {
 void warn_skipped_ranges(const Network& network, Diagnostics& diagnostics) {
     Steps steps;
     for (const Id<Network::Process> process : network.processes.ids()) collect_steps(network, process, steps);
-    std::set<std::tuple<std::uint32_t, std::uint32_t, std::int64_t, std::int64_t>> told;
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::int64_t, std::int64_t>> reported;
     for (const Id<Network::Process> id : network.processes.ids()) {
         const Slots slots(network, id);
         for (const Network::Edge& edge : slots.automaton.edges) {
@@ -148,7 +148,7 @@ void warn_skipped_ranges(const Network& network, Diagnostics& diagnostics) {
                 const auto step = steps.find(variable);
                 if (step == steps.end() || step->second.process == id || !low || !high || *low > *high) continue;
                 if (*high - *low + 1 >= step->second.length) continue;
-                if (!told.emplace(id.index, variable.index, *low, *high).second) continue;
+                if (!reported.emplace(id.index, variable.index, *low, *high).second) continue;
                 const std::string& mover = network.processes[step->second.process].name;
                 diagnostics.add(messages::range_skipped(slots.process.origin, network.variables[variable].name, mover,
                                                         step->second.length, slots.process.name, *low, *high));

@@ -86,14 +86,14 @@ std::int64_t common_divisor(const std::vector<Duration>& all) {
 std::map<std::int64_t, std::int64_t> divisors_without(const std::vector<Duration>& all) {
     std::map<std::int64_t, std::int64_t> without;
     for (const Duration& duration : all) without.emplace(duration.milliseconds, 0);
-    std::int64_t before = 0, behind = 0;
+    std::int64_t before = 0, after = 0;
     for (auto& [length, divisor] : without) {
         divisor = before;
         before = std::gcd(before, length);
     }
     for (auto& [length, divisor] : without | std::views::reverse) {
-        divisor = std::gcd(divisor, behind);
-        behind = std::gcd(behind, length);
+        divisor = std::gcd(divisor, after);
+        after = std::gcd(after, length);
     }
     return without;
 }

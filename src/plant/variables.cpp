@@ -139,7 +139,7 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
     }
     for (const Component::Variable& declared : component.variables) {
         Variable variable{.name = names.fresh(instance.name + "_" + declared.name), .origin = declared.origin};
-        variable.told = display_name(instance.name, component, declared.name);
+        variable.shown_name = display_name(instance.name, component, declared.name);
         here.declare(variable, declared.low, declared.high, declared.initial, declared.origin);
         own.push_back(plant.variables.add(std::move(variable)));
         written.push_back(own.back());

@@ -102,14 +102,14 @@ Id<tree::Expr> Draft::copy(Id<tree::Expr> term) {
     node.first = node.last = node.next = {};
     const Id<tree::Expr> id = file_.exprs.add(node);
     for (const Id<tree::Expr> one : inner) {  // deepest_expression limits the recursion depth
-        const Id<tree::Expr> twin = copy(one);
-        tree::append(file_.exprs, id, twin);
+        const Id<tree::Expr> copied = copy(one);
+        tree::append(file_.exprs, id, copied);
     }
     return id;
 }
 
-void Draft::comment(Span where, std::string line, bool behind) {
-    file_.comments.push_back({std::move(line), where, !behind});
+void Draft::comment(Span where, std::string line, bool trailing) {
+    file_.comments.push_back({std::move(line), where, !trailing});
 }
 
 void Draft::refuse(Span where, std::string_view what, std::string_view hint) {
@@ -148,19 +148,19 @@ void Draft::group_variables(tree::Chart& chart) const {
 }
 
 tree::File Draft::take() {
-    file_.lost = file_.broken = diagnostics_->errors() != errors_;
+    file_.incomplete = file_.broken = diagnostics_->errors() != errors_;
     return std::move(file_);
 }
 
-std::string LegalNames::make(std::string_view wish, Span where) {
-    std::string name = invent(wish);
-    if (name != wish) draft_->diagnostics().add(messages::renamed(where, wish, name));
+std::string LegalNames::make(std::string_view preferred, Span where) {
+    std::string name = invent(preferred);
+    if (name != preferred) draft_->diagnostics().add(messages::renamed(where, preferred, name));
     return name;
 }
 
-std::string LegalNames::invent(std::string_view wish) {
+std::string LegalNames::invent(std::string_view preferred) {
     std::string name;
-    for (std::string_view rest = wish.substr(0, longest_name); !rest.empty();) {
+    for (std::string_view rest = preferred.substr(0, longest_name); !rest.empty();) {
         const std::string_view character = rest.substr(0, first_glyph(rest).bytes);
         if (identifier_length("_" + std::string(character)) > character.size()) name += character;
         else if (!name.empty() && name.back() != '_') name += '_';

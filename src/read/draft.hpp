@@ -37,9 +37,9 @@ public:
     const tree::Expr& operator[](Id<tree::Expr> id) const { return file_.exprs[id]; }
     std::vector<Id<tree::Expr>> operands(Id<tree::Expr> id) const;
 
-    /// Adds a comment line (`// ...`) before the element at the given position, or at the end of its line if `behind`
+    /// Adds a comment line (`// ...`) before the element at the given position, or at the end of its line if `trailing`
     /// is true.
-    void comment(Span where, std::string line, bool behind = false);
+    void comment(Span where, std::string line, bool trailing = false);
 
     /// Reports a construct that cannot be imported. This is an error, or with `lossy` a warning and a comment in the
     /// text. `hint` states the remedy.
@@ -70,10 +70,10 @@ public:
 
     LegalNames(Kind kind, Draft& draft) : kind_(kind), draft_(&draft) {}
 
-    /// Returns a legal unused name that is as similar to `wish` as possible.
-    std::string make(std::string_view wish, Span where);
+    /// Returns a legal unused name that is as similar to `preferred` as possible.
+    std::string make(std::string_view preferred, Span where);
     /// Returns a generated name of this type, without a warning.
-    std::string invent(std::string_view wish);
+    std::string invent(std::string_view preferred);
     /// Reserves a legal name.
     void reserve(std::string_view name) { taken_.take(std::string(name)); }
 

@@ -99,7 +99,7 @@ std::string stem_of(std::string_view path) {
 tree::File broken(Id<Source> source) {
     tree::File file;
     file.source = source;
-    file.broken = file.lost = true;
+    file.broken = file.incomplete = true;
     return file;
 }
 

@@ -30,14 +30,14 @@ public:
             items(chart->items);
             end(chart->where);
         }
-        std::vector<tree::Comment> lost;
+        std::vector<tree::Comment> dropped;
         for (auto& [where, comments] : hung_)
-            for (tree::Comment& comment : comments) lost.push_back(std::move(comment));
-        for (std::uint32_t at = 0; at < lost.size(); ++at) {
-            lost[at].own_line = true;
-            lost[at].where = {{}, at, at + 1};
+            for (tree::Comment& comment : comments) dropped.push_back(std::move(comment));
+        for (std::uint32_t at = 0; at < dropped.size(); ++at) {
+            dropped[at].own_line = true;
+            dropped[at].where = {{}, at, at + 1};
         }
-        file_.comments.insert(file_.comments.begin(), lost.begin(), lost.end());
+        file_.comments.insert(file_.comments.begin(), dropped.begin(), dropped.end());
     }
 
 private:
@@ -45,12 +45,12 @@ private:
 
     /// Assigns a position to the next element, and to the comments before and after it.
     void begin(Span& where, bool gap) {
-        std::vector<tree::Comment> behind;
+        std::vector<tree::Comment> trailing;
         const auto hung = hung_.extract(where.begin);
         if (!hung.empty()) {
             for (tree::Comment& comment : hung.mapped()) {
                 if (!comment.own_line) {
-                    behind.push_back(std::move(comment));
+                    trailing.push_back(std::move(comment));
                     continue;
                 }
                 comment.where = next();
@@ -60,7 +60,7 @@ private:
         }
         where = next();
         if (gap) file_.gaps.push_back(where.begin);
-        for (tree::Comment& comment : behind) {
+        for (tree::Comment& comment : trailing) {
             comment.where = next();
             file_.comments.push_back(std::move(comment));
         }

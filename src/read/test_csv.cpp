@@ -42,11 +42,11 @@ public:
     }
 
     void header(const CsvRow& row) {
-        const bool ours = row.size() >= 4 && row[0].text == "sequence" && row[1].text == "step" &&
-                          row[2].text == "wait" && row[3].text == "cycles";
+        const bool is_native = row.size() >= 4 && row[0].text == "sequence" && row[1].text == "step" &&
+                               row[2].text == "wait" && row[3].text == "cycles";
         for (std::size_t k = 0; k < row.size(); ++k) {
             const auto word = test_word(row[k].text);
-            const bool fixed = ours && (k < 4 || (k + 1 == row.size() && word == TestWord::Situation));
+            const bool fixed = is_native && (k < 4 || (k + 1 == row.size() && word == TestWord::Situation));
             const auto variable = fixed ? std::nullopt : variable_column(row[k].text);
             if (!variable && !word) {
                 diagnostics_.add(messages::unknown_column(row[k].where, row[k].text, test_.chart));

@@ -208,11 +208,11 @@ void read_loops(ReadState& reading, const tree::File& file, const LoopContext& c
 }  // namespace
 
 std::string path_of_include(const std::string& from, const std::string& written, const ReadContext& context) {
-    const std::string beside = joined(std::filesystem::path(from).parent_path(), written, context);
-    if (!context.identity || !context.identity(beside).empty()) return beside;
+    const std::string candidate = joined(std::filesystem::path(from).parent_path(), written, context);
+    if (!context.identity || !context.identity(candidate).empty()) return candidate;
     for (const std::string& folder : context.folders)
         if (const std::string path = joined(folder, written, context); !context.identity(path).empty()) return path;
-    return beside;
+    return candidate;
 }
 
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context,
@@ -233,7 +233,7 @@ std::optional<Model> model_of(std::span<const tree::File> files, bool files_miss
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
     // Declarations that were omitted because of an error may define the missing names.
-    const bool hidden = std::ranges::any_of(files, &tree::File::lost) || files_missing;
+    const bool hidden = std::ranges::any_of(files, &tree::File::incomplete) || files_missing;
     const LoopContext loops = loop_context(reading);
     if (!hidden)
         for (const tree::File& parsed : files) read_loops(reading, parsed, loops);

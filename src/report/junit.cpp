@@ -20,7 +20,7 @@ std::string data(std::string_view text) {
     return xml;
 }
 
-std::string told(const ChartRun& run, std::string_view end) {
+std::string run_text(const ChartRun& run, std::string_view end) {
     std::ostringstream text;
     print_trace(run, text);
     if (!run.loop_from && !end.empty()) text << "    " << end << '\n';
@@ -59,7 +59,7 @@ std::string result(const PropertyResult& answer, const std::optional<FilePlace>&
     }
     if (as_expected(verdict)) return {};
     const std::string message(verdict.expected_violated ? "holds, but expected to be violated" : "violated");
-    return failure(word(verdict.outcome), message, where, answer.trace ? told(*answer.trace, end_of(verdict)) : "");
+    return failure(word(verdict.outcome), message, where, answer.trace ? run_text(*answer.trace, end_of(verdict)) : "");
 }
 
 /// Returns the output of a case: the text of the property, and a note if it holds vacuously.
@@ -102,7 +102,7 @@ std::string junit_suite(const Report& report, const ReportSource& written) {
     std::string cases;
     for (const ModelErrorTrace& breakdown : report.error_traces) {
         const auto where = file_place(written.sources, origin(written));
-        const std::string trace = breakdown.trace.steps.empty() ? "" : told(breakdown.trace, "");
+        const std::string trace = breakdown.trace.steps.empty() ? "" : run_text(breakdown.trace, "");
         cases += test_case({report.model, breakdown.code, "", where, 0},
                            failure(breakdown.code, breakdown.message, where, trace));
     }

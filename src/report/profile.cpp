@@ -59,14 +59,14 @@ public:
     }
 
 private:
-    template <class Thing, class Words>
-    void print_lines(const std::vector<Thing>& things, const Words& words) {
-        const auto end =
-            std::ranges::find_if(things, [](const Thing& thing) { return thing.factor.value() < least_factor; });
-        const auto count = static_cast<std::size_t>(end - things.begin());
+    template <class Element, class Words>
+    void print_lines(const std::vector<Element>& elements, const Words& words) {
+        const auto end = std::ranges::find_if(
+            elements, [](const Element& element) { return element.factor.value() < least_factor; });
+        const auto count = static_cast<std::size_t>(end - elements.begin());
         for (std::size_t i = 0; i < std::min(count, most_lines); ++i)
-            out_ << fmt::format("    x {:<7.1f} {}{}\n", things[i].factor.value(), words(things[i]),
-                                things[i].place.empty() ? "" : " (" + printable(things[i].place) + ")");
+            out_ << fmt::format("    x {:<7.1f} {}{}\n", elements[i].factor.value(), words(elements[i]),
+                                elements[i].place.empty() ? "" : " (" + printable(elements[i].place) + ")");
         if (count > most_lines) out_ << fmt::format("    and {} more with smaller factors\n", count - most_lines);
     }
 

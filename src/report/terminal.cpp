@@ -53,15 +53,15 @@ TableWidths fitting(const ChartRun& run) {
         const Cells row = cells(run, index, index + 1 == run.rows.size());
         for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], columns_of(row[i]));
     }
-    const std::size_t room = widest_line - gutter - column_gap * (widths.size() - 1);
-    for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > room;) {
+    const std::size_t available = widest_line - gutter - column_gap * (widths.size() - 1);
+    for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > available;) {
         const auto widest = std::ranges::max_element(widths);
         const auto rest = sum - *widest;
         // Reduces the widest column to the width of the second widest column, or by less if this is sufficient.
         std::size_t next = least_width;
         for (auto width = widths.begin(); width != widths.end(); ++width)
             if (width != widest) next = std::max(next, *width);
-        const std::size_t needed = room > rest ? room - rest : least_width;
+        const std::size_t needed = available > rest ? available - rest : least_width;
         *widest = std::max({needed, std::min(next, *widest - 1), least_width});
         sum = rest + *widest;
     }

@@ -165,10 +165,11 @@ private:
         const bool together = reason != nullptr && reason->answers.size() > 1;
         if (together && reason->answers.front() != &answer) return {};
         std::ostringstream out;
-        const std::string said = outcome(verdict);
-        std::string head = together ? folded(names_of(families_, reason->answers) + ": " + said, 4)
-                                    : name_in_full(answer) + ": " + said + '\n';
-        head.replace(head.size() - said.size() - 1, said.size(), painted(said, colour_of(verdict)));
+        const std::string outcome_text = outcome(verdict);
+        std::string head = together ? folded(names_of(families_, reason->answers) + ": " + outcome_text, 4)
+                                    : name_in_full(answer) + ": " + outcome_text + '\n';
+        head.replace(head.size() - outcome_text.size() - 1, outcome_text.size(),
+                     painted(outcome_text, colour_of(verdict)));
         out << head;
         if (!verdict.reason.empty()) out << "    why: " << printable(verdict.reason) << '\n';
         for (const std::string& note : verdict.notes)
@@ -201,10 +202,10 @@ private:
             if (outcome(answer.verdict) == word(Outcome::Holds)) ++holding[family_of(answer)];
         for (const PropertyResult& answer : report_.answers) {
             const Verdict& verdict = answer.verdict;
-            const std::string family = family_of(answer), said = outcome(verdict);
-            Row row{verdict.property, said, answer.place, answer.text, colour_of(verdict)};
+            const std::string family = family_of(answer), outcome_text = outcome(verdict);
+            Row row{verdict.property, outcome_text, answer.place, answer.text, colour_of(verdict)};
             if (!verdict.declared) row.property += undeclared(verdict);
-            if (!family.empty() && said == word(Outcome::Holds)) {
+            if (!family.empty() && outcome_text == word(Outcome::Holds)) {
                 if (!families.insert(family).second) continue;
                 row.property = steps_that_hold(answer, holding);
             }
@@ -236,8 +237,8 @@ private:
         const std::size_t used = 2 * 3 + widths[0] + widths[1] + widths[2];
         constexpr std::size_t least_of_text = 20;
         if (options_.columns != 0) {
-            const std::size_t room = options_.columns > used ? options_.columns - used : 0;
-            widths[3] = room < least_of_text ? 0 : std::min(widths[3], room);
+            const std::size_t available = options_.columns > used ? options_.columns - used : 0;
+            widths[3] = available < least_of_text ? 0 : std::min(widths[3], available);
         }
         out_ << '\n';
         for (const Row& row : all) {

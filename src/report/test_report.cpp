@@ -103,10 +103,10 @@ std::vector<std::string> verify(const TestReport& report) {
         if (report.verdicts[k].size() != rows_of(report.test.sequences[k]).size())
             return {"the number of verdicts differs from the number of rows"};
         for (std::size_t row = 0; row < report.verdicts[k].size(); ++row) {
-            const bool told = failure != report.failures.end() && failure->sequence == k && failure->row == row;
-            if (told != (report.verdicts[k][row] == StepVerdict::Failed))
+            const bool is_failure = failure != report.failures.end() && failure->sequence == k && failure->row == row;
+            if (is_failure != (report.verdicts[k][row] == StepVerdict::Failed))
                 faults.push_back("the failures differ from the failed verdicts");
-            if (told) ++failure;
+            if (is_failure) ++failure;
         }
     }
     if (failure != report.failures.end()) faults.push_back("a failure outside the rows");
@@ -143,11 +143,11 @@ std::string junit_suite(const TestReport& report) {
     for_each_row(report, [&](std::size_t sequence, std::size_t row, const TestReport::Failure* failed) {
         out += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", attribute_xml(report.test.chart),
                            attribute_xml(row_name(report.test, sequence, row)));
-        std::string told;
-        if (failed != nullptr) escape_xml(failure_text(report, *failed), told);
+        std::string escaped;
+        if (failed != nullptr) escape_xml(failure_text(report, *failed), escaped);
         if (failed != nullptr)
             out += fmt::format(">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n    </testcase>\n",
-                               word(failed->cause), attribute_xml(cause_text(report, *failed)), told);
+                               word(failed->cause), attribute_xml(cause_text(report, *failed)), escaped);
         else if (report.verdicts[sequence][row] == StepVerdict::NotRun) out += ">\n      <skipped/>\n    </testcase>\n";
         else out += "/>\n";
     });

@@ -88,24 +88,24 @@ void TraceRowBuilder::finish() {
 }
 
 void TraceRowBuilder::add_event(std::size_t moment) {
-    const ChartRun::Event& told = run_.moments[moment];
+    const ChartRun::Event& event = run_.moments[moment];
     if (moment == 0) {
         const bool alone = run_.controllers.size() == 1;
         return add({Kind::Controller, alone ? run_.controllers.begin()->name : run_.name, "power on"}, moment);
     }
-    if (told.kind == Kind::Delay) {
+    if (event.kind == Kind::Delay) {
         close_all(moment - 1);
         delay_ = moment;
-        delay_ms_ += told.after.time_ms - run_.moments[moment - 1].after.time_ms;
+        delay_ms_ += event.after.time_ms - run_.moments[moment - 1].after.time_ms;
         return;
     }
     if (run_.searches) close_delay();
-    for (const Act& act : told.acts) add_act_rows(moment, act);
-    if (told.timer.valid()) return add_timer_row(moment);
-    if (told.kind != Kind::Controller && !told.internal) return add_instance_row(moment);
-    if (told.internal && told.instance.valid() && detail_ == Detail::Everything)
-        add({.kind = told.kind,
-             .component = run_.instances[told.instance].name,
+    for (const Act& act : event.acts) add_act_rows(moment, act);
+    if (event.timer.valid()) return add_timer_row(moment);
+    if (event.kind != Kind::Controller && !event.internal) return add_instance_row(moment);
+    if (event.internal && event.instance.valid() && detail_ == Detail::Everything)
+        add({.kind = event.kind,
+             .component = run_.instances[event.instance].name,
              .what = instance_text(run_, moment),
              .internal = true},
             moment);
@@ -129,10 +129,10 @@ void TraceRowBuilder::add_sampling_row(std::size_t moment) {
 void TraceRowBuilder::add_instance_row(std::size_t moment) {
     close_all(moment - 1);
     add_sampling_row(moment);
-    const ChartRun::Event& told = run_.moments[moment];
-    ChartRun::Row row{.kind = told.kind, .what = "inputs change"};
-    if (told.instance.valid()) {
-        row.component = run_.instances[told.instance].name;
+    const ChartRun::Event& event = run_.moments[moment];
+    ChartRun::Row row{.kind = event.kind, .what = "inputs change"};
+    if (event.instance.valid()) {
+        row.component = run_.instances[event.instance].name;
         row.what = instance_text(run_, moment);
     }
     add(std::move(row), moment);
@@ -140,9 +140,9 @@ void TraceRowBuilder::add_instance_row(std::size_t moment) {
 
 void TraceRowBuilder::add_timer_row(std::size_t moment) {
     close_all(moment - 1);
-    const ChartRun::Event& told = run_.moments[moment];
-    const ChartRun::Timer& timer = run_.timers[told.timer];
-    add({Kind::Timer, timer.name, timer_text(timer, told.timer_holds)}, moment);
+    const ChartRun::Event& event = run_.moments[moment];
+    const ChartRun::Timer& timer = run_.timers[event.timer];
+    add({Kind::Timer, timer.name, timer_text(timer, event.timer_holds)}, moment);
 }
 
 void TraceRowBuilder::add_act_rows(std::size_t moment, const Act& act) {

@@ -13,14 +13,14 @@
 namespace grafverif {
 
 std::string instance_text(const ChartRun& run, std::size_t moment, bool inputs) {
-    const ChartRun::Event& told = run.moments[moment];
+    const ChartRun::Event& event = run.moments[moment];
     std::string words;
-    if (told.location) words = run.instances[told.instance].locations[*told.location];
-    for (const Id<ChartRun::Signal> id : told.changed) {
+    if (event.location) words = run.instances[event.instance].locations[*event.location];
+    for (const Id<ChartRun::Signal> id : event.changed) {
         const ChartRun::Signal& signal = run.signals[id];
         if (signal.role != ChartRun::Role::Plant && !(inputs && signal.role == ChartRun::Role::Input)) continue;
         if (!words.empty()) words += ", ";
-        words += change_text(signal, run.moments[moment - 1].after.values[id.index], told.after.values[id.index]);
+        words += change_text(signal, run.moments[moment - 1].after.values[id.index], event.after.values[id.index]);
     }
     return words;
 }
@@ -90,10 +90,10 @@ std::string causes_text(const ChartRun& run) {
     for (std::size_t k = 0; k < std::min(most, run.causes.size()); ++k) {
         const ChartRun::Cause& cause = run.causes[k];
         std::string when = "at " + event_text(run, run.moments[cause.first].after);
-        const bool goes_on = cause.first < cause.last;
-        if (goes_on && cause.last + 1 < run.moments.size())
+        const bool lasts = cause.first < cause.last;
+        if (lasts && cause.last + 1 < run.moments.size())
             when = "from" + when.substr(2) + " to " + event_text(run, run.moments[cause.last].after);
-        else if (goes_on) when = "from" + when.substr(2) + " on";
+        else if (lasts) when = "from" + when.substr(2) + " on";
         text += when == last ? ", " : (text.empty() ? "" : "; ") + when + ": ";
         text += cause_text(run, cause);
         last = when;
@@ -104,9 +104,9 @@ std::string causes_text(const ChartRun& run) {
 std::string counterfactual_text(const ChartRun& run) {
     std::vector<std::pair<std::size_t, std::string>> all;
     for (const std::size_t moment : run.left_out) {
-        const ChartRun::Event& told = run.moments[moment];
+        const ChartRun::Event& event = run.moments[moment];
         const std::string what = instance_text(run, moment, true);
-        all.emplace_back(moment, run.instances[told.instance].name + (what.empty() ? "" : " (" + what + ")"));
+        all.emplace_back(moment, run.instances[event.instance].name + (what.empty() ? "" : " (" + what + ")"));
     }
     for (const ChartRun::Counterfactual& each : run.counterfactual_values)
         all.emplace_back(each.moment, counterfactual_text(run, each));

@@ -42,16 +42,16 @@ bool of_plant(ProofExplanation::Kind kind) {
     return kind == ProofExplanation::Kind::Guard || kind == ProofExplanation::Kind::Edge;
 }
 
-std::string nth_of(const ProofExplanation::ModelElement& thing) {
-    return thing.nth > 1 ? fmt::format(" ({})", thing.nth) : "";
+std::string nth_of(const ProofExplanation::ModelElement& element) {
+    return element.nth > 1 ? fmt::format(" ({})", element.nth) : "";
 }
 
 /// Returns the name of an element in a list of elements of its type. In such a list, the elements of an instance are
 /// printed after the name of the instance (see by_instance).
-std::string name_of(const ProofExplanation::ModelElement& thing) {
-    if (thing.kind == ProofExplanation::Kind::Term)
-        return fmt::format("`{}`{} of {}", thing.name, nth_of(thing), thing.of);
-    return thing.name + nth_of(thing);
+std::string name_of(const ProofExplanation::ModelElement& element) {
+    if (element.kind == ProofExplanation::Kind::Term)
+        return fmt::format("`{}`{} of {}", element.name, nth_of(element), element.of);
+    return element.name + nth_of(element);
 }
 
 using Choice = bool (*)(const ProofExplanation::ModelElement&);
@@ -74,8 +74,8 @@ Names by_instance(const std::vector<ProofExplanation::ModelElement>& edges, Choi
 
 std::vector<ProofExplanation::ModelElement> of_kind(const ProofExplanation& why, ProofExplanation::Kind kind) {
     std::vector<ProofExplanation::ModelElement> found;
-    for (const ProofExplanation::ModelElement& thing : why.things)
-        if (thing.kind == kind) found.push_back(thing);
+    for (const ProofExplanation::ModelElement& element : why.things)
+        if (element.kind == kind) found.push_back(element);
     return found;
 }
 
@@ -99,21 +99,21 @@ struct OfCharts {
 };
 
 OfCharts of_charts(const ProofExplanation& why, const ProofExplanation::ProofCore& ground, std::size_t most) {
-    OfCharts said;
+    OfCharts result;
     for (const ProofExplanation::Kind kind : kinds) {
         if (of_plant(kind)) continue;
         Names needed, open;
-        for (const ProofExplanation::ModelElement& thing : of_kind(why, kind)) {
-            if (has(thing.needed_by, ground.property)) needed.push_back(name_of(thing));
-            if (has(thing.open, ground.property)) open.push_back(name_of(thing));
+        for (const ProofExplanation::ModelElement& element : of_kind(why, kind)) {
+            if (has(element.needed_by, ground.property)) needed.push_back(name_of(element));
+            if (has(element.open, ground.property)) open.push_back(name_of(element));
         }
-        if (!needed.empty()) said.fails.push_back(without(kind, needed));
+        if (!needed.empty()) result.fails.push_back(without(kind, needed));
         const bool many = open.size() > most;
         for (const std::string& name : many ? Names{} : open)
-            said.open.push_back(fmt::format("{} {}", word(kind), name));
-        if (many) said.open.push_back(fmt::format("{} {}s", open.size(), word(kind)));
+            result.open.push_back(fmt::format("{} {}", word(kind), name));
+        if (many) result.open.push_back(fmt::format("{} {}s", open.size(), word(kind)));
     }
-    return said;
+    return result;
 }
 
 std::string parts_text(const ProofExplanation::ProofCore& ground) {
@@ -146,23 +146,25 @@ std::string plural(ProofExplanation::Kind kind) {
     return {};
 }
 
-bool is_needed(const ProofExplanation::ModelElement& thing) { return !thing.needed_by.empty(); }
-bool is_free(const ProofExplanation::ModelElement& thing) { return thing.needed_by.empty() && thing.open.empty(); }
+bool is_needed(const ProofExplanation::ModelElement& element) { return !element.needed_by.empty(); }
+bool is_free(const ProofExplanation::ModelElement& element) {
+    return element.needed_by.empty() && element.open.empty();
+}
 
 /// Returns the number of elements of a type that at least one property needs, and lists the elements that no property
 /// needs.
-std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofExplanation::ModelElement>& things,
+std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofExplanation::ModelElement>& elements,
                           bool verbose) {
-    const auto covered = std::ranges::count_if(things, is_needed), free = std::ranges::count_if(things, is_free);
-    const auto open = std::ssize(things) - covered - free;
-    std::string text = fmt::format("{}: {} of {}", plural(kind), covered, things.size());
+    const auto covered = std::ranges::count_if(elements, is_needed), free = std::ranges::count_if(elements, is_free);
+    const auto open = std::ssize(elements) - covered - free;
+    std::string text = fmt::format("{}: {} of {}", plural(kind), covered, elements.size());
     if (open > 0) text += fmt::format(", {} undecided", open);
-    const bool some = free > 0 && free < std::ssize(things);
-    if (of_plant(kind) && some) text += fmt::format(" ({})", listed(by_instance(things, is_needed, false)));
+    const bool some = free > 0 && free < std::ssize(elements);
+    if (of_plant(kind) && some) text += fmt::format(" ({})", listed(by_instance(elements, is_needed, false)));
     Names names;
-    for (const ProofExplanation::ModelElement& thing : things)
-        if (!of_plant(kind) && is_free(thing)) names.push_back(name_of(thing));
-    if (of_plant(kind) && verbose) names = by_instance(things, is_free, true);
+    for (const ProofExplanation::ModelElement& element : elements)
+        if (!of_plant(kind) && is_free(element)) names.push_back(name_of(element));
+    if (of_plant(kind) && verbose) names = by_instance(elements, is_free, true);
     if (names.empty() || !some) return text;
     const std::string_view who = kind == ProofExplanation::Kind::Guard ? "no property of all states" : "no property";
     return fmt::format("{}; {} fails {}", text, who, without(kind, names));
@@ -170,31 +172,31 @@ std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofEx
 
 std::string proof_core_text(const ProofExplanation& why, const ProofExplanation::ProofCore& ground) {
     OfCharts charts = of_charts(why, ground, most_open);
-    Names said;
-    if (!charts.fails.empty()) said.push_back("fails " + listed(charts.fails, ", or "));
-    else if (charts.open.empty()) said.emplace_back("no single transition, step or term of the charts is needed");
-    if (ground.about_states && ground.open.empty()) said.push_back(parts_text(ground));
+    Names sentences;
+    if (!charts.fails.empty()) sentences.push_back("fails " + listed(charts.fails, ", or "));
+    else if (charts.open.empty()) sentences.emplace_back("no single transition, step or term of the charts is needed");
+    if (ground.about_states && ground.open.empty()) sentences.push_back(parts_text(ground));
     if (!ground.open.empty() && !ground.parts.empty())
-        said.push_back("depends, among other elements of the plant and the timers, on " + listed(ground.parts));
+        sentences.push_back("depends, among other elements of the plant and the timers, on " + listed(ground.parts));
     if (ground.open.size() > most_open)
         charts.open.push_back(fmt::format("{} instances and timers", ground.open.size()));
     else charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
-    if (!charts.open.empty()) said.push_back("undecided: " + listed(charts.open));
-    if (ground.vacuous) said.emplace_back("vacuous: the premise is never true");
-    return listed(said, "; ", "; ");
+    if (!charts.open.empty()) sentences.push_back("undecided: " + listed(charts.open));
+    if (ground.vacuous) sentences.emplace_back("vacuous: the premise is never true");
+    return listed(sentences, "; ", "; ");
 }
 
 /// Prints the proof cores. Properties with the same text are printed together, at the position of the first of these
 /// properties.
 void print_proof_cores(const ProofExplanation& why, std::ostream& out) {
-    std::vector<std::pair<Names, std::string>> said;
+    std::vector<std::pair<Names, std::string>> sentences;
     for (const ProofExplanation::ProofCore& ground : why.grounds) {
         const std::string words = proof_core_text(why, ground);
-        auto same = std::ranges::find(said, words, &std::pair<Names, std::string>::second);
-        if (same == said.end()) same = said.insert(said.end(), {{}, words});
+        auto same = std::ranges::find(sentences, words, &std::pair<Names, std::string>::second);
+        if (same == sentences.end()) same = sentences.insert(sentences.end(), {{}, words});
         same->first.push_back(ground.property);
     }
-    for (const auto& [names, words] : said) print_folded(listed(names) + ": " + words, out);
+    for (const auto& [names, words] : sentences) print_folded(listed(names) + ": " + words, out);
 }
 
 }  // namespace
@@ -215,19 +217,19 @@ void print_why(const ProofExplanation& why, bool verbose, std::ostream& out) {
     out << "\n"
            "proof coverage of these properties:\n";
     for (const ProofExplanation::Kind kind : kinds)
-        if (const auto things = of_kind(why, kind); !things.empty())
-            print_folded(coverage_text(kind, things, verbose), out);
+        if (const auto elements = of_kind(why, kind); !elements.empty())
+            print_folded(coverage_text(kind, elements, verbose), out);
     if (!why.ended.empty()) out << "incomplete: " << why.ended << '\n';
 }
 
 nlohmann::ordered_json why_json(const ProofExplanation& why) {
     const auto needed = [&](ProofExplanation::Kind kind, const std::string& property) {
         Json names = Json::array();
-        for (const ProofExplanation::ModelElement& thing : why.things)
-            if (thing.kind == kind && has(thing.needed_by, property)) names.push_back(thing.name);
+        for (const ProofExplanation::ModelElement& element : why.things)
+            if (element.kind == kind && has(element.needed_by, property)) names.push_back(element.name);
         return names;
     };
-    Json grounds = Json::array(), unneeded = Json::array(), things = Json::array();
+    Json grounds = Json::array(), unneeded = Json::array(), elements = Json::array();
     for (const ProofExplanation::ProofCore& ground : why.grounds) {
         Names open = of_charts(why, ground, why.things.size()).open;
         open.insert(open.end(), ground.open.begin(), ground.open.end());
@@ -239,19 +241,19 @@ nlohmann::ordered_json why_json(const ProofExplanation& why) {
                            {"open", open},
                            {"vacuous", ground.vacuous}});
     }
-    for (const ProofExplanation::ModelElement& thing : why.things) {
-        if (thing.kind == ProofExplanation::Kind::Transition && thing.needed_by.empty() && thing.open.empty())
-            unneeded.push_back(thing.name);
-        things.push_back({{"kind", word(thing.kind)},
-                          {"name", thing.name + nth_of(thing)},
-                          {"of", thing.of.empty() ? Json(nullptr) : Json(thing.of)},
-                          {"needed_by", thing.needed_by},
-                          {"open", thing.open}});
+    for (const ProofExplanation::ModelElement& element : why.things) {
+        if (element.kind == ProofExplanation::Kind::Transition && element.needed_by.empty() && element.open.empty())
+            unneeded.push_back(element.name);
+        elements.push_back({{"kind", word(element.kind)},
+                            {"name", element.name + nth_of(element)},
+                            {"of", element.of.empty() ? Json(nullptr) : Json(element.of)},
+                            {"needed_by", element.needed_by},
+                            {"open", element.open}});
     }
     return {{"properties", std::move(grounds)},
             {"unneeded_transitions", std::move(unneeded)},
             {"unneeded_parts", why.unneeded_parts},
-            {"coverage", std::move(things)},
+            {"coverage", std::move(elements)},
             {"searches", why.searches},
             {"ended", why.ended.empty() ? Json(nullptr) : Json(why.ended)}};
 }

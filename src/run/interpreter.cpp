@@ -247,7 +247,7 @@ Cycle cycle(const Chart& chart, const State& state, InputValues inputs, Executio
     // evolutions.
     State kept = state;
     std::size_t since_kept = 0;
-    std::size_t patience = 1;
+    std::size_t power = 1;
     while (true) {
         Evolution evolution = evolve(chart, result.state, inputs, time_conditions(chart, result.state));
         result.state = std::move(evolution.state);
@@ -264,10 +264,10 @@ Cycle cycle(const Chart& chart, const State& state, InputValues inputs, Executio
             result.endless = loop(chart, std::move(kept), inputs, since_kept);
             return result;
         }
-        if (since_kept < patience) continue;
+        if (since_kept < power) continue;
         kept = result.state;
         since_kept = 0;
-        patience *= 2;
+        power *= 2;
     }
     write_outputs(chart, inputs, result);
     return result;

@@ -19,7 +19,7 @@ void lower(std::optional<std::int64_t>& least, std::int64_t value) { least = lea
 std::int64_t greatest(Op relation, std::int64_t bound) { return relation == Op::Less ? bound - 1 : bound; }
 
 /// Returns the time until the invariant of the current location blocks delay, or nothing if it never blocks delay.
-std::optional<std::int64_t> patience(const Network& network, const NetworkState& state, Id<Network::Process> id) {
+std::optional<std::int64_t> delay_limit(const Network& network, const NetworkState& state, Id<Network::Process> id) {
     const Network::Process& process = network.processes[id];
     std::optional<std::int64_t> limit;
     for (const Network::ClockConstraint& bound :
@@ -65,7 +65,7 @@ Leeway leeway(const Network& network, const NetworkState& state) {
     leeway.may_pass = may_delay(network, state);
     for (const Id<Network::Process> id : network.processes.ids()) {
         const Network::Process& process = network.processes[id];
-        if (const auto limit = patience(network, state, id)) lower(leeway.limit, *limit);
+        if (const auto limit = delay_limit(network, state, id)) lower(leeway.limit, *limit);
         for (const Network::Edge& edge : automaton(network, process).edges) {
             if (edge.from != state.locations[id.index] || edge.constraint.empty()) continue;
             const std::optional<std::int64_t> units = wait(network, state, id, edge);

@@ -34,17 +34,17 @@ ChartRun project(const Chart& chart, ExecutionMode mode) {
 }
 
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms) {
-    ChartRun::State told{.time_ms = time_ms};
+    ChartRun::State projected{.time_ms = time_ms};
     for (const Id<Chart::Step> id : chart.steps.ids())
-        if (state.situation[id.index]) told.situation.push_back({id.index});
+        if (state.situation[id.index]) projected.situation.push_back({id.index});
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
         switch (chart.variables[id].kind) {
-        case Kind::Input: told.values.push_back(inputs[id.index]); break;
-        case Kind::Output: told.values.push_back(state.outputs[id.index]); break;
-        case Kind::Internal: told.values.push_back(state.values[id.index]); break;
+        case Kind::Input: projected.values.push_back(inputs[id.index]); break;
+        case Kind::Output: projected.values.push_back(state.outputs[id.index]); break;
+        case Kind::Internal: projected.values.push_back(state.values[id.index]); break;
         }
     }
-    return told;
+    return projected;
 }
 
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,

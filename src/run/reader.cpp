@@ -35,20 +35,20 @@ Memory memory(const Chart& chart) {
 }
 
 std::optional<std::int64_t> Reader::value(Id<Expr> term) {
-    // The old value of `lost_` belongs to the enclosing term, which reads an output with this condition.
-    const bool outer = std::exchange(lost_, false);
+    // The old value of `undefined_` belongs to the enclosing term, which reads an output with this condition.
+    const bool outer = std::exchange(undefined_, false);
     const auto result = evaluate(chart_.exprs, term, [this](const Expr& leaf) { return leaf_value(leaf); });
-    const bool lost = std::exchange(lost_, outer);
-    return lost ? std::nullopt : result;
+    const bool is_undefined = std::exchange(undefined_, outer);
+    return is_undefined ? std::nullopt : result;
 }
 
 std::optional<std::int64_t> Reader::output(Id<Chart::Variable> output) {
     if (known_.empty()) index_actions();
     Known& known = known_[output.index];
     if (known != Known::No)
-        return known == Known::Lost ? std::nullopt : std::optional(std::int64_t{known == Known::True});
+        return known == Known::Undefined ? std::nullopt : std::optional(std::int64_t{known == Known::True});
     const std::optional<std::int64_t> result = look_up(output);
-    known = !result ? Known::Lost : *result != 0 ? Known::True : Known::False;
+    known = !result ? Known::Undefined : *result != 0 ? Known::True : Known::False;
     return result;
 }
 
@@ -70,7 +70,7 @@ std::int64_t Reader::variable_value(Id<Chart::Variable> variable) {
     if (kind == Chart::VariableKind::Input) return inputs_[variable.index];
     if (kind == Chart::VariableKind::Internal || is_stored(variable)) return state_.values[variable.index];
     const std::optional<std::int64_t> set = output(variable);
-    lost_ = lost_ || !set;
+    undefined_ = undefined_ || !set;
     return set.value_or(0);
 }
 
@@ -79,7 +79,7 @@ std::int64_t Reader::edge_value(const Expr& edge) {
     if (memory_ == nullptr) return 0;
     const Id<Expr> operand = chart_.exprs.operands(edge)[0];
     const std::optional<std::int64_t> now = value(operand);
-    lost_ = lost_ || !now;
+    undefined_ = undefined_ || !now;
     const bool before = state_.previous[memory_->places[operand.index]];
     return edge.op == Op::Rise ? !before && now.value_or(0) != 0 : before && now.value_or(1) == 0;
 }
@@ -93,7 +93,7 @@ std::int64_t Reader::time_value(std::size_t index) {
     if (timed.rise_ms > 0 && timed.fall_ms > 0) return over;
     if (over == (timed.fall_ms > 0)) return over;
     const std::optional<std::int64_t> now = value(timed.watched);
-    lost_ = lost_ || !now;
+    undefined_ = undefined_ || !now;
     return now.value_or(0);
 }
 

@@ -36,7 +36,7 @@ public:
     bool is_stored(Id<Chart::Variable> variable);
 
 private:
-    enum class Known : std::uint8_t { No, False, True, Lost };
+    enum class Known : std::uint8_t { No, False, True, Undefined };
 
     std::int64_t leaf_value(const Expr& leaf);
     std::int64_t variable_value(Id<Chart::Variable> variable);
@@ -55,7 +55,7 @@ private:
     std::vector<bool> stored_ = {};
     std::vector<std::vector<Id<Chart::ContinuousAction>>> actions_ = {};
     std::vector<std::size_t> first_time_ = {};  ///< for each continuous action: index of its first element in `timed`
-    bool lost_ = false;                         ///< true if the current term reads an undefined value
+    bool undefined_ = false;                    ///< true if the current term reads an undefined value
 };
 
 }  // namespace grafverif

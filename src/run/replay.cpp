@@ -120,11 +120,11 @@ private:
     }
 
     std::string evolution_fault(const ChartRun::Act& act, Evolution& result, const ChartRun::State& after) {
-        std::vector<std::string> theirs, ours;
-        for (const Id<ChartRun::Transition> id : act.fired) theirs.push_back(run_.transitions[id].name);
-        for (const Id<Chart::Transition> id : result.fired) ours.push_back(chart_.transitions[id].name);
-        if (act.evolves && theirs != ours)
-            return "transitions cleared: " + listed(theirs) + ", but according to the rules " + listed(ours);
+        std::vector<std::string> recorded, computed;
+        for (const Id<ChartRun::Transition> id : act.fired) recorded.push_back(run_.transitions[id].name);
+        for (const Id<Chart::Transition> id : result.fired) computed.push_back(chart_.transitions[id].name);
+        if (act.evolves && recorded != computed)
+            return "transitions cleared: " + listed(recorded) + ", but according to the rules " + listed(computed);
         if (act.stable && !result.race && !result.fault && *act.stable != result.stable)
             return std::string("the situation is ") + (*act.stable ? "stable" : "not stable") +
                    ", but according to the rules it is " + (result.stable ? "stable" : "not stable");
@@ -148,14 +148,14 @@ private:
     }
 
     std::string situation_fault(const ChartRun::State& now) const {
-        std::vector<std::string> theirs, ours;
+        std::vector<std::string> recorded, computed;
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
             const Id<ChartRun::Step> step = controller_.steps[id.index];
-            if (std::ranges::binary_search(now.situation, step)) theirs.push_back(run_.steps[step].name.text());
-            if (state_.situation[id.index]) ours.push_back(run_.steps[step].name.text());
+            if (std::ranges::binary_search(now.situation, step)) recorded.push_back(run_.steps[step].name.text());
+            if (state_.situation[id.index]) computed.push_back(run_.steps[step].name.text());
         }
-        if (theirs == ours) return {};
-        return "situation " + listed(theirs) + ", but according to the rules " + listed(ours);
+        if (recorded == computed) return {};
+        return "situation " + listed(recorded) + ", but according to the rules " + listed(computed);
     }
 
     std::string stored_fault(const ChartRun::State& now) const {

@@ -41,7 +41,7 @@ public:
     /// Returns the run of the chart in a sequence, up to a fault.
     ChartRun run_of(const TestSequence::Sequence& sequence) {
         power_up();
-        told_ = project(chart_, test_.mode);
+        recorded_ = project(chart_, test_.mode);
         std::vector<TestSequence::Step> steps = sequence.steps;
         if (sequence.activation) steps.insert(steps.begin(), *sequence.activation);
         for (const TestSequence::Step& step : steps) {
@@ -49,11 +49,11 @@ public:
             for (std::uint32_t scan = 0; scan < step.cycles; ++scan) {
                 const std::string what = this->scan(step);
                 if (what.empty()) continue;
-                append_instant(*told_, what, {}, project(chart_, state_, inputs_, time_ms_));
-                return *std::move(told_);
+                append_instant(*recorded_, what, {}, project(chart_, state_, inputs_, time_ms_));
+                return *std::move(recorded_);
             }
         }
-        return *std::move(told_);
+        return *std::move(recorded_);
     }
 
 private:
@@ -71,8 +71,8 @@ private:
         if (run.race || run.fault) return "a race or a value out of range";
         if (!run.endless.empty() || run.gave_up) return "no stable situation";
         state_ = std::move(run.state);
-        if (told_)
-            append_instant(*told_, told_->moments.empty() ? "power-on" : "", run.fired,
+        if (recorded_)
+            append_instant(*recorded_, recorded_->moments.empty() ? "power-on" : "", run.fired,
                            project(chart_, state_, inputs_, time_ms_));
         return {};
     }
@@ -95,7 +95,7 @@ private:
     State state_ = {};
     std::vector<std::int64_t> inputs_ = {};  ///< value of each variable of the chart
     std::int64_t time_ms_ = 0;
-    std::optional<ChartRun> told_ = {};  ///< the recorded run; empty unless requested
+    std::optional<ChartRun> recorded_ = {};  ///< the recorded run; empty unless requested
 };
 
 }  // namespace

@@ -100,10 +100,10 @@ private:
         const bool excluded = type.boolean || kept_by_guard(edge.guard, safe, type);
         edge.fault = exprs_.disjunction(edge.fault, undefined);
         if (!excluded) edge.fault = exprs_.disjunction(edge.fault, outside);
-        const Id<Expr> lost = exprs_.disjunction(undefined, outside);
-        if (is_false(exprs_, lost)) return safe;
+        const Id<Expr> invalid = exprs_.disjunction(undefined, outside);
+        if (is_false(exprs_, invalid)) return safe;
         if (!kept.valid()) kept = literal(exprs_, type, type.low);
-        return exprs_.conditional(lost, kept, safe);
+        return exprs_.conditional(invalid, kept, safe);
     }
 
     const Slots& slots_;

@@ -93,8 +93,8 @@ void assume_constraints(const LoopMeaning& meaning) {
 
 // -- main --
 
-Id<Symbol> add_free(Main& main, const std::string& wish, Type type, const char* section, Span origin) {
-    return main.draft.add(wish, type, TransitionSystem::StateSymbol{}, section, origin);
+Id<Symbol> add_free(Main& main, const std::string& preferred, Type type, const char* section, Span origin) {
+    return main.draft.add(preferred, type, TransitionSystem::StateSymbol{}, section, origin);
 }
 
 /// Adds the free variables of each controller as its last arguments: its timer outputs and, if there are several

@@ -219,8 +219,8 @@ Id<Expr> guarded(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> val
         faults.conditions.push_back(when);
         return kept;
     }
-    const std::string wish = variable.name + (at_first ? "_leaves_range_at_first" : "_leaves_range");
-    const Id<Symbol> symbol = draft.add(wish, Type{}, TransitionSystem::DefineSymbol{fault},
+    const std::string preferred = variable.name + (at_first ? "_leaves_range_at_first" : "_leaves_range");
+    const Id<Symbol> symbol = draft.add(preferred, Type{}, TransitionSystem::DefineSymbol{fault},
                                         "assignments that would leave the range of their variable", variable.origin);
     faults.conditions.push_back(exprs.conjunction(when, draft.leaf(symbol)));
     return exprs.conditional(draft.leaf(symbol), kept, safe);
@@ -383,8 +383,8 @@ void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
         const Id<Expr> ended = exprs.disjunction(draft.leaf(end), exprs.conjunction(cycle.elapses(), now));
         Id<Expr> value = exprs.conjunction(cycle.in_cycles(), now);
         if (const auto step = watched_step(equations, timer); step && timer.fall_ms == 0) {
-            const Id<Expr> anew = cycle.now(equations.steps[*step].activated);
-            const Id<Expr> stays = exprs.conjunction(next[timer.watched.index], exprs.negation(anew));
+            const Id<Expr> reactivated = cycle.now(equations.steps[*step].activated);
+            const Id<Expr> stays = exprs.conjunction(next[timer.watched.index], exprs.negation(reactivated));
             value = exprs.conjunction(std::vector{cycle.in_cycles(), stays, ended});
             const Id<Expr> active = draft.leaf(cycle.read(timer.watched));
             value = exprs.conditional(cycle.turn(), value, exprs.conjunction(active, ended));
@@ -394,11 +394,11 @@ void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
 }
 
 /// Adds a flag that remains set after one of `faults`; invalid if there are none.
-Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* wish, const std::vector<Id<Expr>>& faults) {
+Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* preferred, const std::vector<Id<Expr>>& faults) {
     Exprs& exprs = draft.exprs;
     const Id<Expr> fault = exprs.disjunction(faults);
     if (is_false(exprs, fault)) return {};
-    const Id<Symbol> flag = draft.add(wish, Type{}, TransitionSystem::ParameterSymbol{}, "faults, permanently");
+    const Id<Symbol> flag = draft.add(preferred, Type{}, TransitionSystem::ParameterSymbol{}, "faults, permanently");
     cycle.set(flag, exprs.constant(false), exprs.disjunction(draft.leaf(flag), fault));
     return flag;
 }

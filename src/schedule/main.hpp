@@ -29,17 +29,17 @@ struct Draft {
     TransitionSystem::Module module = {};
     UniqueNames names = {};
 
-    Id<Symbol> add(const std::string& wish, Type type, Kind kind, const char* section = "", Span origin = {}) {
-        return module.symbols.add({names.fresh(wish), type, std::move(kind), section, origin, {}});
+    Id<Symbol> add(const std::string& preferred, Type type, Kind kind, const char* section = "", Span origin = {}) {
+        return module.symbols.add({names.fresh(preferred), type, std::move(kind), section, origin, {}});
     }
     /// Adds a symbol with named values.
-    Id<Symbol> add(const std::string& wish, std::vector<std::string> values, Kind kind, const char* section = "") {
+    Id<Symbol> add(const std::string& preferred, std::vector<std::string> values, Kind kind, const char* section = "") {
         const Type type = integer_type(0, static_cast<std::int64_t>(values.size()) - 1);
-        return module.symbols.add({names.fresh(wish), type, std::move(kind), section, {}, std::move(values)});
+        return module.symbols.add({names.fresh(preferred), type, std::move(kind), section, {}, std::move(values)});
     }
     /// Adds a Boolean definition.
-    Id<Symbol> define(const std::string& wish, Id<Expr> value, const char* section = "") {
-        return add(wish, Type{}, TransitionSystem::DefineSymbol{value}, section);
+    Id<Symbol> define(const std::string& preferred, Id<Expr> value, const char* section = "") {
+        return add(preferred, Type{}, TransitionSystem::DefineSymbol{value}, section);
     }
     void set(Id<Symbol> symbol, Kind kind) { module.symbols[symbol].kind = std::move(kind); }
 
@@ -74,8 +74,8 @@ struct Main {
         module.name = module_names.fresh(module.name);
         return system.modules.add(std::move(module));
     }
-    Id<Instance> add_instance(const std::string& wish, Id<TransitionSystem::Module> module) {
-        return system.instances.add({draft.names.fresh(wish), module, {}});
+    Id<Instance> add_instance(const std::string& preferred, Id<TransitionSystem::Module> module) {
+        return system.instances.add({draft.names.fresh(preferred), module, {}});
     }
 
     /// Returns `instance.symbol` as a symbol of main.

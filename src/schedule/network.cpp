@@ -46,7 +46,7 @@ std::vector<bool> shared_variables(const Network& network) {
 
 /// The choice `move`, whose value is the process that moves. The value `none` follows the values for processes, and the
 /// value for time follows `none`.
-struct Turn {
+struct MoveChoice {
     Id<Symbol> symbol = {};
     std::size_t processes = 0;
 
@@ -57,7 +57,7 @@ struct Turn {
     Id<Expr> of_time(const Main& main) const { return of(main, processes + 1); }
 };
 
-Turn add_move(Main& main, const Network& network, bool discrete) {
+MoveChoice add_move(Main& main, const Network& network, bool discrete) {
     std::vector<std::string> values = movers(network);
     values.emplace_back("none");
     if (discrete) values.emplace_back("of_time");
@@ -66,7 +66,7 @@ Turn add_move(Main& main, const Network& network, bool discrete) {
 }
 
 /// Passes to each process the condition that it moves, and to the clocks the condition that time passes.
-void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
+void wire_moves(const PlantInstances& plant, const MoveChoice& move, bool discrete) {
     Main& main = plant.main;
     const Network& network = plant.context.network;
     Signals signals;
@@ -88,7 +88,7 @@ struct Offers {
 
 /// Abstract time: `none` can be chosen if no urgent edge is enabled. Discrete time: a process moves or time passes
 /// whenever possible.
-Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) {
+Offers add_offers(const PlantInstances& plant, const MoveChoice& move, bool discrete) {
     Main& main = plant.main;
     Exprs& exprs = main.system.exprs;
     std::vector<Id<Expr>>& transitions = main.draft.module.transitions;
@@ -143,7 +143,7 @@ void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
 
 /// Returns the subsystems of the network. The result is empty if there are observers, because each observer reads the
 /// complete network.
-System::Subsystems parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
+System::Subsystems parts(const PlantInstances& plant, const MoveChoice& move, const Offers& offers) {
     Main& main = plant.main;
     const bool watched = std::ranges::find(plant.context.network.processes, Network::ProcessKind::Observer,
                                            &Network::Process::kind) != plant.context.network.processes.end();
@@ -194,12 +194,12 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
                              const Network& network, const ScheduleOptions& options) {
     const bool discrete = options.time == TimeModel::Discrete;
     Main main(network.name);
-    const Turn move = add_move(main, network, discrete);
+    const MoveChoice move = add_move(main, network, discrete);
     const PlantInstances plant(main,
                                {network, Discipline::Turns, shared_variables(network), options.fairness,
                                 discrete ? analyse_clocks(expand(network)) : std::vector<ProcessClocks>{}},
                                {});
-    wire_turns(plant, move, discrete);
+    wire_moves(plant, move, discrete);
     plant.set_effects();
     const Offers offers = add_offers(plant, move, discrete);
     if (options.fairness) {  // movements terminate, and time diverges; therefore urgent edges are not postponed forever

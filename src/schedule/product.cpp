@@ -162,8 +162,8 @@ private:
     }
     Id<Expr> is_zero(Id<Expr> count) { return exprs().apply(Op::Equal, count, exprs().integer(0)); }
 
-    Id<Symbol> add_count(const std::string& wish, std::int64_t most) {
-        return main_.draft.add(wish, integer_type(0, most), TransitionSystem::StateSymbol{},
+    Id<Symbol> add_count(const std::string& preferred, std::int64_t most) {
+        return main_.draft.add(preferred, integer_type(0, most), TransitionSystem::StateSymbol{},
                                "remaining time units of timers");
     }
 

@@ -45,8 +45,8 @@ Id<Expr> has_no_value(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     Id<Expr> result = exprs.constant(false);
     for (std::size_t i = operands.size(); i-- > 0;) {
         if ((op == Op::And || op == Op::Or) && !is_false(exprs, result)) {
-            const Id<Expr> goes_on = op == Op::And ? operands[i] : exprs.negation(operands[i]);
-            result = exprs.conjunction(goes_on, result);
+            const Id<Expr> continues = op == Op::And ? operands[i] : exprs.negation(operands[i]);
+            result = exprs.conjunction(continues, result);
         }
         result = exprs.disjunction(fault(i), result);
     }

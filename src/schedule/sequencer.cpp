@@ -24,7 +24,7 @@ Sequencer::Sequencer(Main& main, const Network& plant)
       first_(main.draft.add("first_round", Type{}, TransitionSystem::StateSymbol{}, of_sequencers)),
       changed_(main.draft.add("changed", Type{}, TransitionSystem::StateSymbol{}, of_sequencers)) {}
 
-Id<Expr> Sequencer::judged() const { return main_.system.exprs.disjunction(is(Controlled), is(Test)); }
+Id<Expr> Sequencer::considered() const { return main_.system.exprs.disjunction(is(Controlled), is(Test)); }
 
 Signals Sequencer::signals(const PlantInstances& plant) {
     Exprs& exprs = main_.system.exprs;
@@ -33,8 +33,8 @@ Signals Sequencer::signals(const PlantInstances& plant) {
         found.turns.push_back(main_.draft.define(plant.context.network.processes[process].name + "_moves",
                                                  moves(process.index), "turns"));
     found.over = main_.draft.define("round_over", exprs.conjunction(plant.each(&AutomatonModule::done)), "turns");
-    const Id<Expr> goes_on = exprs.negation(main_.draft.leaf(found.over));
-    found.round = main_.draft.define("in_round", exprs.conjunction(is(Treatment), goes_on), "turns");
+    const Id<Expr> continues = exprs.negation(main_.draft.leaf(found.over));
+    found.round = main_.draft.define("in_round", exprs.conjunction(is(Treatment), continues), "turns");
     return found;
 }
 

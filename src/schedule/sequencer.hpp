@@ -17,7 +17,7 @@ public:
     /// Returns the signals of the sequencer to the automata. Requires that the automata are instances of main.
     Signals signals(const PlantInstances& plant);
     /// Returns the condition for states in which properties are evaluated.
-    Id<Expr> judged() const;
+    Id<Expr> considered() const;
     /// Sets the next values of the variables of the sequencer. `signals` is the result of the function `signals`.
     /// `controllers_settled` is true if the evolution of the controllers ends with this step.
     void run(const PlantInstances& plant, const Signals& signals, Id<Expr> controllers_settled);

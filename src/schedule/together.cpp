@@ -30,7 +30,7 @@ std::vector<Id<Symbol>> outputs(const ControllerInstances& controllers, const Cl
 
 /// Sets the arguments `turn` and `elapse` of the controllers. Returns the conditions under which controllers run. The
 /// result is empty if they run in every step.
-std::vector<Id<Expr>> wire_turns(const ControllerInstances& controllers, const std::optional<Sequencer>& sequencer) {
+std::vector<Id<Expr>> wire_moves(const ControllerInstances& controllers, const std::optional<Sequencer>& sequencer) {
     Draft& main = controllers.main.draft;
     const auto timed = [](const ControllerPart& part) { return !part.equations.timers.empty(); };
     Id<Symbol> turn, elapse;
@@ -80,14 +80,14 @@ TransitionSystem together(const Model& model, const ClosedLoop& loop, std::span<
     std::vector<Id<Symbol>> shared = plant.variables;
     shared.resize(loop.shared.size());
     controllers.wire_inputs(loop, shared);
-    const std::vector<Id<Expr>> runs = wire_turns(controllers, sequencer);
+    const std::vector<Id<Expr>> runs = wire_moves(controllers, sequencer);
     if (sequenced) sequencer->run(plant, signals, evolution_over(controllers));
     if (options.fairness) plant.add_fairness();
 
     TransitionSystem& system = main.system;
     system.scope = together_scope(schedule, controllers.parts, options.fairness);
     system.settled =
-        sequenced ? sequencer->judged() : system.exprs.conjunction(controllers.settled(), plant.none_urgent());
+        sequenced ? sequencer->considered() : system.exprs.conjunction(controllers.settled(), plant.none_urgent());
     LoopMeaning meaning{.main = main,
                         .model = model,
                         .loop = loop,

@@ -50,28 +50,28 @@ void ChartSimulation::power_on() {
     inputs_.assign(chart_.variables.size(), 0);
     for (const Id<Chart::Variable> id : chart_.variables.ids())
         inputs_[id.index] = std::clamp<std::int64_t>(0, chart_.variables[id].type.low, chart_.variables[id].type.high);
-    told_ = project(chart_, mode_);
-    ChartRun::Controller& controller = told_.controllers[{0}];
+    recorded_run_ = project(chart_, mode_);
+    ChartRun::Controller& controller = recorded_run_.controllers[{0}];
     for (std::size_t k = 0; k < elements_.size(); ++k) {
         const TimedElement& element = elements_[k];
         controller.timers.push_back(
-            told_.timers.add({chart_.name, watched_text(chart_, element), watched_step(chart_, element),
-                              element.rise_ms, element.fall_ms, true}));
+            recorded_run_.timers.add({chart_.name, watched_text(chart_, element), watched_step(chart_, element),
+                                      element.rise_ms, element.fall_ms, true}));
         if (k < chart_.time_conditions.size()) controller.conditions.emplace_back(k);
     }
-    teller_.emplace(told_, detail_);
+    teller_.emplace(recorded_run_, detail_);
     add({});
 }
 
 void ChartSimulation::add(ChartRun::Event moment) {
-    moment.move = told_.moments.size();
+    moment.move = recorded_run_.moments.size();
     moment.after = project(chart_, state_, inputs_, time_ms_);
-    told_.moments.push_back(std::move(moment));
+    recorded_run_.moments.push_back(std::move(moment));
     teller_->catch_up();
 }
 
 ChartRun ChartSimulation::with_trace_rows(Detail detail) const {
-    ChartRun run = told_;
+    ChartRun run = recorded_run_;
     run.rows.clear();
     return with_rows(std::move(run), detail);
 }
@@ -115,7 +115,7 @@ std::vector<Choice> ChartSimulation::choices() const {
     return list;
 }
 
-DelayBounds ChartSimulation::patience() const {
+DelayBounds ChartSimulation::delay_bounds() const {
     std::int64_t unit = 0;
     for (const TimedElement& element : elements_) unit = std::gcd(std::gcd(unit, element.rise_ms), element.fall_ms);
     if (unit == 0) unit = 1000;
@@ -181,20 +181,20 @@ std::string ChartSimulation::cycle() {
 std::string ChartSimulation::follow() {
     State kept = state_;
     std::vector<std::vector<bool>> since_kept;
-    for (std::size_t patience = 1; !broken_;) {
+    for (std::size_t power = 1; !broken_;) {
         const State before = state_;
         if (std::string problem = cycle(); !problem.empty()) return problem;
         if (state_ == before) return {};
         since_kept.push_back(state_.situation);
         Cycle unstable{.state = {}};
         if (state_ == kept) unstable.endless = since_kept;
-        unstable.gave_up = told_.moments.size() > evolution_limit;
+        unstable.gave_up = recorded_run_.moments.size() > evolution_limit;
         broken_ = unstable.gave_up || state_ == kept;
         if (broken_) return problem_in(chart_, unstable);
-        if (since_kept.size() < patience) continue;
+        if (since_kept.size() < power) continue;
         kept = state_;
         since_kept.clear();
-        patience *= 2;
+        power *= 2;
     }
     return {};
 }
@@ -301,7 +301,7 @@ std::string ChartSimulation::act(std::string_view instance, std::string_view) {
 
 std::string ChartSimulation::force(std::string_view step, bool active) {
     std::string problem;
-    const std::optional<WhatIfRun> trial = what_if_of(told_, step, active, problem);
+    const std::optional<WhatIfRun> trial = what_if_of(recorded_run_, step, active, problem);
     if (!trial) return problem;
     const ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial->step)}, active);
     if (!made.refusal.empty()) return made.refusal;
@@ -314,7 +314,7 @@ void ChartSimulation::put(const WhatIfRun& trial) {
     ManualSituation made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
     if (auto state = with_situation(chart_, state_, std::move(made.situation), inputs_)) state_ = std::move(*state);
     add({.kind = ChartRun::Kind::Environment, .internal = true});
-    const std::size_t row = report_what_if(told_, *teller_, trial);
+    const std::size_t row = report_what_if(recorded_run_, *teller_, trial);
     what_if_row_ = what_if_row_.value_or(row);
 }
 

@@ -26,13 +26,13 @@ public:
     ChartSimulation(const ChartSimulation&) = delete;
     ChartSimulation& operator=(const ChartSimulation&) = delete;
 
-    const ChartRun& told() const { return told_; }
+    const ChartRun& recorded_run() const { return recorded_run_; }
     ChartRun with_trace_rows(Detail detail) const;
 
     /// Returns changes of one input to an adjacent value that do not violate more constraints than the current values.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return settings().size(); }
-    DelayBounds patience() const;
+    DelayBounds delay_bounds() const;
     /// Returns the constraints that the current inputs violate. A simulation permits such inputs.
     std::vector<std::string> violated_constraints() const;
 
@@ -77,7 +77,7 @@ private:
     State state_ = {};
     std::vector<std::int64_t> inputs_ = {};  ///< value of each input variable
     std::int64_t time_ms_ = 0;
-    ChartRun told_ = {};
+    ChartRun recorded_run_ = {};
     std::optional<TraceRowBuilder> teller_;
     std::vector<Made> commands_ = {};
     std::optional<std::size_t> what_if_row_ = {};

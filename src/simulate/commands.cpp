@@ -53,7 +53,7 @@ Command set_of(const std::vector<std::string>& list) {
 }
 
 /// Returns the text of the line after its first `count` words.
-std::string_view behind(std::string_view line, std::size_t count) {
+std::string_view skip_words(std::string_view line, std::size_t count) {
     for (; count > 0; --count) {
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
         line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
@@ -62,18 +62,18 @@ std::string_view behind(std::string_view line, std::size_t count) {
 }
 
 Command expectation(std::string_view text, std::optional<std::int64_t> response_timeout_ms) {
-    auto read = preservation_class_of(text);
+    auto read = parse_expectation(text);
     if (auto* const error_text = std::get_if<std::string>(&read)) return BadCommand{std::move(*error_text)};
     return ExpectCommand{std::get<Expectation>(std::move(read)), response_timeout_ms};
 }
 
 Command expect_of(std::string_view line, const std::vector<std::string>& list) {
-    if (list.size() < 2 || list[1] != "within") return expectation(behind(line, 1), 0);
+    if (list.size() < 2 || list[1] != "within") return expectation(skip_words(line, 1), 0);
     const auto joined = list.size() > 2 ? duration_ms(list[2]) : std::nullopt;
     const auto apart = list.size() > 3 ? duration_ms(list[2] + " " + list[3]) : std::nullopt;
     if (!joined && !apart)
         return BadCommand{"`expect within` requires a duration and a claim; write for example `expect within 3s X3`"};
-    return expectation(behind(line, joined ? 3 : 4), joined ? joined : apart);
+    return expectation(skip_words(line, joined ? 3 : 4), joined ? joined : apart);
 }
 
 Command repeat_of(const std::vector<std::string>& list) {
@@ -92,13 +92,13 @@ Command command_of(std::string_view line) {
     const std::string& first = list[0];
     if (list.size() > 1 && list[1] == "=") return set_of(list);
     if (first == "expect") return expect_of(line, list);
-    if (first == "wait" && list.size() > 1 && list[1] == "until") return expectation(behind(line, 2), {});
+    if (first == "wait" && list.size() > 1 && list[1] == "until") return expectation(skip_words(line, 2), {});
     if (first == "repeat") return repeat_of(list);
     if (first == "wait" || first == "w") return wait_of(list);
     if (first == "do" && (list.size() == 2 || list.size() == 3))
         return DoCommand{list[1], list.size() == 3 ? list[2] : ""};
     if (first == "save") {
-        const std::string_view file = behind(line, 1);
+        const std::string_view file = skip_words(line, 1);
         const std::size_t from = file.find_first_not_of(" \t"), to = file.find_last_not_of(" \t\r");
         if (from == std::string_view::npos) return BadCommand{"the file name is missing; write `save FILE`"};
         return SaveCommand{std::string(file.substr(from, to + 1 - from))};

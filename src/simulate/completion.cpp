@@ -73,7 +73,7 @@ std::vector<std::string> completions(const Simulation& simulation, std::string_v
     std::istringstream text{std::string(line.substr(0, last_word(line)))};
     Words before;
     for (std::string word; text >> word;) before.push_back(word);
-    Words words = possible(simulation.told(), before);
+    Words words = possible(simulation.recorded_run(), before);
     std::erase_if(words, [&](const std::string& word) { return !word.starts_with(begun); });
     std::ranges::sort(words);
     words.erase(std::unique(words.begin(), words.end()), words.end());

@@ -97,7 +97,7 @@ std::optional<std::int64_t> value_of(std::string_view text) {
     return number_of(text);
 }
 
-std::variant<Expectation, std::string> preservation_class_of(std::string_view text) {
+std::variant<Expectation, std::string> parse_expectation(std::string_view text) {
     const std::vector<std::string> list = tokens(text);
     Expectation claim;
     const auto is = [&](std::size_t at, std::string_view word) { return at < list.size() && list[at] == word; };

@@ -42,7 +42,7 @@ std::optional<std::int64_t> number_of(std::string_view text);
 std::optional<std::int64_t> value_of(std::string_view text);
 
 /// Parses an expectation. Returns a message if the text is invalid.
-std::variant<Expectation, std::string> preservation_class_of(std::string_view text);
+std::variant<Expectation, std::string> parse_expectation(std::string_view text);
 
 /// Returns the location of the instance with this name after the considered event, or nullopt if there is no such
 /// instance.

@@ -81,9 +81,9 @@ void LoopSimulation::power_on() {
     run_ = {};
     what_if_runs_ = {};
     what_if_row_ = {};
-    told_ = {};
-    projection_.emplace(network_, state_, told_);
-    teller_.emplace(told_, detail_);
+    recorded_run_ = {};
+    projection_.emplace(network_, state_, recorded_run_);
+    teller_.emplace(recorded_run_, detail_);
 }
 
 std::vector<Fire> LoopSimulation::fires() const {
@@ -114,9 +114,9 @@ std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size
     return "do " + process.name + " " + network_.templates[process.automaton].locations[target(moves[choice])].name;
 }
 
-DelayBounds LoopSimulation::patience() const {
-    const Leeway way = leeway(network_, state_);
-    return {network_.time_unit_ms, way.may_pass, way.limit, way.change};
+DelayBounds LoopSimulation::delay_bounds() const {
+    const Leeway delay = leeway(network_, state_);
+    return {network_.time_unit_ms, delay.may_pass, delay.limit, delay.change};
 }
 
 std::string LoopSimulation::choose(std::size_t choice) { return choose(fires()[choice]); }
@@ -146,7 +146,7 @@ bool LoopSimulation::move(const Move& move, std::string& problem) {
     teller_->catch_up();
     if (!network_.race.valid() || state_.variables[network_.race.index] == 0) return true;
     broken_ = true;
-    const std::optional<ContradictoryActions> found = clash(told_, charts_);
+    const std::optional<ContradictoryActions> found = clash(recorded_run_, charts_);
     problem = race_text(found ? found->variable : "");
     return false;
 }
@@ -184,7 +184,7 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
 std::string LoopSimulation::follow() {
     if (detail_ == Detail::Everything) return {};
     NetworkState kept = state_;
-    std::size_t since_kept = 0, patience = 1;
+    std::size_t since_kept = 0, power = 1;
     Course course(network_, charts_);
     course.begin(state_);
     std::string problem;
@@ -195,11 +195,11 @@ std::string LoopSimulation::follow() {
         course.add(*next, state_);
         broken_ = state_ == kept;
         if (broken_) return course.endless_text();
-        if (++since_kept < patience) continue;
+        if (++since_kept < power) continue;
         kept = state_;
         course.begin(state_);
         since_kept = 0;
-        patience *= 2;
+        power *= 2;
     }
     return {};
 }
@@ -230,9 +230,9 @@ std::string LoopSimulation::waiting_for() const {
 std::string LoopSimulation::pass(std::int64_t units) {
     while (units > 0) {
         if (std::string problem = follow(); !problem.empty()) return problem;
-        const Leeway way = leeway(network_, state_);
-        if (!way.may_pass) return waiting_for();
-        const std::int64_t step = std::min(units, way.limit.value_or(units));
+        const Leeway delay = leeway(network_, state_);
+        if (!delay.may_pass) return waiting_for();
+        const std::int64_t step = std::min(units, delay.limit.value_or(units));
         std::string problem;
         if (!move(Delay{step}, problem)) return problem;
         units -= step;
@@ -252,10 +252,10 @@ std::string LoopSimulation::wait(std::int64_t milliseconds) {
 }
 
 std::string LoopSimulation::wait() {
-    const Leeway way = leeway(network_, state_);
-    if (!way.may_pass) return waiting_for();
-    const std::int64_t units = std::min(way.limit.value_or(0), way.change.value_or(0));
-    const std::int64_t soonest = units > 0 ? units : std::max(way.limit.value_or(0), way.change.value_or(0));
+    const Leeway delay = leeway(network_, state_);
+    if (!delay.may_pass) return waiting_for();
+    const std::int64_t units = std::min(delay.limit.value_or(0), delay.change.value_or(0));
+    const std::int64_t soonest = units > 0 ? units : std::max(delay.limit.value_or(0), delay.change.value_or(0));
     if (soonest == 0) return "nothing changes as time passes; give `wait` a duration";
     return wait(soonest * network_.time_unit_ms);
 }
@@ -263,7 +263,7 @@ std::string LoopSimulation::wait() {
 std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     if (settings.size() > 1) return "several inputs cannot be set together in a closed loop; set one input at a time";
     const auto& [written, value] = settings.front();
-    const std::string behind = behind_port(written), name = behind.empty() ? written : behind;
+    const std::string mapped = port_variable(written), name = mapped.empty() ? written : mapped;
     const auto settable = [](const Network::Variable& variable) {
         return (variable.role == Network::Role::Input || variable.role == Network::Role::Plant) && !variable.scratch;
     };
@@ -278,14 +278,14 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     }
     if (std::string problem = range_text(name, found->type, value); !problem.empty()) return problem;
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
-    const std::string wish = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
-    if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, wish);
+    const std::string value_text = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
+    if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value_text);
     for (const Fire& fire : fires()) {
         NetworkState after = state_;
         if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value)
             return choose(fire);
     }
-    return fmt::format("no move can make `{}` {} now", name, wish);
+    return fmt::format("no move can make `{}` {} now", name, value_text);
 }
 
 std::string LoopSimulation::act(std::string_view instance, std::string_view location) {
@@ -294,21 +294,21 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
         const Network::Location& target = network_.templates[process.automaton].locations[edge_of(network_, fire).to];
         if (process.name == instance && (location.empty() || target.name == location)) return choose(fire);
     }
-    const auto named = std::ranges::find(told_.instances, instance, &ChartRun::Instance::name);
-    const std::vector<std::string> known = instances_of(told_);
-    if (named == told_.instances.end() && detail_ == Detail::Chart)
+    const auto named = std::ranges::find(recorded_run_.instances, instance, &ChartRun::Instance::name);
+    const std::vector<std::string> known = instances_of(recorded_run_);
+    if (named == recorded_run_.instances.end() && detail_ == Detail::Chart)
         return unknown_reason_text("instance", instance, known);
-    if (named != told_.instances.end() && !location.empty() &&
+    if (named != recorded_run_.instances.end() && !location.empty() &&
         std::ranges::find(named->locations, location) == named->locations.end())
         return unknown_reason_text(fmt::format("`{}` location", instance), location, named->locations);
     return fmt::format("`{}` cannot move{} now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
 }
 
 std::optional<std::int64_t> LoopSimulation::soonest_ms() const {
-    const Leeway way = leeway(network_, state_);
-    if (!way.limit && !way.change) return {};
-    const std::int64_t soonest =
-        way.limit && way.change ? std::min(*way.limit, *way.change) : way.limit.value_or(way.change.value_or(0));
+    const Leeway delay = leeway(network_, state_);
+    if (!delay.limit && !delay.change) return {};
+    const std::int64_t soonest = delay.limit && delay.change ? std::min(*delay.limit, *delay.change)
+                                                             : delay.limit.value_or(delay.change.value_or(0));
     return soonest * network_.time_unit_ms;
 }
 
@@ -316,19 +316,19 @@ std::optional<std::string> LoopSimulation::location_of(std::string_view instance
     const auto process = std::ranges::find(network_.processes, instance, &Network::Process::name);
     if (process == network_.processes.end()) return {};
     const Network::Template& automaton = network_.templates[process->automaton];
-    if (moment + 1 == told_.moments.size()) {
+    if (moment + 1 == recorded_run_.moments.size()) {
         const auto index = static_cast<std::size_t>(process - network_.processes.begin());
         return automaton.locations[state_.locations[index]].name;
     }
     for (std::size_t k = moment + 1; k > 0; --k) {
-        const ChartRun::Event& event = told_.moments[k - 1];
-        if (event.location && event.instance.valid() && told_.instances[event.instance].name == instance)
-            return told_.instances[event.instance].locations[*event.location];
+        const ChartRun::Event& event = recorded_run_.moments[k - 1];
+        if (event.location && event.instance.valid() && recorded_run_.instances[event.instance].name == instance)
+            return recorded_run_.instances[event.instance].locations[*event.location];
     }
     return automaton.locations[process->initial].name;
 }
 
-std::string LoopSimulation::behind_port(std::string_view name) const {
+std::string LoopSimulation::port_variable(std::string_view name) const {
     const std::size_t dot = std::min(name.find('.'), name.size());
     for (const Network::Process& process : network_.processes) {
         if (process.name != name.substr(0, dot) || dot == name.size()) continue;
@@ -366,7 +366,7 @@ bool LoopSimulation::back() {
 std::string LoopSimulation::force(std::string_view step, bool active) {
     if (broken_) return "no further event is possible; undo the last command with `back`";
     std::string problem;
-    const std::optional<WhatIfRun> trial = what_if_of(told_, step, active, problem);
+    const std::optional<WhatIfRun> trial = what_if_of(recorded_run_, step, active, problem);
     if (!trial) return problem;
     const Network::Controller& controller = network_.controllers[{trial->controller.index}];
     if (state_.locations[controller.process.index] != controller.waiting)
@@ -388,7 +388,7 @@ void LoopSimulation::put(const WhatIfRun& trial) {
     put_situation(network_, state_, {trial.controller.index}, forced(trial).situation);
     what_if_runs_.push_back({run_.moves.size(), trial});
     projection_->append_by_hand(state_);
-    const std::size_t row = report_what_if(told_, *teller_, trial);
+    const std::size_t row = report_what_if(recorded_run_, *teller_, trial);
     what_if_row_ = what_if_row_.value_or(row);
 }
 

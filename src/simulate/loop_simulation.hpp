@@ -37,13 +37,13 @@ public:
     LoopSimulation(const LoopSimulation&) = delete;
     LoopSimulation& operator=(const LoopSimulation&) = delete;
 
-    const ChartRun& told() const { return told_; }
+    const ChartRun& recorded_run() const { return recorded_run_; }
     ChartRun with_trace_rows(Detail detail) const { return with_rows(project(network_, run_), detail); }
 
     /// Returns the possible choices, or an empty list after a race.
     std::vector<Choice> choices() const;
     std::size_t choice_count() const { return fires().size(); }
-    DelayBounds patience() const;
+    DelayBounds delay_bounds() const;
 
     /// Each of the following functions is one command: it performs the moves of the command and then the automatic
     /// moves. It returns an error message or an empty string. After an error, some moves may have been performed.
@@ -70,7 +70,7 @@ public:
     /// Returns the name of the variable that is connected to a port of an instance. For an output such as `Main.FLOW`,
     /// it is the variable that the output writes; for an input, the variable that it reads. The result is empty if
     /// there is no such port, or if the port reads a term.
-    std::string behind_port(std::string_view name) const;
+    std::string port_variable(std::string_view name) const;
     /// Undoes the last command. Returns false if there is no command to undo.
     bool back();
     /// Returns the number of commands that can be undone.
@@ -107,8 +107,8 @@ private:
     Detail detail_;
     NetworkState state_;
     Run run_ = {};
-    ChartRun told_ = {};
-    std::optional<NetworkProjection> projection_;  ///< projection that appends the moves of the run to `told_`
+    ChartRun recorded_run_ = {};
+    std::optional<NetworkProjection> projection_;  ///< projection that appends the moves of the run to `recorded_run_`
     std::optional<TraceRowBuilder> teller_;
     std::vector<Forced> what_if_runs_ = {};
     std::vector<Mark> commands_ = {};

@@ -24,7 +24,7 @@ bool contains(const ChartRun::State& state, Id<ChartRun::Step> step) {
 }  // namespace
 
 std::string Recording::execute(const Command& command, std::string_view line) {
-    const ChartRun::State before = simulation_.told().moments.back().after;
+    const ChartRun::State before = simulation_.recorded_run().moments.back().after;
     const std::size_t commands = simulation_.undoable();
     std::string text(trimmed(line));
     if (const auto* const choice = std::get_if<ChooseCommand>(&command); choice && choice->number > 0) {
@@ -37,14 +37,14 @@ std::string Recording::execute(const Command& command, std::string_view line) {
     const bool moved = simulation_.undoable() > commands;
     const bool is_met = std::holds_alternative<ExpectCommand>(command) && problem.empty();
     if (!moved && !is_met) return problem;
-    const std::int64_t passed = simulation_.told().moments.back().after.time_ms - before.time_ms;
+    const std::int64_t passed = simulation_.recorded_run().moments.back().after.time_ms - before.time_ms;
     if (!problem.empty()) text = passed > 0 ? "wait " + duration_text(passed) : "// " + text + ": " + problem;
     lines_.push_back({std::move(text), moved ? claim(before) : "", simulation_.undoable()});
     return problem;
 }
 
 std::string Recording::claim(const ChartRun::State& before) const {
-    const ChartRun& run = simulation_.told();
+    const ChartRun& run = simulation_.recorded_run();
     const ChartRun::State& now = run.moments.back().after;
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
@@ -64,7 +64,8 @@ std::string Recording::claim(const ChartRun::State& before) const {
 }
 
 std::string Recording::script() const {
-    std::string text = fmt::format("{} of {}; replay it with `--script`.\n", saved_session, simulation_.told().name);
+    std::string text =
+        fmt::format("{} of {}; replay it with `--script`.\n", saved_session, simulation_.recorded_run().name);
     for (const Line& line : lines_)
         text += line.text + "\n" + (line.claim.empty() ? "" : "expect " + line.claim + "\n");
     return text;

@@ -19,12 +19,12 @@ std::string Simulation::begin() {
 std::string Simulation::execute(const Command& command) {
     unmet_ = false;
     if (std::holds_alternative<BackCommand>(command)) return undo();
-    const std::size_t before = moves(), moments = told().moments.size(), examined = examined_;
+    const std::size_t before = moves(), moments = recorded_run().moments.size(), examined = examined_;
     std::string problem = made(command);
     if (moves() > before) commands_.push_back({before, examined});
     const bool examines = std::holds_alternative<ExpectCommand>(command) && problem.empty();
     if (!examines) examined_ = moves() > before ? moments - 1 : examined;
-    if (!problem.empty() && moves() > before && told().moments.size() == moments) undo();
+    if (!problem.empty() && moves() > before && recorded_run().moments.size() == moments) undo();
     return problem;
 }
 
@@ -52,7 +52,7 @@ std::string Simulation::made(const Command& command) {
                                   [&](const DoCommand& act) { return of.act(act.instance, act.location); },
                                   [&](const ForceCommand& force) { return of.force(force.step, force.active); },
                                   [&](const ChooseCommand& choice) { return choose(choice.number); },
-                                  [&](const ExpectCommand& wish) { return expect(wish); },
+                                  [&](const ExpectCommand& wanted) { return expect(wanted); },
                                   [](const BadCommand& bad) { return bad.error_text; },
                                   [](const auto&) { return std::string(); },
                               },
@@ -67,14 +67,14 @@ std::optional<std::string> Simulation::unmet_at(const Expectation& claim, std::s
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         return loop == nullptr ? std::nullopt : loop->location_of(instance, moment);
     };
-    return unmet_part(claim, told(), moment, location_of, problem);
+    return unmet_part(claim, recorded_run(), moment, location_of, problem);
 }
 
 /// True if the expectation became true during the instant. An instant can contain several evolutions. Therefore the
 /// situation after the instant does not show a step that is activated and deactivated in the instant. The expectation
 /// must become true in an event: it is not sufficient that it held before the first examined event.
 bool Simulation::met_in_passing(const Expectation& claim) {
-    const ChartRun& run = told();
+    const ChartRun& run = recorded_run();
     const std::int64_t now = run.moments.back().after.time_ms;
     std::vector<bool> examines(run.moments.size(), names_only_steps(claim, run));
     for (auto row = run.rows.rbegin(); row != run.rows.rend() && row->moment > examined_; ++row)
@@ -96,34 +96,34 @@ bool Simulation::met_in_passing(const Expectation& claim) {
 }
 
 /// Advances time from one spontaneous event to the next, because values do not change between these events.
-std::string Simulation::expect(const ExpectCommand& wish) {
-    Expectation claim = wish.claim;
+std::string Simulation::expect(const ExpectCommand& wanted) {
+    Expectation claim = wanted.claim;
     for (Expectation::Condition& part :
          claim.parts) {  // a port denotes its variable, unless a signal or location has this name
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
-        const bool known =
-            !signals_called(told(), part.name).empty() || location_called(told(), part.name).instance.valid();
-        const std::string behind = loop == nullptr || known ? std::string() : loop->behind_port(part.name);
-        if (!behind.empty()) part.name = behind;
+        const bool known = !signals_called(recorded_run(), part.name).empty() ||
+                           location_called(recorded_run(), part.name).instance.valid();
+        const std::string variable = loop == nullptr || known ? std::string() : loop->port_variable(part.name);
+        if (!variable.empty()) part.name = variable;
     }
-    const std::int64_t begin = told().moments.back().after.time_ms;
+    const std::int64_t begin = recorded_run().moments.back().after.time_ms;
     for (;;) {
         std::string problem;
-        const auto unmet = unmet_at(claim, told().moments.size() - 1, problem);
+        const auto unmet = unmet_at(claim, recorded_run().moments.size() - 1, problem);
         if (!unmet) return problem;
-        if (unmet->empty() && wish.response_timeout_ms != 0) examined_ = told().moments.size() - 1;
-        if (unmet->empty() || (wish.response_timeout_ms != 0 && met_in_passing(claim))) return {};
+        if (unmet->empty() && wanted.response_timeout_ms != 0) examined_ = recorded_run().moments.size() - 1;
+        if (unmet->empty() || (wanted.response_timeout_ms != 0 && met_in_passing(claim))) return {};
         const auto failed = [&](std::string_view why) {
             unmet_ = true;
-            return fmt::format("expected `{}`, but {}{}", wish.claim.text, *unmet, why);
+            return fmt::format("expected `{}`, but {}{}", wanted.claim.text, *unmet, why);
         };
-        const std::int64_t passed = told().moments.back().after.time_ms - begin;
-        if (wish.response_timeout_ms && passed >= *wish.response_timeout_ms)
+        const std::int64_t passed = recorded_run().moments.back().after.time_ms - begin;
+        if (wanted.response_timeout_ms && passed >= *wanted.response_timeout_ms)
             return failed(passed == 0 ? "" : fmt::format(" after {}", seconds_text(passed)));
-        if (!patience().may_pass) return failed(", and time cannot pass before a choice");
+        if (!delay_bounds().may_pass) return failed(", and time cannot pass before a choice");
         const auto soonest = std::visit([](const auto& of) { return of.soonest_ms(); }, of_);
-        if (!wish.response_timeout_ms && !soonest) return failed(", and nothing changes as time passes");
-        const std::int64_t left = wish.response_timeout_ms ? *wish.response_timeout_ms - passed : *soonest;
+        if (!wanted.response_timeout_ms && !soonest) return failed(", and nothing changes as time passes");
+        const std::int64_t left = wanted.response_timeout_ms ? *wanted.response_timeout_ms - passed : *soonest;
         problem = std::visit([&](auto& of) { return of.wait(std::min(left, soonest.value_or(left))); }, of_);
         if (!problem.empty()) return problem;
     }
@@ -136,8 +136,8 @@ std::string Simulation::choose(std::size_t number) {
     return std::visit([&](auto& of) { return of.choose(number - 1); }, of_);
 }
 
-const ChartRun& Simulation::told() const {
-    return std::visit([](const auto& of) -> const ChartRun& { return of.told(); }, of_);
+const ChartRun& Simulation::recorded_run() const {
+    return std::visit([](const auto& of) -> const ChartRun& { return of.recorded_run(); }, of_);
 }
 
 std::optional<std::size_t> Simulation::what_if_row() const {
@@ -152,8 +152,8 @@ std::size_t Simulation::choice_count() const {
     return std::visit([](const auto& of) { return of.choice_count(); }, of_);
 }
 
-DelayBounds Simulation::patience() const {
-    return std::visit([](const auto& of) { return of.patience(); }, of_);
+DelayBounds Simulation::delay_bounds() const {
+    return std::visit([](const auto& of) { return of.delay_bounds(); }, of_);
 }
 
 std::vector<std::string> Simulation::violated_constraints() const {
@@ -167,16 +167,16 @@ ChartRun Simulation::with_trace_rows(Detail detail) const {
 
 std::optional<Command> RandomWalk::draw(const Simulation& simulation) {
     const std::size_t choices = simulation.choice_count();
-    const DelayBounds patience = simulation.patience();
-    const std::uint64_t count = choices + (patience.may_pass ? 1 : 0);
+    const DelayBounds delay_bounds = simulation.delay_bounds();
+    const std::uint64_t count = choices + (delay_bounds.may_pass ? 1 : 0);
     if (count == 0) return {};
     const std::uint64_t drawn = random_() % count;
     if (drawn < choices) return ChooseCommand{drawn + 1};
     constexpr std::int64_t longest = 20;
-    const std::int64_t most = std::min(patience.limit.value_or(longest), patience.change.value_or(longest));
+    const std::int64_t most = std::min(delay_bounds.limit.value_or(longest), delay_bounds.change.value_or(longest));
     const std::int64_t units =
         1 + static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(std::max<std::int64_t>(most, 1)));
-    return WaitCommand{units * patience.unit_ms};
+    return WaitCommand{units * delay_bounds.unit_ms};
 }
 
 }  // namespace grafverif

@@ -38,13 +38,13 @@ public:
     /// Returns the number of commands that can be undone.
     std::size_t undoable() const { return commands_.size(); }
 
-    const ChartRun& told() const;
+    const ChartRun& recorded_run() const;
     /// Returns the index of the row in which a step was first forced, or nullopt if no step was forced. From this row
     /// on, the recording is not a run of the model.
     std::optional<std::size_t> what_if_row() const;
     std::vector<Choice> choices() const;
     std::size_t choice_count() const;
-    DelayBounds patience() const;
+    DelayBounds delay_bounds() const;
     /// Returns the constraints of the chart that the current inputs violate. In a loop with a plant, constraints are
     /// properties to prove, and the result is empty.
     std::vector<std::string> violated_constraints() const;
@@ -57,7 +57,7 @@ private:
     std::string undo();
     std::size_t moves() const;
     std::string choose(std::size_t number);
-    std::string expect(const ExpectCommand& wish);
+    std::string expect(const ExpectCommand& wanted);
     std::optional<std::string> unmet_at(const Expectation& claim, std::size_t moment, std::string& problem) const;
     /// True if the expectation has become true in the current instant, after the event `examined_`.
     bool met_in_passing(const Expectation& claim);

@@ -71,22 +71,24 @@ std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_
     return cells;
 }
 
-/// Returns the range [from, to) of cells to print. It fits into `room` columns together with a `…` on each truncated
-/// side, and contains the beginning of the mark and some context before it.
-std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::size_t first_marked, std::size_t room) {
+/// Returns the range [from, to) of cells to print. It fits into `available` columns together with a `…` on each
+/// truncated side, and contains the beginning of the mark and some context before it.
+std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::size_t first_marked,
+                                           std::size_t available) {
     std::size_t whole = 0, before = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         whole += cells[i].columns;
         if (i < first_marked) before += cells[i].columns;
     }
-    if (whole <= room) return {0, cells.size()};
+    if (whole <= available) return {0, cells.size()};
     std::size_t from = 0;
-    if (before > room * 3 / 4)
-        for (; from < first_marked && (before > room / 2 || cells[from].columns == 0); ++from)
+    if (before > available * 3 / 4)
+        for (; from < first_marked && (before > available / 2 || cells[from].columns == 0); ++from)
             before -= cells[from].columns;
     std::size_t used = (from > 0 ? 1 : 0) + 1, to = from;
-    while (to < cells.size() && used + cells[to].columns <= room) used += cells[to++].columns;
-    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // no `…` is needed after the last cell
+    while (to < cells.size() && used + cells[to].columns <= available) used += cells[to++].columns;
+    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= available)
+        ++to;  // no `…` is needed after the last cell
     return {from, to};
 }
 
@@ -97,14 +99,14 @@ Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, s
     std::size_t cut = column > near ? column - near : 0;
     // Advances to the start of a character.
     while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;
-    const bool goes_on = line.size() > column + near;
+    const bool continues = line.size() > column + near;
     line = line.substr(cut, column - cut + near);
     column -= cut;
     const std::vector<Cell> cells = cells_of(line, column, length);
-    const std::size_t room = std::max(columns, indentation + least_columns) - indentation;
+    const std::size_t available = std::max(columns, indentation + least_columns) - indentation;
     const auto first = std::ranges::find_if(cells, [&](const Cell& cell) { return cell.at >= column; });
     const auto first_marked = static_cast<std::size_t>(first - cells.begin());
-    const auto [from, to] = window(cells, first_marked, room);
+    const auto [from, to] = window(cells, first_marked, available);
     Excerpt shown;
     if (from + cut > 0) shown = {"…", " "};
     std::size_t carets = 0;
@@ -115,7 +117,7 @@ Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, s
         else if (i < first_marked && line[cell.at] == '\t') shown.marks += '\t';
         else if (i < first_marked) shown.marks.append(cell.columns, ' ');
     }
-    if (to < cells.size() || goes_on) shown.text += "…";
+    if (to < cells.size() || continues) shown.text += "…";
     shown.marks.append(std::max<std::size_t>(carets, 1), '^');
     return shown;
 }

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr int most_rounds = 100, patience = 8;
+constexpr int most_rounds = 100, longest_idle = 8;
 
 class Force {
 public:
@@ -23,7 +23,7 @@ public:
         std::vector<double> best = place_;
         double least = total_span();
         int idle = 0;
-        for (int round = 0; round < most_rounds && idle < patience; ++round) {
+        for (int round = 0; round < most_rounds && idle < longest_idle; ++round) {
             move();
             const double span = total_span();
             idle = span < least ? 0 : idle + 1;
@@ -40,16 +40,16 @@ private:
             for (const std::uint32_t vertex : edges_[edge]) centre[edge] += place_[vertex];
             centre[edge] /= static_cast<double>(edges_[edge].size());
         }
-        std::vector<double> wish = place_;
-        for (std::size_t vertex = 0; vertex < wish.size(); ++vertex) {
+        std::vector<double> barycentre = place_;
+        for (std::size_t vertex = 0; vertex < barycentre.size(); ++vertex) {
             if (edges_of_[vertex].empty()) continue;
-            wish[vertex] = 0;
-            for (const std::uint32_t edge : edges_of_[vertex]) wish[vertex] += centre[edge];
-            wish[vertex] /= static_cast<double>(edges_of_[vertex].size());
+            barycentre[vertex] = 0;
+            for (const std::uint32_t edge : edges_of_[vertex]) barycentre[vertex] += centre[edge];
+            barycentre[vertex] /= static_cast<double>(edges_of_[vertex].size());
         }
         std::vector<std::uint32_t> sorted(place_.size());
         std::iota(sorted.begin(), sorted.end(), 0U);
-        std::ranges::stable_sort(sorted, {}, [&](std::uint32_t vertex) { return wish[vertex]; });
+        std::ranges::stable_sort(sorted, {}, [&](std::uint32_t vertex) { return barycentre[vertex]; });
         for (std::size_t i = 0; i < sorted.size(); ++i) place_[sorted[i]] = static_cast<double>(i);
     }
 

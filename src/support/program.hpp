@@ -24,12 +24,13 @@ struct ProgramResult {
 };
 
 /// Returns the reason why a program did not end normally; empty if it ended normally.
-inline std::string ended_by(const ProgramResult& said) {
-    switch (said.end) {
+inline std::string ended_by(const ProgramResult& program_result) {
+    switch (program_result.end) {
     case ProgramResult::End::TimedOut: return "stopped at the time limit";
     case ProgramResult::End::Stopped: return "stopped";
     case ProgramResult::End::TooMuchOutput: return "the output of the program is too large";
-    case ProgramResult::End::Signalled: return "the program was ended by signal " + std::to_string(said.status);
+    case ProgramResult::End::Signalled:
+        return "the program was ended by signal " + std::to_string(program_result.status);
     case ProgramResult::End::Exited: break;
     }
     return {};

@@ -17,11 +17,11 @@ public:
     /// Marks `name` as used.
     void take(std::string name) { taken_.insert(std::move(name)); }
 
-    /// Returns `wish` if it is unused, otherwise `wish_2`, `wish_3`, and so on.
-    std::string fresh(const std::string& wish) {
-        if (taken_.insert(wish).second) return wish;
-        for (std::size_t& count = counts_.try_emplace(wish, 1).first->second;;) {
-            std::string name = wish + "_" + std::to_string(++count);
+    /// Returns `preferred` if it is unused, otherwise `preferred_2`, `preferred_3`, and so on.
+    std::string fresh(const std::string& preferred) {
+        if (taken_.insert(preferred).second) return preferred;
+        for (std::size_t& count = counts_.try_emplace(preferred, 1).first->second;;) {
+            std::string name = preferred + "_" + std::to_string(++count);
             if (taken_.insert(name).second) return name;
         }
     }

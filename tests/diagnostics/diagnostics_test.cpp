@@ -121,12 +121,12 @@ std::map<std::string, std::string, std::less<>> constants_of(const std::string& 
     return constants;
 }
 
-struct Said {
+struct Reported {
     Sources sources = {};
     Diagnostics diagnostics = {};
 };
 
-Said said_about(const std::string& name, const std::string& text) {
+Reported reported_about(const std::string& name, const std::string& text) {
     std::vector<LibraryEntry> library;
     for (const LibraryFile& file : library_files()) library.push_back({file.name, file.text, file.path});
     ReadContext context{[](const std::string& path, std::string& why) {
@@ -136,24 +136,24 @@ Said said_about(const std::string& name, const std::string& text) {
                         },
                         library};
     context.constants = constants_of(text);
-    Said said;
-    auto& [sources, diagnostics] = said;
+    Reported reported;
+    auto& [sources, diagnostics] = reported;
     const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);
     EXPECT_EQ(model.has_value(), !diagnostics.has_errors());
     if (model) build(*model, text.starts_with("// testgen"), diagnostics);
     exclude(name, model, sources, diagnostics);
-    return said;
+    return reported;
 }
 
-std::string words(const Said& said) {
+std::string words(const Reported& reported) {
     std::ostringstream text;
-    render_text(said.diagnostics.all(), said.sources, Colour::Plain, text);
+    render_text(reported.diagnostics.all(), reported.sources, Colour::Plain, text);
     return std::move(text).str();
 }
 
-/// Returns how often `said` contains a diagnostic with the code and the message of `one`.
-std::ptrdiff_t times(const Said& said, const Diagnostic& one) {
-    return std::ranges::count_if(said.diagnostics.all(), [&](const Diagnostic& other) {
+/// Returns how often `reported` contains a diagnostic with the code and the message of `one`.
+std::ptrdiff_t times(const Reported& reported, const Diagnostic& one) {
+    return std::ranges::count_if(reported.diagnostics.all(), [&](const Diagnostic& other) {
         return other.code == one.code && other.message == one.message;
     });
 }
@@ -170,11 +170,11 @@ TEST(DiagnosticExamples, PrintTheExpectedText) {
     const bool update = std::getenv("GRAFVERIF_UPDATE_GOLDEN") != nullptr;
     for (const fs::path& reject : examples()) {
         SCOPED_TRACE(reject.filename().string());
-        const std::string said = words(said_about(reject.filename().string(), content(reject).value()));
+        const std::string reported = words(reported_about(reject.filename().string(), content(reject).value()));
         const fs::path expected = fs::path(reject).replace_extension(".expected");
-        if (update) std::ofstream(expected, std::ios::binary) << said;
-        EXPECT_EQ(content(expected).value_or(""), said);
-        EXPECT_NE(said.find('[' + code_of(reject) + ']'), std::string::npos) << said;
+        if (update) std::ofstream(expected, std::ios::binary) << reported;
+        EXPECT_EQ(content(expected).value_or(""), reported);
+        EXPECT_NE(reported.find('[' + code_of(reject) + ']'), std::string::npos) << reported;
     }
 }
 
@@ -182,15 +182,15 @@ TEST(DiagnosticExamples, AreCorrectedByTheirFixes) {
     std::set<std::string> codes;
     for (const fs::path& reject : examples()) {
         const std::string name = reject.filename().string(), text = content(reject).value();
-        const Said said = said_about(name, text);
-        for (const Diagnostic& diagnostic : said.diagnostics.all()) {
-            if (!diagnostic.fix || said.sources[diagnostic.fix->where.source].name != name) continue;
+        const Reported reported = reported_about(name, text);
+        for (const Diagnostic& diagnostic : reported.diagnostics.all()) {
+            if (!diagnostic.fix || reported.sources[diagnostic.fix->where.source].name != name) continue;
             SCOPED_TRACE(name + ": " + diagnostic.message);
             codes.insert(diagnostic.code);
             const Fix& fix = *diagnostic.fix;
             std::string mended = text;
             mended.replace(fix.where.begin, fix.where.end - fix.where.begin, fix.replacement);
-            EXPECT_LT(times(said_about(name, mended), diagnostic), times(said, diagnostic)) << mended;
+            EXPECT_LT(times(reported_about(name, mended), diagnostic), times(reported, diagnostic)) << mended;
         }
     }
     for (const char* code : {"unknown-variable", "unknown-step", "unknown-component", "undriven-input",

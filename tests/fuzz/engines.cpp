@@ -20,9 +20,9 @@ std::string nusmv_complaint(std::string_view bytes) {
     static const FlatSystem flat = flattened(system);
     std::vector<std::size_t> properties;
     for (const Id<Property> id : system.properties.ids()) properties.push_back(id.index);
-    ProgramResult said;
-    said.out = bytes;
-    const NusmvResult result = read_nusmv(system, spelling, properties, said);
+    ProgramResult program_result;
+    program_result.out = bytes;
+    const NusmvResult result = read_nusmv(system, spelling, properties, program_result);
     if (result.verdicts.size() != properties.size() || result.runs.size() != properties.size())
         return "too few verdicts, or too many";
     for (std::size_t i = 0; i < properties.size(); ++i) {
@@ -39,15 +39,15 @@ std::string nusmv_complaint(std::string_view bytes) {
 }
 
 std::string verifyta_complaint(std::string_view bytes) {
-    ProgramResult said;
-    said.out = bytes.substr(0, bytes.find('\0'));
-    said.err = bytes.substr(said.out.size());
-    const ExternalResult answer = read_verifyta(said);
+    ProgramResult program_result;
+    program_result.out = bytes.substr(0, bytes.find('\0'));
+    program_result.err = bytes.substr(program_result.out.size());
+    const ExternalResult answer = read_verifyta(program_result);
     const bool known = answer.outcome != Outcome::Unknown;
     if (known != (answer.obstacle == UnknownReason::None) || known != answer.reason.empty())
         return "a verdict with a reason, or none without: " + answer.reason;
-    const bool yes = said.out.find("Formula is satisfied.") != std::string::npos,
-               no = said.out.find("Formula is NOT satisfied.") != std::string::npos;
+    const bool yes = program_result.out.find("Formula is satisfied.") != std::string::npos,
+               no = program_result.out.find("Formula is NOT satisfied.") != std::string::npos;
     if ((answer.outcome == Outcome::Holds && !yes) || (answer.outcome == Outcome::Violated && !no))
         return "a verdict that nobody gave";
     return {};

@@ -46,8 +46,8 @@ std::string test_table_complaint(std::string_view bytes) {
         Diagnostics diagnostics;
         const auto test =
             read_test_csv(sources.add({"fuzzed.csv", std::string(bytes)}), sources, press(), mode, diagnostics);
-        const std::string said = shown(diagnostics, sources);
-        if (test.has_value() == diagnostics.has_errors()) return "read and refused, or neither:\n" + said;
+        const std::string rendered = shown(diagnostics, sources);
+        if (test.has_value() == diagnostics.has_errors()) return "read and refused, or neither:\n" + rendered;
         if (!test) continue;
         for (const std::string& broken : verify(*test)) return "not well formed: " + broken;
         std::ostringstream written;
@@ -65,8 +65,8 @@ std::string exclusions_complaint(std::string_view bytes) {
     Diagnostics diagnostics;
     const Id<Source> source = sources.add({"fuzzed.csv", std::string(bytes)});
     const auto rows = read_exclusions(source, sources, press(), diagnostics);
-    const std::string said = shown(diagnostics, sources);
-    if (rows.has_value() == diagnostics.has_errors()) return "read and refused, or neither:\n" + said;
+    const std::string rendered = shown(diagnostics, sources);
+    if (rows.has_value() == diagnostics.has_errors()) return "read and refused, or neither:\n" + rendered;
     if (!rows) return {};
     for (const ExclusionRow& row : *rows) {
         if (row.first == row.second) return "an input that excludes itself";

@@ -36,7 +36,7 @@ std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const
 struct TextRead {
     std::optional<Model> model = {};
     std::string error_text = {};  ///< description of an error in the diagnostics; empty if there is none
-    std::string said = {};
+    std::string rendered = {};
 };
 
 TextRead read(Id<Source> file, Sources& sources, bool lossy) {
@@ -46,7 +46,7 @@ TextRead read(Id<Source> file, Sources& sources, bool lossy) {
     context.lossy = lossy;
     TextRead reading{read_text(file, sources, context, diagnostics), {}, {}};
     reading.error_text = result_complaint_of(reading.model.has_value(), diagnostics, sources);
-    reading.said = shown(diagnostics, sources);
+    reading.rendered = shown(diagnostics, sources);
     if (reading.error_text.empty() && reading.model)
         for (const std::string& broken : verify(*reading.model))
             reading.error_text += "not well formed: " + broken + '\n';
@@ -63,7 +63,7 @@ std::string printed(const Model& model) {
 std::string reading_back(const Model& model, const std::string& text, Sources& sources) {
     const TextRead again = read(sources.add({"written.grafcet", text}), sources, false);
     if (!again.error_text.empty()) return again.error_text + "\nof:\n" + text;
-    if (!again.model) return "what is written is refused:\n" + again.said + text;
+    if (!again.model) return "what is written is refused:\n" + again.rendered + text;
     if (printed(*again.model) != printed(model))
         return "what is written means something else:\n" + text + "\nwas:\n" + printed(model);
     return {};

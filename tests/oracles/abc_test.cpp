@@ -25,21 +25,21 @@ struct Agreement {
 void expect_agreement(const TransitionSystem& system, Agreement& agreement) {
     const auto program = app::find_program("berkeley-abc");
     ASSERT_TRUE(program);
-    const PdrResult ours = check_pdr(system);
+    const PdrResult own = check_pdr(system);
     PdrOptions options;
     options.reach = app::search_by_abc(program->string(), nullptr);
     const PdrResult theirs = check_pdr(system, options);
-    ASSERT_EQ(ours.failures, std::vector<std::string>{});
+    ASSERT_EQ(own.failures, std::vector<std::string>{});
     ASSERT_EQ(theirs.failures, std::vector<std::string>{});
-    ASSERT_EQ(theirs.fault.has_value(), ours.fault.has_value());
-    for (std::size_t i = 0; i < ours.verdicts.size(); ++i) {
-        SCOPED_TRACE(ours.verdicts[i].property);
-        ASSERT_EQ(theirs.verdicts[i].outcome, ours.verdicts[i].outcome) << theirs.verdicts[i].reason;
-        ASSERT_EQ(theirs.runs[i].has_value(), ours.runs[i].has_value());
-        if (ours.verdicts[i].outcome == Outcome::Unknown) continue;
+    ASSERT_EQ(theirs.fault.has_value(), own.fault.has_value());
+    for (std::size_t i = 0; i < own.verdicts.size(); ++i) {
+        SCOPED_TRACE(own.verdicts[i].property);
+        ASSERT_EQ(theirs.verdicts[i].outcome, own.verdicts[i].outcome) << theirs.verdicts[i].reason;
+        ASSERT_EQ(theirs.runs[i].has_value(), own.runs[i].has_value());
+        if (own.verdicts[i].outcome == Outcome::Unknown) continue;
         ++agreement.verdicts;
-        if (ours.runs[i]) {
-            EXPECT_LE(theirs.runs[i]->states.size(), ours.runs[i]->states.size()) << "bmc3 finds a shortest";
+        if (own.runs[i]) {
+            EXPECT_LE(theirs.runs[i]->states.size(), own.runs[i]->states.size()) << "bmc3 finds a shortest";
             ++agreement.runs;
         } else {
             ++agreement.proved;

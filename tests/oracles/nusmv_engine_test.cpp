@@ -29,7 +29,7 @@ namespace grafverif {
 namespace {
 
 /// Time limit of each engine, because either can take minutes on some small models.
-constexpr std::chrono::seconds patience(2);
+constexpr std::chrono::seconds time_limit(2);
 
 /// The results of NuSMV, with its model and its output for failure messages.
 struct Requested {
@@ -47,10 +47,10 @@ Requested asked_nusmv(const TransitionSystem& system, const std::string& program
     nusmv::emit(system, text);
     std::ofstream(model) << text.str();
     std::ofstream(commands) << nusmv_commands(model, spelling, all);
-    const ProgramResult said =
-        app::run_program({program, "-source", commands}, "", {.deadline = std::chrono::steady_clock::now() + patience});
-    if (said.end != ProgramResult::End::Exited) return {};
-    return {read_nusmv(system, spelling, all, said), text.str() + said.out + said.err};
+    const ProgramResult program_result = app::run_program({program, "-source", commands}, "",
+                                                          {.deadline = std::chrono::steady_clock::now() + time_limit});
+    if (program_result.end != ProgramResult::End::Exited) return {};
+    return {read_nusmv(system, spelling, all, program_result), text.str() + program_result.out + program_result.err};
 }
 
 struct Agreement {
@@ -59,9 +59,9 @@ struct Agreement {
 
 /// Checks, with the reference evaluation of the property, that a run returned by NuSMV proves its verdict.
 void expect_agreement(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
-    const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
-    if (ours.fault) return;
-    if (ours.states.empty()) {
+    const SymbolicResult own = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});
+    if (own.fault) return;
+    if (own.states.empty()) {
         ++agreement.given_up;
         return;
     }
@@ -71,19 +71,19 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
         return;
     }
     ASSERT_TRUE(theirs.total) << conversation;
-    ASSERT_EQ(theirs.states, ours.states);
-    ASSERT_EQ(theirs.verdicts.size(), ours.verdicts.size());
+    ASSERT_EQ(theirs.states, own.states);
+    ASSERT_EQ(theirs.verdicts.size(), own.verdicts.size());
     const bool just = !system.modules[system.main].justice.empty();
-    for (std::size_t i = 0; i < ours.verdicts.size(); ++i) {
-        SCOPED_TRACE(ours.verdicts[i].property);
-        if (ours.verdicts[i].outcome == Outcome::Unknown) continue;
-        ASSERT_EQ(theirs.verdicts[i].outcome, ours.verdicts[i].outcome) << conversation;
+    for (std::size_t i = 0; i < own.verdicts.size(); ++i) {
+        SCOPED_TRACE(own.verdicts[i].property);
+        if (own.verdicts[i].outcome == Outcome::Unknown) continue;
+        ASSERT_EQ(theirs.verdicts[i].outcome, own.verdicts[i].outcome) << conversation;
         ++agreement.verdicts;
-        if (!ours.runs[i] || ours.verdicts[i].pattern == Pattern::AlwaysPossible) continue;
+        if (!own.runs[i] || own.verdicts[i].pattern == Pattern::AlwaysPossible) continue;
         ASSERT_TRUE(theirs.runs[i]);
-        const bool about_states = !ours.runs[i]->loop;
+        const bool about_states = !own.runs[i]->loop;
         if (about_states) {
-            EXPECT_EQ(theirs.runs[i]->states.size(), ours.runs[i]->states.size()) << "both are shortest";
+            EXPECT_EQ(theirs.runs[i]->states.size(), own.runs[i]->states.size()) << "both are shortest";
         } else if (!just) {
             EXPECT_TRUE(theirs.runs[i]->loop);
         }
@@ -180,22 +180,22 @@ std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) 
 /// Checks that the verdicts of `NuSMV FILE` equal those of the embedded engine. Verdicts are assigned to properties by
 /// the names in the text.
 void expect_same_as_a_user_sees(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
-    const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
-    if (ours.fault || ours.states.empty()) return;
+    const SymbolicResult own = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});
+    if (own.fault || own.states.empty()) return;
     const app::TemporaryFolder folder;
     const std::string model = (folder.path() / "model.smv").string();
     std::ostringstream text;
     nusmv::emit(system, text);
     std::ofstream(model) << text.str();
-    const ProgramResult said =
-        app::run_program({program, model}, "", {.deadline = std::chrono::steady_clock::now() + patience});
-    if (said.end != ProgramResult::End::Exited) {
+    const ProgramResult program_result =
+        app::run_program({program, model}, "", {.deadline = std::chrono::steady_clock::now() + time_limit});
+    if (program_result.end != ProgramResult::End::Exited) {
         ++agreement.given_up;
         return;
     }
     const NusmvModel read = read_nusmv(text.str());
     ASSERT_EQ(read.error_text, "");
-    const auto printed = printed_verdicts(said.out);
+    const auto printed = printed_verdicts(program_result.out);
     const std::vector<std::string> names = nusmv::spelling(system).properties;
     for (const Id<Property> id : system.properties.ids()) {
         const auto& specs = read.modules.front().specifications;
@@ -204,12 +204,12 @@ void expect_same_as_a_user_sees(const TransitionSystem& system, const std::strin
         const auto formula = read_spec(spec->formula);
         ASSERT_TRUE(formula) << spec->formula;
         const auto verdict = std::ranges::find(printed, *formula, &std::pair<SpecTerm, bool>::first);
-        ASSERT_NE(verdict, printed.end()) << spec->formula << "\n" << said.out << said.err;
-        if (ours.verdicts[id.index].outcome == Outcome::Unknown) continue;
+        ASSERT_NE(verdict, printed.end()) << spec->formula << "\n" << program_result.out << program_result.err;
+        if (own.verdicts[id.index].outcome == Outcome::Unknown) continue;
         ASSERT_EQ(verdict_of_spec(*spec, system.properties[id], verdict->second),
-                  ours.verdicts[id.index].outcome == Outcome::Holds)
+                  own.verdicts[id.index].outcome == Outcome::Holds)
             << spec->name << "\n"
-            << text.str() << said.out;
+            << text.str() << program_result.out;
         ++agreement.verdicts;
     }
 }
@@ -310,8 +310,8 @@ TEST(NusmvEngine, AgreesWithTheTimedEngineOnSentencesInDiscreteTime) {
         SCOPED_TRACE(sentence);
         const Model model = read_loop(watched_lamp(sentence)).model;
         Diagnostics diagnostics;
-        const auto ours = check(model, Id<ClosedLoop>{0}, {.grain = Grain::Atomic}, {.properties = {"S"}}, diagnostics);
-        ASSERT_TRUE(ours);
+        const auto own = check(model, Id<ClosedLoop>{0}, {.grain = Grain::Atomic}, {.properties = {"S"}}, diagnostics);
+        ASSERT_TRUE(own);
         const auto system = transition_system_of(
             model, Id<ClosedLoop>{0},
             {.grain = Grain::Atomic, .untimed = {.plant = PlantApproach::Automata, .time = TimeModel::Discrete}},
@@ -320,9 +320,9 @@ TEST(NusmvEngine, AgreesWithTheTimedEngineOnSentencesInDiscreteTime) {
         const auto [theirs, conversation] = asked_nusmv(*system, program->string());
         if (conversation.empty()) continue;  // such a model takes minutes
         const auto here =
-            std::ranges::find(ours->answers, "S", [](const PropertyResult& one) { return one.verdict.property; });
+            std::ranges::find(own->answers, "S", [](const PropertyResult& one) { return one.verdict.property; });
         const auto there = std::ranges::find(theirs.verdicts, "S", &Verdict::property);
-        ASSERT_NE(here, ours->answers.end());
+        ASSERT_NE(here, own->answers.end());
         ASSERT_NE(there, theirs.verdicts.end());
         ASSERT_EQ(there->outcome, here->verdict.outcome) << conversation;
         ++compared;

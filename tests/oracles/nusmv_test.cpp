@@ -28,17 +28,17 @@ using System = TransitionSystem;
 
 bool nusmv_is_installed() { return std::system("command -v NuSMV >/dev/null 2>&1") == 0; }
 
-/// Returns the output of NuSMV for `model` and `commands`, or nothing after `patience` seconds, because NuSMV takes
+/// Returns the output of NuSMV for `model` and `commands`, or nothing after `time_limit` seconds, because NuSMV takes
 /// minutes for some small models.
-std::optional<std::string> nusmv_says(const std::string& model, const std::string& commands, int patience) {
+std::optional<std::string> nusmv_says(const std::string& model, const std::string& commands, int time_limit) {
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("grafverif_nusmv_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "model.smv") << model;
     std::ofstream(folder / "commands") << "read_model -i " << (folder / "model.smv").string() << "\n"
                                        << commands << "quit\n";
-    const std::string command =
-        "timeout " + std::to_string(patience) + " NuSMV -source " + (folder / "commands").string() + " 2>&1 </dev/null";
+    const std::string command = "timeout " + std::to_string(time_limit) + " NuSMV -source " +
+                                (folder / "commands").string() + " 2>&1 </dev/null";
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return {};
     std::string text;
@@ -84,18 +84,18 @@ void compare(const System& system, Compared& compared) {
         ++compared.given_up;
         return;
     }
-    const std::string& said = *answer;
-    ASSERT_NE(said.find("The transition relation is total"), std::string::npos) << said << model;
+    const std::string& output = *answer;
+    ASSERT_NE(output.find("The transition relation is total"), std::string::npos) << output << model;
     ++compared.systems;
-    ASSERT_NE(said.find("reachable states: " + std::to_string(graph->states.size()) + " ("), std::string::npos)
+    ASSERT_NE(output.find("reachable states: " + std::to_string(graph->states.size()) + " ("), std::string::npos)
         << graph->states.size() << " states expected\n"
-        << said << model;
+        << output << model;
     std::vector<bool> found;
-    std::istringstream lines(said);
+    std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with("-- specification") || line.starts_with("-- invariant"))
             found.push_back(line.ends_with("true"));
-    ASSERT_EQ(found, expected) << said << model;
+    ASSERT_EQ(found, expected) << output << model;
     compared.states += graph->states.size();
     compared.verdicts += found.size();
 }
@@ -127,10 +127,10 @@ TEST(NusmvOracle, AcceptsTheGoldenModels) {
         SCOPED_TRACE(entry.path().string());
         std::ostringstream model;
         model << std::ifstream(entry.path()).rdbuf();
-        const auto said = nusmv_says(
+        const auto output = nusmv_says(
             model.str(), "set dynamic_reorder 1\nflatten_hierarchy\nencode_variables\nbuild_model\ncheck_fsm\n", 60);
-        ASSERT_TRUE(said);
-        EXPECT_NE(said->find("The transition relation is total"), std::string::npos) << *said;
+        ASSERT_TRUE(output);
+        EXPECT_NE(output->find("The transition relation is total"), std::string::npos) << *output;
     }
 }
 

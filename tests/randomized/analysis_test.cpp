@@ -41,7 +41,7 @@ struct RestOrder {
 
 /// The graph of the points of a chart and of the rests between its instants, with the events at each node and its
 /// successors.
-struct Ways {
+struct PointGraph {
     struct Node {
         std::set<std::string> comes = {};
         std::vector<std::size_t> next = {};
@@ -72,7 +72,7 @@ struct Ways {
     }
     /// Returns, for each rest, true if the event never occurs again after it. If `broken`, the event may occur again
     /// after unexplored points.
-    std::vector<bool> gone(const std::string& what, bool broken) const {
+    std::vector<bool> dead_points(const std::string& what, bool broken) const {
         std::vector<bool> found =
             leading_to([&](std::size_t k) { return nodes[k].comes.contains(what) || (broken && nodes[k].unknown); });
         for (std::size_t k = 0; k < nodes.size(); ++k) found[k] = nodes[k].ends && !found[k];
@@ -118,7 +118,7 @@ public:
         for (const Id<Chart::Transition> id : chart.transitions.ids()) always_.insert(name(id));
     }
 
-    const Ways& ways() const { return ways_; }
+    const PointGraph& graph() const { return graph_; }
 
     /// Returns the first instant of each statement, or nothing if there are too many points, or if a condition is
     /// undefined at one of them.
@@ -126,7 +126,7 @@ public:
         for_each_input([&](const std::vector<std::int64_t>& inputs) {
             begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs, add_node());
         });
-        while (!open_.empty() && points_ < most_points && !lost_) {
+        while (!open_.empty() && points_ < most_points && !undefined_) {
             const Rest rest = std::move(open_.front().first);
             instant_ = open_.front().second + 1;
             open_.pop_front();
@@ -134,12 +134,12 @@ public:
             for_each_end(rest, 0, [&](const Rest& later) {
                 for_each_input([&](const std::vector<std::int64_t>& inputs) {
                     const std::size_t next = add_node();
-                    ways_.nodes[node].next.push_back(next);
+                    graph_.nodes[node].next.push_back(next);
                     begin(later, inputs, next);
                 });
             });
         }
-        if (!open_.empty() || lost_) return {};
+        if (!open_.empty() || undefined_) return {};
         for (const Id<Chart::Step> id : chart_.steps.ids())
             if (!active_.contains(id.index)) note("step-never-active " + step_variable(chart_, id));
         for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
@@ -208,12 +208,12 @@ private:
     }
 
     std::size_t add_node() {
-        ways_.nodes.emplace_back();
-        return ways_.nodes.size() - 1;
+        graph_.nodes.emplace_back();
+        return graph_.nodes.size() - 1;
     }
 
-    void note_ways(std::size_t node, const State& before, const Evolution* made) {
-        std::set<std::string>& comes = ways_.nodes[node].comes;
+    void note_graph(std::size_t node, const State& before, const Evolution* made) {
+        std::set<std::string>& comes = graph_.nodes[node].comes;
         for (const Id<Chart::Step> id : chart_.steps.ids())
             if (before.situation[id.index]) comes.insert(step_variable(chart_, id));
         if (made == nullptr) return;
@@ -227,22 +227,22 @@ private:
     /// Explores one instant, which begins at a node.
     void begin(Rest at, const std::vector<std::int64_t>& inputs, std::size_t node) {
         std::set<Rest, RestOrder> seen;
-        for (std::size_t next = node; !lost_; node = next) {
+        for (std::size_t next = node; !undefined_; node = next) {
             ++points_;
             note_situation(at.first);
             const bool first = !at.first.started;
             const Evolution made = evolve(chart_, at.first, inputs, at.second);
             if (!first) note_evolution(at.first, made);
             const bool breaks = made.race || made.fault;
-            note_ways(node, at.first, first || breaks ? nullptr : &made);
-            ways_.nodes[node].unknown = breaks;
+            note_graph(node, at.first, first || breaks ? nullptr : &made);
+            graph_.nodes[node].unknown = breaks;
             if (made.race) note("action-race " + chart_.variables[made.race->variable].name);
             if (made.fault) return note_fault(*made.fault);
             if (made.race) return;
             const bool ends = !first && made.stable && mode_ == ExecutionMode::StabilitySearch;
             if (!ends && !first && !seen.insert(at).second) {
                 note("total-instability");
-                ways_.nodes[node].unknown = true;
+                graph_.nodes[node].unknown = true;
                 return;
             }
             at.first = made.state;
@@ -253,23 +253,23 @@ private:
             // A stable evolution may change levels that timers watch.
             if (ends || mode_ == ExecutionMode::EveryCycle) return rest(at, node);
             next = add_node();
-            ways_.nodes[node].next.push_back(next);
+            graph_.nodes[node].next.push_back(next);
         }
     }
 
     void rest(const Rest& at, std::size_t node) {
-        const auto [place, fresh] = known_.try_emplace(at, ways_.nodes.size());
+        const auto [place, fresh] = known_.try_emplace(at, graph_.nodes.size());
         if (fresh) {
             open_.emplace_back(at, instant_);
-            note_ways(add_node(), at.first, nullptr);
-            ways_.nodes.back().ends = instant_;
+            note_graph(add_node(), at.first, nullptr);
+            graph_.nodes.back().ends = instant_;
         }
-        ways_.nodes[node].next.push_back(place->second);
+        graph_.nodes[node].next.push_back(place->second);
     }
 
     void note_fault(const RunFault& fault) {
         if (fault.kind == RunFault::Kind::OutOfRange) note("out-of-range " + chart_.variables[fault.variable].name);
-        lost_ = lost_ || fault.kind == RunFault::Kind::NoValue;
+        undefined_ = undefined_ || fault.kind == RunFault::Kind::NoValue;
     }
 
     void note_situation(const State& state) {
@@ -306,11 +306,11 @@ private:
     std::set<std::uint32_t> active_ = {};
     std::set<std::string> fired_ = {}, always_ = {};
     std::map<Rest, std::size_t, RestOrder> known_ = {};  ///< maps each rest to its node
-    Ways ways_ = {};
+    PointGraph graph_ = {};
     std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< pairs of a rest and its instant, by increasing instant
     std::size_t instant_ = 1;
     std::size_t points_ = 0;
-    bool lost_ = false;
+    bool undefined_ = false;
     Facts facts_ = {};
 };
 
@@ -355,30 +355,30 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
 
 /// Returns the instants of the first rests after which none of `lost` ever occurs again. If there are several regions,
 /// each region contributes the first instants of the rests that lead to it.
-std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::string>& lost, bool broken) {
-    std::vector<bool> all(ways.nodes.size(), true);
-    for (const std::string& each : lost) {
-        const std::vector<bool> gone = ways.gone(each, broken);
-        for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] && gone[k];
+std::set<std::size_t> first_without(const PointGraph& graph, const std::vector<std::string>& elements, bool broken) {
+    std::vector<bool> all(graph.nodes.size(), true);
+    for (const std::string& each : elements) {
+        const std::vector<bool> dead_points = graph.dead_points(each, broken);
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] && dead_points[k];
     }
     std::set<std::size_t> result;
     const auto add = [&](const auto& of) {
         std::optional<std::size_t> first;
         for (std::size_t k = 0; k < all.size(); ++k)
-            if (all[k] && of(k)) first = std::min(first.value_or(*ways.nodes[k].ends), *ways.nodes[k].ends);
+            if (all[k] && of(k)) first = std::min(first.value_or(*graph.nodes[k].ends), *graph.nodes[k].ends);
         if (first) result.insert(*first);
     };
     add([](std::size_t) { return true; });
-    for (const std::vector<bool>& region : ways.regions()) {
-        const std::vector<bool> to = ways.leading_to([&](std::size_t k) -> bool { return region[k]; });
+    for (const std::vector<bool>& region : graph.regions()) {
+        const std::vector<bool> to = graph.leading_to([&](std::size_t k) -> bool { return region[k]; });
         add([&](std::size_t k) -> bool { return to[k]; });
     }
     return result;
 }
 
 /// Returns the differences between the two results about events that never occur again.
-std::string disagreement_on_ways(const Chart& chart, const Equations& equations, const Ways& ways,
-                                 const Analysis& analysis, const Bounds& bounds) {
+std::string disagreement_on_graph(const Chart& chart, const Equations& equations, const PointGraph& graph,
+                                  const Analysis& analysis, const Bounds& bounds) {
     std::string text;
     // The analysis does not consider that a counter or another part of the chart may abort a run. After an abort, no
     // event occurs again.
@@ -399,13 +399,13 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
         if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
         // The path of the finding leads to a point where the first event of the group never occurs again.
         const bool once = finding.code == "comes-once";
-        const auto first = first_without(ways, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
-        const std::size_t way = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
+        const auto first = first_without(graph, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
+        const std::size_t last_instant = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
         // In every_cycle mode, the path of a finding may be one instant longer.
         const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;
         if (first.empty()) text += "not lost: " + finding.message + '\n';
-        else if (!first.contains(way) && !(cyclic && first.contains(way - 1)) && one_part)
-            text += "not shortest: " + finding.message + ", " + std::to_string(way) + " instants\n";
+        else if (!first.contains(last_instant) && !(cyclic && first.contains(last_instant - 1)) && one_part)
+            text += "not shortest: " + finding.message + ", " + std::to_string(last_instant) + " instants\n";
     }
     // If the chart has timers, a path may need timer expiries in an impossible order.
     const bool timeless = timed_elements(chart).empty();
@@ -420,34 +420,34 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
         if (matters[stored.variable.index]) requested.insert(equations.variables[stored.variable].name);
     for (const std::string& each : requested) {
         const bool ever =
-            std::ranges::any_of(ways.nodes, [&](const Ways::Node& one) { return one.comes.contains(each); });
-        const bool lost = ever && !first_without(ways, {each}, true).empty();
-        if (lost && timeless && !found.contains(each) && !open.contains(each)) text += "can be lost: " + each + '\n';
+            std::ranges::any_of(graph.nodes, [&](const PointGraph::Node& one) { return one.comes.contains(each); });
+        const bool is_dead = ever && !first_without(graph, {each}, true).empty();
+        if (is_dead && timeless && !found.contains(each) && !open.contains(each)) text += "can be lost: " + each + '\n';
         if (unconfirmed.contains(each)) continue;
         const bool once = found.contains(each) && found[each] == Finding::Level::Note;
-        if (found.contains(each) && !once && ((!ever && !cut) || first_without(ways, {each}, !cut).empty()))
+        if (found.contains(each) && !once && ((!ever && !cut) || first_without(graph, {each}, !cut).empty()))
             text += "never lost: " + each + '\n';
-        if (once && ways.comes_again(each, steps.contains(each))) text += "more than once: " + each + '\n';
+        if (once && graph.comes_again(each, steps.contains(each))) text += "more than once: " + each + '\n';
     }
-    const auto regions = ways.regions();
+    const auto regions = graph.regions();
     if (region && one_part && sure && regions.size() < 2) {
-        std::vector<bool> inside = regions.empty() ? std::vector<bool>(ways.nodes.size()) : regions.front();
+        std::vector<bool> inside = regions.empty() ? std::vector<bool>(graph.nodes.size()) : regions.front();
         bool any = false;  // true if a transition occurs infinitely often outside the only region
         for (const Id<Chart::Transition> id : chart.transitions.ids()) {
             const std::string& fired = chart.transitions[id].name;
             for (std::size_t k = 0; k < inside.size(); ++k) {
-                if (inside[k] || !ways.nodes[k].comes.contains(fired)) continue;
-                const std::vector<bool> back = ways.leading_to([k](std::size_t other) { return other == k; });
-                for (const std::size_t next : ways.nodes[k].next) any = any || back[next];
+                if (inside[k] || !graph.nodes[k].comes.contains(fired)) continue;
+                const std::vector<bool> back = graph.leading_to([k](std::size_t other) { return other == k; });
+                for (const std::size_t next : graph.nodes[k].next) any = any || back[next];
             }
         }
         if (!any || regions.empty()) text += "no region that is never left\n";
     }
     for (const std::vector<bool>& each : regions)
         if (one_part && sure && regions.size() > 1 && !region && analysis.open.empty() &&
-            std::ranges::none_of(found, [&](const auto& lost) {
+            std::ranges::none_of(found, [&](const auto& entry) {
                 for (std::size_t k = 0; k < each.size(); ++k)
-                    if (each[k] && ways.nodes[k].comes.contains(lost.first)) return false;
+                    if (each[k] && graph.nodes[k].comes.contains(entry.first)) return false;
                 return true;
             }))
             text += "a region is not found\n";
@@ -489,7 +489,7 @@ std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, 
     for (const std::string& fact : found)
         if (!expected->contains(fact) && !masked(fact, *expected)) text += "not true: " + fact + '\n';
     if (unconfirmed.empty()) text += wrongly_open(analysis, *expected, found);
-    text += disagreement_on_ways(chart, *equations, search.ways(), analysis, bounds);
+    text += disagreement_on_graph(chart, *equations, search.graph(), analysis, bounds);
     return text;
 }
 

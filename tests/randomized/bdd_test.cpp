@@ -115,7 +115,7 @@ private:
         case 10: return product(f, g);
         case 11: return assumed(f);
         case 12: return renamed(f);
-        default: return looked_at(f, g);
+        default: return restricted_to(f, g);
         }
     }
 
@@ -154,7 +154,7 @@ private:
     }
 
     /// Tests operations that only read a function, and simplification, whose result is arbitrary outside the care set.
-    Tabled looked_at(const Tabled& f, const Tabled& care) {
+    Tabled restricted_to(const Tabled& f, const Tabled& care) {
         std::vector<std::uint32_t> all(variables_), used;
         std::iota(all.begin(), all.end(), 0U);
         for (const std::uint32_t i : all)

@@ -189,8 +189,8 @@ struct Alone {
 Alone alone(const Network& network, const NetworkSubsystems& parts, std::uint32_t part) {
     SubNetworkBuilder builder(network, parts, {part});
     for (const Property& property : network.properties)
-        if (parts_read(network, parts, property.operands) == std::vector{part}) builder.ask(property);
-    builder.ask({.name = "no timelock", .pattern = Pattern::NoTimelock});
+        if (parts_read(network, parts, property.operands) == std::vector{part}) builder.add_property(property);
+    builder.add_property({.name = "no timelock", .pattern = Pattern::NoTimelock});
     Alone made;
     made.result = check_timed(std::move(builder).build().network, {.premises = true});
     const Premises& premises = made.result.premises.value();

@@ -190,11 +190,11 @@ private:
         };
         const auto& p = property_.operands;
         for (std::size_t k = 0; k < p.size(); ++k) {
-            const bool asks = responds() && k == 0;
-            if (asks && state != explained_) continue;
-            if (property_.pattern != Pattern::Never && !asks) walk(walk, p[k], true);
+            const bool is_demand = responds() && k == 0;
+            if (is_demand && state != explained_) continue;
+            if (property_.pattern != Pattern::Never && !is_demand) walk(walk, p[k], true);
             const bool exclusive = property_.pattern == Pattern::ExactlyOneOf && p.size() > 1;
-            if (property_.pattern == Pattern::Never || asks || exclusive) walk(walk, p[k], false);
+            if (property_.pattern == Pattern::Never || is_demand || exclusive) walk(walk, p[k], false);
         }
         return list;
     }
@@ -309,8 +309,8 @@ struct ChangeCounts {
 void expect_smallest(const Network& network, const Network& timed, const Property& property, const grafverif::Run& run,
                      ChangeCounts& counts) {
     const auto good = [&](const NetworkState& state) {
-        const bool judged = !property.at_stable || value(network, state, network.settled) == 1;
-        return !judged || value(network, state, property.operands[0]) == (property.pattern == Pattern::Always);
+        const bool is_considered = !property.at_stable || value(network, state, network.settled) == 1;
+        return !is_considered || value(network, state, property.operands[0]) == (property.pattern == Pattern::Always);
     };
     std::vector<std::size_t> free;
     for (std::size_t k = 0; k < run.moves.size(); ++k)
@@ -401,10 +401,10 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
 /// Returns the network without timers, instances and timings that are not in `ground`, and without `also`.
 Network left_open(const Network& network, const ProofExplanation::ProofCore& ground, const std::string& also) {
     Network open = network;
-    const std::vector<std::string> told = display_names(network);
+    const std::vector<std::string> shown_names = display_names(network);
     for (const Id<Network::Process> id : network.processes.ids()) {
         const Network::Process& process = network.processes[id];
-        const std::string& name = told[id.index];
+        const std::string& name = shown_names[id.index];
         if (process.kind == Network::ProcessKind::Controller) continue;
         if (is_in(ground.parts, name) && name != also) {
             const bool timer = process.kind == Network::ProcessKind::Timer;
@@ -552,19 +552,19 @@ TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
         for (const auto& [kind, less] : one_by_one) {
             if (kind == ProofExplanation::Kind::Guard && !states) continue;
             ASSERT_LT(next, why.things.size());
-            const ProofExplanation::ModelElement& thing = why.things[next++];
-            ASSERT_EQ(thing.kind, kind) << thing.name;
+            const ProofExplanation::ModelElement& element = why.things[next++];
+            ASSERT_EQ(element.kind, kind) << element.name;
             const bool many = kind == ProofExplanation::Kind::Guard || kind == ProofExplanation::Kind::Edge;
             if (many && next % 2 != static_cast<std::size_t>(seed) % 2) continue;
             const auto found = hold_naively(*network_for(less, how), 1500);
             if (!found) continue;
             for (const ProofExplanation::ProofCore& ground : why.grounds) {
-                if (is_in(thing.open, ground.property) ||
+                if (is_in(element.open, ground.property) ||
                     (kind == ProofExplanation::Kind::Guard && !ground.about_states))
                     continue;
-                const bool fails = is_in(thing.needed_by, ground.property);
+                const bool fails = is_in(element.needed_by, ground.property);
                 EXPECT_EQ(found->contains(ground.property), !fails)
-                    << ground.property << ", " << word(kind) << ' ' << thing.name << ' ' << thing.of;
+                    << ground.property << ", " << word(kind) << ' ' << element.name << ' ' << element.of;
                 ++by_itself[kind][fails ? 1 : 0];
             }
         }
@@ -817,11 +817,11 @@ TEST(RandomizedExplain, DeadTransitionsAreNeverClearedInTheReferenceSemantics) {
         const Grain grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased;
         const auto network = network_for(*reading.model, ModelOptions{{}, grain});
         ASSERT_TRUE(network);
-        std::set<std::string> told;
+        std::set<std::string> reported;
         for (const Verdict& verdict : searched(*network).verdicts) {
             if (verdict.pattern != Pattern::AlwaysPossible || verdict.outcome != Outcome::Violated) continue;
             const std::string note = lost_note(verdict);
-            if (told.insert(note).second) expect_never_again(*network, verdict.run.value(), note, counts[grain]);
+            if (reported.insert(note).second) expect_never_again(*network, verdict.run.value(), note, counts[grain]);
         }
     }
     expect_some(counts);
@@ -842,12 +842,12 @@ TEST(RandomizedExplain, DeadTransitionsOfAnUntimedLoopAreDeadInItsNetworkWithout
         ASSERT_TRUE(network && system);
         const Network played = without_clocks(expand(*network));
         const SymbolicResult result = searched(*system, {Pattern::AlwaysPossible});
-        std::set<std::string> told;
+        std::set<std::string> reported;
         for (std::size_t k = 0; k < result.verdicts.size(); ++k) {
             const Verdict& verdict = result.verdicts[k];
             if (verdict.pattern != Pattern::AlwaysPossible || verdict.outcome != Outcome::Violated) continue;
             const std::string note = lost_note(verdict);
-            if (!told.insert(note).second) continue;
+            if (!reported.insert(note).second) continue;
             const auto moves = moves_of(played, *system, result.runs[k].value());
             ASSERT_TRUE(moves);
             expect_never_again(played, moves->run, note, counts[network->grain]);

@@ -76,7 +76,7 @@ public:
     /// True if the property fails in some state of the run.
     bool fails(const Property& property) const {
         std::size_t at = 0;
-        const auto choose = [&](std::string_view path, Type) { return told(std::string(path), at); };
+        const auto choose = [&](std::string_view path, Type) { return value_at(std::string(path), at); };
         SystemState state = first_state(system_, choose);
         while (good(state, property)) {
             if (++at == run_.states.size()) return false;
@@ -93,7 +93,7 @@ public:
         std::size_t at = 0;
         const auto choose = [&](std::string_view path, Type) {
             const std::string name(path);
-            if (turns_.contains(name)) return at < run_.states.size() ? told(name, at) : std::int64_t{1};
+            if (mover_variables_.contains(name)) return at < run_.states.size() ? value_at(name, at) : std::int64_t{1};
             if (at < run_.states.size()) now[name] = value(left_out, name, at, now);
             return now.at(name);
         };
@@ -113,7 +113,9 @@ public:
     }
 
 private:
-    std::int64_t told(const std::string& name, std::size_t state) const { return run_.states[state][symbol_.at(name)]; }
+    std::int64_t value_at(const std::string& name, std::size_t state) const {
+        return run_.states[state][symbol_.at(name)];
+    }
 
     void add(Id<System::Symbol> id) {
         const System::Symbol& symbol = system_.modules[system_.main].symbols[id];
@@ -128,18 +130,19 @@ private:
                 return add_time(symbol.name);
             }
         }
-        turns_.insert(symbol.name);
+        mover_variables_.insert(symbol.name);
     }
 
     void add_input(const std::string& name) {
         for (std::size_t state = 0; state < run_.states.size(); ++state)
-            if (told(name, state) != (state == 0 ? rest_[name] : told(name, state - 1)))
+            if (value_at(name, state) != (state == 0 ? rest_[name] : value_at(name, state - 1)))
                 events_.push_back({name, state});
     }
 
     void add_time(const std::string& name) {
         for (std::size_t state = 0; state < run_.states.size(); ++state)
-            if (told(name, state) != 0 && (state == 0 || told(name, state - 1) == 0)) events_.push_back({name, state});
+            if (value_at(name, state) != 0 && (state == 0 || value_at(name, state - 1) == 0))
+                events_.push_back({name, state});
     }
 
     /// Returns the value of `name` in a state of the run without the events `left_out`. `before` is the previous value.
@@ -149,8 +152,8 @@ private:
         for (const Event& event : events_)
             if (event.name == name && event.state <= state && (last == nullptr || last->state < event.state))
                 last = &event;
-        if (times_.contains(name)) return last != nullptr && left_out.contains(*last) ? 0 : told(name, state);
-        if (last != nullptr && last->state == state && !left_out.contains(*last)) return told(name, state);
+        if (times_.contains(name)) return last != nullptr && left_out.contains(*last) ? 0 : value_at(name, state);
+        if (last != nullptr && last->state == state && !left_out.contains(*last)) return value_at(name, state);
         return state == 0 ? rest_.at(name) : before.at(name);
     }
 
@@ -165,7 +168,7 @@ private:
     const SystemRun& run_;
     std::map<std::string, std::uint32_t> symbol_ = {};
     std::map<std::string, std::int64_t> rest_ = {};
-    std::set<std::string> times_ = {}, turns_ = {};
+    std::set<std::string> times_ = {}, mover_variables_ = {};
     std::vector<Event> events_ = {};
 };
 
@@ -181,15 +184,15 @@ bool is_timely(const System& system, const std::pair<std::vector<SystemState>, s
 }
 
 /// Returns the sets of events without which the property does not fail on the run.
-std::vector<std::set<Told::Event>> sets_that_mend(const System& system, const SystemRun& run, const Told& told,
+std::vector<std::set<Told::Event>> sets_that_mend(const System& system, const SystemRun& run, const Told& value_at,
                                                   const Property& property) {
     const bool any = untimely(project(system, run)).has_value();
     std::vector<std::set<Told::Event>> found;
-    for (std::size_t bits = 1; bits < std::size_t{1} << told.events().size(); ++bits) {
+    for (std::size_t bits = 1; bits < std::size_t{1} << value_at.events().size(); ++bits) {
         std::set<Told::Event> left_out;
-        for (std::size_t k = 0; k < told.events().size(); ++k)
-            if ((bits >> k & 1U) != 0) left_out.insert(told.events()[k]);
-        const auto made = told.made_again(left_out, property);
+        for (std::size_t k = 0; k < value_at.events().size(); ++k)
+            if ((bits >> k & 1U) != 0) left_out.insert(value_at.events()[k]);
+        const auto made = value_at.made_again(left_out, property);
         if (made && (any || is_timely(system, *made))) found.push_back(std::move(left_out));
     }
     return found;
@@ -228,12 +231,12 @@ bool is_time(const System& system, Id<System::Symbol> symbol) {
 /// timers.
 void expect_fewest(const System& system, const std::vector<const Chart*>& charts, const Property& property,
                    const SystemRun& run, std::map<std::string, int>& counts) {
-    const Told told(system, run);
-    if (told.events().size() > 6 || !told.fails(property)) return;
+    const Told value_at(system, run);
+    if (value_at.events().size() > 6 || !value_at.fails(property)) return;
     const InputChange change = fewest_input_changes(system, property, run, 10'000'000);
-    ASSERT_EQ(change.events.size(), told.events().size());
+    ASSERT_EQ(change.events.size(), value_at.events().size());
     ASSERT_FALSE(change.exhausted);
-    const auto mending = sets_that_mend(system, run, told, property);
+    const auto mending = sets_that_mend(system, run, value_at, property);
     ASSERT_EQ(change.left_out.has_value(), !mending.empty());
     if (!change.left_out) {
         ++counts["fails whatever is left out"];
@@ -247,7 +250,7 @@ void expect_fewest(const System& system, const std::vector<const Chart*>& charts
     }
     const auto size = [](const auto& set) { return set.size(); };
     EXPECT_EQ(left_out.size(), std::ranges::min(mending, {}, size).size());
-    const auto again = told.made_again(left_out, property);
+    const auto again = value_at.made_again(left_out, property);
     ASSERT_TRUE(again);
     ASSERT_EQ(change.run.states.size(), again->first.size());
     EXPECT_EQ(change.run.loop, again->second);
@@ -339,8 +342,8 @@ TEST(RandomizedExplainUntimed, DeadTransitionsAreNeverClearedAfterThePointOfNoRe
                 return false;
             };
             const std::vector<SystemState> ends = last_two(*system, result.runs[k].value());
-            const StateSet lost = behind(ends.back());
-            EXPECT_FALSE(meets_goal(lost));
+            const StateSet dead = behind(ends.back());
+            EXPECT_FALSE(meets_goal(dead));
             EXPECT_TRUE(ends.size() == 1 || meets_goal(behind(ends.front())));
             const auto note = std::ranges::find_if(verdict.notes,
                                                    [](const std::string& each) { return each.starts_with(dead_text); });
@@ -348,8 +351,8 @@ TEST(RandomizedExplainUntimed, DeadTransitionsAreNeverClearedAfterThePointOfNoRe
             for (const System::Controller& controller : system->controllers)
                 for (const System::Named& transition : controller.words.transitions) {
                     bool cleared = false;
-                    for (std::size_t state = 0; state < lost.size() && !cleared; ++state)
-                        cleared = lost[state] &&
+                    for (std::size_t state = 0; state < dead.size() && !cleared; ++state)
+                        cleared = dead[state] &&
                                   (!controller.evolves.valid() ||
                                    value_of(*system, graph->states[state], controller.evolves) != 0) &&
                                   value_of(*system, graph->states[state],

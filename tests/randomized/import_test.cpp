@@ -55,15 +55,15 @@ void check_law(const std::string& written, bool lossy, Tally& tally) {
     SCOPED_TRACE(text);
     Diagnostics again;
     const auto back = read_text(sources.add({"back.grafcet", text}), sources, {}, again);
-    std::ostringstream said;
-    render_text(again.all(), sources, Colour::Plain, said);
-    ASSERT_TRUE(back) << said.str();
+    std::ostringstream rendered;
+    render_text(again.all(), sources, Colour::Plain, rendered);
+    ASSERT_TRUE(back) << rendered.str();
     ASSERT_EQ(meaning(*back, again), meant);
     Diagnostics canonical;
     ASSERT_EQ(formatted(parse_file(sources.add({"canonical.grafcet", text}), sources, canonical)), text);
 }
 
-std::string told(const Tally& tally) {
+std::string tally_text(const Tally& tally) {
     return std::to_string(tally.taken) + " taken, " + ::testing::PrintToString(tally.refused);
 }
 
@@ -79,8 +79,8 @@ void check_random(Maker make, int count, int least_percent) {
         check_law(text, seed % 3 == 0, tally);
         if (::testing::Test::HasFatalFailure()) return;
     }
-    ::testing::Test::RecordProperty("tally", told(tally));
-    EXPECT_GT(tally.taken * 100, test_size(count) * least_percent) << told(tally);
+    ::testing::Test::RecordProperty("tally", tally_text(tally));
+    EXPECT_GT(tally.taken * 100, test_size(count) * least_percent) << tally_text(tally);
 }
 
 TEST(RandomizedImport, RandomGrafcetsOfAgrafeReadBackAsTheSameChart) { check_random(random_agrafe, 150, 10); }
@@ -97,7 +97,7 @@ TEST(RandomizedImport, MutatedFilesAreReadBackUnchangedOrRejected) {
             check_law(mutated(*fixture, random), seed % 2 == 0, tally);
             if (::testing::Test::HasFatalFailure()) return;
         }
-        EXPECT_GT(tally.taken, test_size(10)) << told(tally);
+        EXPECT_GT(tally.taken, test_size(10)) << tally_text(tally);
     }
 }
 

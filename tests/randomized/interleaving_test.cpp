@@ -248,13 +248,14 @@ Alone alone(const System& system, std::uint32_t part, const std::vector<Id<Prope
     const SymbolicOptions options;
     symbolic::Check check(made, options);
     Alone found{check.result(), {.name = system.parts.each[part].name, .searched = true}};
-    symbolic::InterleavingPremises turns(made, check, system.parts.waits, {system.parts.each[part].moves});
+    symbolic::InterleavingPremises interleaving(made, check, system.parts.waits, {system.parts.each[part].moves});
     const bool timed = system.parts.can_wait.valid();
-    found.as.never_locks = !timed || turns.never_locks();
-    found.as.diverges = !timed || turns.diverges();
-    found.as.rests = turns.rests();
+    found.as.never_locks = !timed || interleaving.never_locks();
+    found.as.diverges = !timed || interleaving.diverges();
+    found.as.rests = interleaving.rests();
     const Bdd settled = check.meaning(made, made.settled);
-    found.as.settles = timed ? (turns.ready() & ~settled).is_false() : !(turns.reached() & settled).is_false();
+    found.as.settles =
+        timed ? (interleaving.ready() & ~settled).is_false() : !(interleaving.reached() & settled).is_false();
     return found;
 }
 
@@ -283,7 +284,8 @@ void leave_out(const System& system, Counts& tried, Counts& failed) {
                     if (granted != nullptr) granted->grant(other);
                     all.push_back(&other);
                 }
-                return (parts.timed() ? preservation_obstacle : untimed_objection)(apart, property.at_stable, all)
+                return (parts.timed() ? preservation_obstacle : untimed_preservation_obstacle)(apart,
+                                                                                               property.at_stable, all)
                     .empty();
             };
             const std::string time = parts.timed() ? "discrete: " : "abstract: ";

@@ -40,8 +40,8 @@ void expect_agreement(const System& system, Compared& compared, Ours of = Ours::
     ASSERT_EQ(text.error_text, "") << out.str();
     const std::vector<NusmvModel::Specification>& specs = text.modules.front().specifications;
     const std::vector<std::string> names = nusmv::spelling(system).properties;
-    const SymbolicResult ours = of == Ours::Engine ? check_symbolic(system) : SymbolicResult();
-    if (ours.fault) return;
+    const SymbolicResult own = of == Ours::Engine ? check_symbolic(system) : SymbolicResult();
+    if (own.fault) return;
     ++compared.systems;
     if (graph->initial > 1) ++compared.several_starts;
     const StateSet all(graph->states.size(), true);
@@ -53,8 +53,8 @@ void expect_agreement(const System& system, Compared& compared, Ours of = Ours::
         const auto spec = std::ranges::find(specs, names[id.index], &NusmvModel::Specification::name);
         ASSERT_NE(spec, specs.end()) << property.name;
         const bool holds = verdict_of_spec(*spec, property, spec_is_true(system, *graph, *spec));
-        if (of == Ours::Engine && ours.verdicts[id.index].outcome == Outcome::Unknown) continue;
-        const bool we_say = of == Ours::Engine ? ours.verdicts[id.index].outcome == Outcome::Holds
+        if (of == Ours::Engine && own.verdicts[id.index].outcome == Outcome::Unknown) continue;
+        const bool we_say = of == Ours::Engine ? own.verdicts[id.index].outcome == Outcome::Holds
                                                : explicit_verdict(system, *graph, property);
         ASSERT_EQ(holds, we_say) << property.name << "\n" << out.str();
         ++compared.verdicts;

@@ -209,7 +209,7 @@ public:
           sentence_(sentence),
           observer_(static_cast<std::uint32_t>(watched_.processes.size() - 1)),
           state_(initial_state(plain_)),
-          beside_(initial_state(watched_)) {
+          watched_state_(initial_state(watched_)) {
         const Network::Template& automaton = watched_.templates[watched_.processes[{observer_}].automaton];
         for (const Id<Network::Location> id : automaton.locations.ids())
             if (automaton.locations[id].name == "failed") failed_ = id;
@@ -220,19 +220,19 @@ public:
 
     /// Performs an event that is possible in both networks; returns false if there is none.
     bool move(Random& random) {
-        std::vector<Fire> choices = enabled(plain_, state_), beside = enabled(watched_, beside_);
-        std::erase_if(beside, [&](const Fire& fire) { return fire.process.index == observer_; });
-        EXPECT_EQ(choices, beside);
-        const Leeway way = leeway(plain_, state_), other = leeway(watched_, beside_);
-        EXPECT_EQ(way.may_pass, other.may_pass);
-        EXPECT_EQ(way.limit, other.limit);
-        const auto count = static_cast<std::int64_t>(choices.size()) + (way.may_pass ? 2 : 0);
+        std::vector<Fire> choices = enabled(plain_, state_), watched_choices = enabled(watched_, watched_state_);
+        std::erase_if(watched_choices, [&](const Fire& fire) { return fire.process.index == observer_; });
+        EXPECT_EQ(choices, watched_choices);
+        const Leeway window = leeway(plain_, state_), other = leeway(watched_, watched_state_);
+        EXPECT_EQ(window.may_pass, other.may_pass);
+        EXPECT_EQ(window.limit, other.limit);
+        const auto count = static_cast<std::int64_t>(choices.size()) + (window.may_pass ? 2 : 0);
         if (count == 0 || testing::Test::HasFailure()) return false;
         const auto drawn = static_cast<std::size_t>(random_number(random, 0, count - 1));
-        Move move = Delay{random_number(random, 1, std::clamp<std::int64_t>(way.limit.value_or(5), 1, 5))};
+        Move move = Delay{random_number(random, 1, std::clamp<std::int64_t>(window.limit.value_or(5), 1, 5))};
         if (drawn < choices.size()) move = choices[drawn];
         const auto done = perform(plain_, state_, move).result;
-        EXPECT_EQ(perform(watched_, beside_, move).result, done);
+        EXPECT_EQ(perform(watched_, watched_state_, move).result, done);
         if (done != Step::Result::Done) return false;
         if (spoilt_concurrently_) perform(watched_, *spoilt_concurrently_, move);
         look_where_spoilt();
@@ -246,13 +246,13 @@ public:
         return true;
     }
 
-    void judge() {
+    void check_verdict() {
         leave();
         const Sentence& watch = sentence_.property.watch;
         const bool holds =
             sentence_.duration > 0 ? holds_timed(watch, sentence_.duration, seen_) : holds_untimed(watch, seen_);
         const Property& requested = watched_.properties.begin()[0];
-        const bool here = value(watched_, beside_, requested.operands[0]).value_or(0) != 0;
+        const bool here = value(watched_, watched_state_, requested.operands[0]).value_or(0) != 0;
         EXPECT_EQ(!holds, failed_possible_ || (requested.pattern == Pattern::LeadsTo && here))
             << "kind " << static_cast<int>(watch.kind) << ", scope " << static_cast<int>(watch.scope) << ", "
             << sentence_.duration << (sentence_.property.at_stable ? " at stable" : "");
@@ -268,13 +268,13 @@ private:
     }
     bool fails(const Fire& fire) const { return watching(fire) != nullptr && watching(fire)->to == failed_; }
     void note_failure() {
-        const std::vector<Fire> choices = enabled(watched_, beside_);
+        const std::vector<Fire> choices = enabled(watched_, watched_state_);
         failed_possible_ =
             failed_possible_ || std::ranges::any_of(choices, [&](const Fire& fire) { return fails(fire); });
         for (const Fire& fire : choices) {
             const Network::Edge* const edge = watching(fire);
             if (edge == nullptr || edge->urgent || edge->to != spoilt_ || spoilt_concurrently_) continue;
-            spoilt_concurrently_ = beside_;
+            spoilt_concurrently_ = watched_state_;
             perform(watched_, *spoilt_concurrently_, fire);
             look_where_spoilt();
         }
@@ -298,8 +298,8 @@ private:
     void arrive() {
         for (int looks = 0;; ++looks) {
             note_failure();
-            std::vector<Fire> choices = enabled(watched_, beside_);
-            const bool away = beside_.locations[observer_] == failed_;
+            std::vector<Fire> choices = enabled(watched_, watched_state_);
+            const bool away = watched_state_.locations[observer_] == failed_;
             std::erase_if(choices, [&](const Fire& fire) {
                 const Network::Edge& edge =
                     watched_.templates[watched_.processes[fire.process].automaton].edges[fire.edge];
@@ -312,20 +312,22 @@ private:
                 break;
             }
             ASSERT_EQ(choices.size(), 1U) << (away ? "away" : "");
-            ASSERT_FALSE(leeway(watched_, beside_).may_pass);
-            ASSERT_EQ(perform(watched_, beside_, choices.front()).result, Step::Result::Done);
+            ASSERT_FALSE(leeway(watched_, watched_state_).may_pass);
+            ASSERT_EQ(perform(watched_, watched_state_, choices.front()).result, Step::Result::Done);
         }
-        for (std::size_t i = 0; i < state_.locations.size(); ++i) ASSERT_EQ(state_.locations[i], beside_.locations[i]);
-        for (std::size_t i = 0; i < state_.variables.size(); ++i) ASSERT_EQ(state_.variables[i], beside_.variables[i]);
-        judged_ = !sentence_.property.at_stable || value(plain_, state_, plain_.settled).value() != 0;
-        if (!judged_) return;
+        for (std::size_t i = 0; i < state_.locations.size(); ++i)
+            ASSERT_EQ(state_.locations[i], watched_state_.locations[i]);
+        for (std::size_t i = 0; i < state_.variables.size(); ++i)
+            ASSERT_EQ(state_.variables[i], watched_state_.variables[i]);
+        is_considered_ = !sentence_.property.at_stable || value(plain_, state_, plain_.settled).value() != 0;
+        if (!is_considered_) return;
         seen_.begin.push_back(time_);
         for (std::size_t k = 0; k < seen_.operands.size(); ++k)
             seen_.operands[k].push_back(value(plain_, state_, sentence_.property.operands[k]).value() != 0);
     }
     void leave() {
-        if (judged_) seen_.end.push_back(time_);
-        judged_ = false;
+        if (is_considered_) seen_.end.push_back(time_);
+        is_considered_ = false;
         seen_.over = time_;
     }
 
@@ -334,11 +336,11 @@ private:
     const RandomSentence& sentence_;
     std::uint32_t observer_;
     Id<Network::Location> failed_ = {}, spoilt_ = {};
-    NetworkState state_, beside_;
+    NetworkState state_, watched_state_;
     std::optional<NetworkState> spoilt_concurrently_ = {};
     Seen seen_ = {};
     std::int64_t time_ = 0;
-    bool judged_ = false, failed_possible_ = false;
+    bool is_considered_ = false, failed_possible_ = false;
 };
 
 TEST(RandomizedObservers, CheckEveryStateOfEveryRunAndFailIfTheirSentenceIsViolated) {
@@ -358,7 +360,7 @@ TEST(RandomizedObservers, CheckEveryStateOfEveryRunAndFailIfTheirSentenceIsViola
             network.properties.add(sentence.property);
             Pair pair(network, sentence);
             for (int moves = 0; moves < 60 && pair.move(random);) ++moves;
-            pair.judge();
+            pair.check_verdict();
             if (HasFailure()) return;
             const Sentence& watch = sentence.property.watch;
             const int kind = static_cast<int>(watch.kind) + (watch.duration_ms > 0 ? 10 : 0);

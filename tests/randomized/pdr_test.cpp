@@ -34,7 +34,7 @@ struct Compared {
 };
 
 /// Time limit of each engine, because the engines need minutes for some small models.
-constexpr std::chrono::milliseconds patience(200);
+constexpr std::chrono::milliseconds time_limit(200);
 
 bool gave_up(const std::vector<Verdict>& verdicts) {
     return std::ranges::any_of(verdicts,
@@ -42,7 +42,7 @@ bool gave_up(const std::vector<Verdict>& verdicts) {
 }
 
 PdrResult patient(const System& system, PdrOptions options = {}) {
-    options.deadline = std::chrono::steady_clock::now() + patience;
+    options.deadline = std::chrono::steady_clock::now() + time_limit;
     return check_pdr(system, options);
 }
 
@@ -80,7 +80,7 @@ void compare_bounded(const System& system, const SymbolicResult& symbolic, std::
 /// dead ends, so a system with one is compared with the graph only.
 void compare(const System& system, const std::optional<SystemGraph>& graph, const PdrResult& found,
              Compared& compared) {
-    const SymbolicResult symbolic = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
+    const SymbolicResult symbolic = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});
     if (gave_up(found.verdicts) || gave_up(symbolic.verdicts)) {
         ++compared.given_up;
         return;
@@ -134,7 +134,7 @@ TEST(RandomizedPdr, AgreesWithTheOtherEnginesOnRandomSystems) {
         if (!graph) continue;
         PdrOptions options;
         if (seed % 2 == 0) {
-            options.method = PdrOptions::Method::InTurns;
+            options.method = PdrOptions::Method::Alternating;
             options.first_step_of = std::chrono::microseconds(10);
         }
         options.equal_latches = seed % 3 == 0;

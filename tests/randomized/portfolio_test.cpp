@@ -61,8 +61,8 @@ void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run
 
 /// Compares both engines on `system`; skips a system with a dead end, which only one of the engines detects.
 std::optional<PdrResult> compare(const System& system, Compared& compared, const PortfolioOptions& how = {}) {
-    constexpr std::chrono::milliseconds patience(300);
-    const SymbolicResult alone = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
+    constexpr std::chrono::milliseconds time_limit(300);
+    const SymbolicResult alone = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});
     if (gave_up(alone.verdicts)) {
         ++compared.given_up;
         return {};
@@ -188,10 +188,10 @@ TEST(RandomizedPortfolio, CancellationAtAnyTimeReturnsTheResultsSoFar) {
     const PortfolioResult whole = check_together(system, {});
     for (std::size_t calls = 1; calls <= 8; calls *= 2) {
         std::atomic<bool> stop = false;
-        std::size_t told = 0;
+        std::size_t reported = 0;
         PortfolioOptions options;
         options.stop = &stop;
-        options.progress = [&](const PortfolioProgress&) { stop = ++told >= calls; };
+        options.progress = [&](const PortfolioProgress&) { stop = ++reported >= calls; };
         const PortfolioResult part = check_together(system, options);
         ASSERT_EQ(part.verdicts.size(), whole.verdicts.size());
         for (std::size_t i = 0; i < part.verdicts.size(); ++i)

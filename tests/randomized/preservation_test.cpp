@@ -85,7 +85,7 @@ bool starves_a_controller(const Network& network, const Run& run) {
 /// undecided within these limits.
 constexpr std::size_t most_bits = 70;
 constexpr std::uint64_t most_memory = std::uint64_t{16} << 20U;
-constexpr std::chrono::milliseconds patience{100};
+constexpr std::chrono::milliseconds time_limit{100};
 
 /// Returns the number of bits in a state of the network.
 std::size_t bits(const Network& network) {
@@ -124,7 +124,7 @@ public:
 private:
     ClosedLoop& loop() { return model_.loops[{0}]; }
 
-    void ask(std::string name, Pattern pattern, std::vector<Id<Expr>> operands, bool at_stable) {
+    void add_property(std::string name, Pattern pattern, std::vector<Id<Expr>> operands, bool at_stable) {
         loop().properties.add(
             {.name = std::move(name), .pattern = pattern, .operands = std::move(operands), .at_stable = at_stable});
     }
@@ -134,12 +134,12 @@ private:
         const Table<Property> properties = loop().properties;
         for (const Property& property : properties)
             if (property.pattern == Pattern::LeadsTo)
-                ask(property.name + "_left", Pattern::Reachable, {property.operands[0]}, property.at_stable);
-        ask("settles", Pattern::Reachable, {loop().exprs.constant(true)}, true);
-        ask("no_fair_run", Pattern::Inevitable, {loop().exprs.constant(false)}, false);
-        ask("time_goes_on", Pattern::NoTimelock, {}, false);
+                add_property(property.name + "_left", Pattern::Reachable, {property.operands[0]}, property.at_stable);
+        add_property("settles", Pattern::Reachable, {loop().exprs.constant(true)}, true);
+        add_property("no_fair_run", Pattern::Inevitable, {loop().exprs.constant(false)}, false);
+        add_property("time_goes_on", Pattern::NoTimelock, {}, false);
         for (const ClosedLoop::Constraint& constraint : loop().constraints)
-            ask("kept_" + constraint.name, Pattern::Always, {constraint.condition}, false);
+            add_property("kept_" + constraint.name, Pattern::Always, {constraint.condition}, false);
     }
 
     std::vector<const Chart*> charts() {
@@ -193,7 +193,7 @@ private:
         }
         using std::chrono::steady_clock;
         const SymbolicResult result =
-            check_symbolic(*kind.system, {.max_memory = most_memory, .deadline = steady_clock::now() + patience});
+            check_symbolic(*kind.system, {.max_memory = most_memory, .deadline = steady_clock::now() + time_limit});
         EXPECT_FALSE(result.fault && result.fault->kind == SystemFault::Kind::DeadEnd);
         for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
             kind.verdicts[result.verdicts[i].property] = result.verdicts[i];

@@ -26,7 +26,7 @@ bool reads_timer(const Equations& equations, Id<Expr> term) {
 }
 
 /// The transition system, executed with the same inputs as the equations. The test simulates its timers.
-struct Twin {
+struct ModelPair {
     const Equations& equations;
     TransitionSystem system = {};
     SystemState state = {};
@@ -108,44 +108,45 @@ struct Twin {
 };
 
 /// Returns the first difference after a cycle of the equations, or an empty string.
-std::string disagreement(const Twin& twin, const EquationsCycle& cycle, ExecutionMode mode) {
-    const Equations& equations = twin.equations;
+std::string disagreement(const ModelPair& models, const EquationsCycle& cycle, ExecutionMode mode) {
+    const Equations& equations = models.equations;
     // A definite race may hide that another value of the same cycle is undefined.
-    const bool faulty = twin.flag("out_of_range") || (cycle.no_value && twin.flag("race"));
+    const bool faulty = models.flag("out_of_range") || (cycle.no_value && models.flag("race"));
     if ((cycle.no_value || cycle.out_of_range) && !faulty) return "out_of_range is not set";
-    if ((cycle.race || cycle.conflict) && !twin.flag("race")) return "race is not set";
+    if ((cycle.race || cycle.conflict) && !models.flag("race")) return "race is not set";
     if (cycle.no_value || cycle.out_of_range || cycle.race || cycle.conflict || cycle.endless) return {};
-    if (twin.flag("out_of_range")) return "out_of_range is set";
-    if (twin.flag("race")) return "race is set";
+    if (models.flag("out_of_range")) return "out_of_range is set";
+    if (models.flag("race")) return "race is set";
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
         const Equations::Variable& variable = equations.variables[id];
-        if (!Twin::is_kept(variable.role)) continue;
+        if (!ModelPair::is_kept(variable.role)) continue;
         const auto output = std::ranges::find(equations.outputs, id, &Equations::Output::variable);
         // The system samples the inputs and, at the same time, the timer outputs that an output reads. In contrast,
         // run_equations reads the timer outputs after the cycle.
-        if (mode == ExecutionMode::EveryCycle && twin.ends_moved && output != equations.outputs.end() &&
+        if (mode == ExecutionMode::EveryCycle && models.ends_moved && output != equations.outputs.end() &&
             reads_timer(equations, output->value))
             continue;
         const std::int64_t expected =
             variable.role == Role::Output ? cycle.state.outputs[id.index] : cycle.state.values[id.index];
-        if (twin.value(id) != expected)
-            return variable.name + " is " + std::to_string(twin.value(id)) + ", not " + std::to_string(expected);
+        if (models.value(id) != expected)
+            return variable.name + " is " + std::to_string(models.value(id)) + ", not " + std::to_string(expected);
     }
     return {};
 }
 
 /// Checks that one more cycle with the same inputs changes only flags if the system marks the state as quiescent.
-std::string settled_disagreement(const Twin& twin, std::span<const std::int64_t> inputs, bool must_be_settled) {
-    const bool settled = value_of(twin.system, twin.state, twin.system.settled) != 0;
+std::string settled_disagreement(const ModelPair& models, std::span<const std::int64_t> inputs, bool must_be_settled) {
+    const bool settled = value_of(models.system, models.state, models.system.settled) != 0;
     if (must_be_settled && !settled) return "not settled after a stable cycle";
     if (!settled) return {};
-    Twin after = twin;
+    ModelPair after = models;
     after.step(inputs);
-    for (const Id<Equations::Variable> id : twin.equations.variables.ids()) {
-        const Role role = twin.equations.variables[id].role;
+    for (const Id<Equations::Variable> id : models.equations.variables.ids()) {
+        const Role role = models.equations.variables[id].role;
         // The system has no timers and therefore no such variables.
         if (role == Role::FiringCondition || role == Role::Watched) continue;
-        if (twin.value(id) != after.value(id)) return "settled, but " + twin.equations.variables[id].name + " changes";
+        if (models.value(id) != after.value(id))
+            return "settled, but " + models.equations.variables[id].name + " changes";
     }
     return {};
 }
@@ -155,8 +156,8 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
     const auto equations = derive(chart, diagnostics);
     if (!equations) return {};
     Random random(seed);
-    Twin twin{*equations, schedule_controller(*equations, mode)};
-    const std::vector<std::string> faults = verify(twin.system);
+    ModelPair models{*equations, schedule_controller(*equations, mode)};
+    const std::vector<std::string> faults = verify(models.system);
     if (!faults.empty()) return "not well formed: " + faults.front();
     EquationsState state = power_on(*equations);
     for (int macro = 0; macro < 12; ++macro) {
@@ -166,20 +167,20 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
         const EquationsCycle done = cycle(*equations, state, inputs, mode);
         std::size_t steps = done.fired.size();
         if (macro == 0) {
-            twin.start(inputs);
-            twin.set_inputs(inputs);
-            if (!twin.before_start.empty()) return twin.before_start;
+            models.start(inputs);
+            models.set_inputs(inputs);
+            if (!models.before_start.empty()) return models.before_start;
             --steps;
         }
-        for (std::size_t k = 0; k < steps; ++k) twin.step(inputs);
-        const std::string found = disagreement(twin, done, mode);
+        for (std::size_t k = 0; k < steps; ++k) models.step(inputs);
+        const std::string found = disagreement(models, done, mode);
         if (!found.empty()) return "cycle " + std::to_string(macro) + ": " + found;
         if (done.no_value || done.race || done.conflict || done.out_of_range || done.endless) break;
-        const std::string unsettled = settled_disagreement(twin, inputs, mode == ExecutionMode::StabilitySearch);
+        const std::string unsettled = settled_disagreement(models, inputs, mode == ExecutionMode::StabilitySearch);
         if (!unsettled.empty()) return "cycle " + std::to_string(macro) + ": " + unsettled;
         const std::int64_t passed = random_number(random, 0, 3) * 1000;
         state = pass_time(done.state, passed);
-        for (EquationsTiming& timing : twin.timing) pass_time(timing, passed);
+        for (EquationsTiming& timing : models.timing) pass_time(timing, passed);
     }
     return {};
 }

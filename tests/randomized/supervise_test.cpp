@@ -24,7 +24,7 @@ using System = TransitionSystem;
 
 // The bits of a state are the observable and the unobservable bit of the plant, two steps, and an output. The choices
 // are the evolution of the chart, the direction of the plant, and the permissions of two transitions and of the output.
-enum Bit { Input, Hidden, Step1, Step2, Out, Evolves, Way, May1, May2, MayOut };
+enum Bit { Input, Hidden, Step1, Step2, Out, Evolves, Branch, May1, May2, MayOut };
 constexpr unsigned states = 32, permitted = 8;
 constexpr unsigned all_permitted = permitted - 1;
 
@@ -36,19 +36,19 @@ struct Toy {
     Id<Expr> fires1 = {}, fires2 = {};
 
     /// Evaluates `term`. The bits of `may` are the permissions of transition 1, of transition 2 and of the output.
-    bool value(Id<Expr> term, unsigned state, bool evolves = false, bool way = false, unsigned may = 0) const {
+    bool value(Id<Expr> term, unsigned state, bool evolves = false, bool branch = false, unsigned may = 0) const {
         return *evaluate(system.exprs, term, [&](const Expr& leaf) -> std::int64_t {
             const auto index = static_cast<unsigned>(leaf.value);
             if (index < Evolves) return (state >> index) & 1U;
             if (index == Evolves) return evolves ? 1 : 0;
-            if (index == Way) return way ? 1 : 0;
+            if (index == Branch) return branch ? 1 : 0;
             return (may >> (index - May1)) & 1U;
         }) != 0;
     }
-    unsigned after(unsigned state, bool evolves, bool way, unsigned may) const {
+    unsigned after(unsigned state, bool evolves, bool branch, unsigned may) const {
         unsigned to = 0;
         for (unsigned index = 0; index < 5; ++index)
-            to |= (value(next[index], state, evolves, way, may) ? 1U : 0U) << index;
+            to |= (value(next[index], state, evolves, branch, may) ? 1U : 0U) << index;
         return to;
     }
 };
@@ -74,7 +74,7 @@ Toy random_toy(Random& random) {
                                           : decltype(System::Symbol::kind)(System::ChoiceSymbol{});
         toy.bit[index] = exprs.leaf(Op::Variable, symbols.add({names[index], Type{}, kind, "", {}}).index);
     }
-    const auto& [a, h, x1, x2, o, evolves, way, may1, may2, mayo] = toy.bit;
+    const auto& [a, h, x1, x2, o, evolves, branch, may1, may2, mayo] = toy.bit;
     toy.fires1 = exprs.conjunction(std::vector{may1, x1, random_term(exprs, random, {a, x2})});
     toy.fires2 = exprs.conjunction(std::vector{may2, exprs.negation(x1), random_term(exprs, random, {a, x2})});
     const Id<Expr> to1 = exprs.disjunction(toy.fires2, exprs.conjunction(x1, exprs.negation(toy.fires1)));
@@ -82,8 +82,8 @@ Toy random_toy(Random& random) {
                                             : exprs.disjunction(exprs.conjunction(x2, exprs.negation(toy.fires2)),
                                                                 exprs.conjunction(toy.fires1, a));
     const Id<Expr> out = exprs.conjunction(std::vector{mayo, to1, random_term(exprs, random, {a, to2})});
-    const Id<Expr> to_h = exprs.conditional(way, random_term(exprs, random, {a, h, o}), h);
-    const Id<Expr> to_a = exprs.conditional(way, random_term(exprs, random, {h, o}), a);
+    const Id<Expr> to_h = exprs.conditional(branch, random_term(exprs, random, {a, h, o}), h);
+    const Id<Expr> to_a = exprs.conditional(branch, random_term(exprs, random, {h, o}), a);
     toy.next = {exprs.conditional(evolves, a, to_a), exprs.conditional(evolves, h, to_h),
                 exprs.conditional(evolves, to1, x1), exprs.conditional(evolves, to2, x2),
                 exprs.conditional(evolves, out, o)};
@@ -112,8 +112,9 @@ struct Naive {
         for (bool more = true; more;) {
             more = false;
             for (unsigned state = 0; state < states; ++state)
-                for (unsigned way = 0; reached[state] && way < 2 + permitted; ++way) {
-                    const unsigned to = way < 2 ? toy.after(state, false, way == 1, 0) : evolved(state, way - 2);
+                for (unsigned branch = 0; reached[state] && branch < 2 + permitted; ++branch) {
+                    const unsigned to =
+                        branch < 2 ? toy.after(state, false, branch == 1, 0) : evolved(state, branch - 2);
                     more = more || !reached[to];
                     reached[to] = true;
                 }
@@ -128,9 +129,10 @@ struct Naive {
         bool more = false;
         for (unsigned state = 0; state < states; ++state) {
             if (lost[state]) continue;
-            bool way_out = false;
-            for (unsigned may = 0; may < permitted; ++may) way_out = way_out || allowed(state, may);
-            lost[state] = !way_out || lost[toy.after(state, false, false, 0)] || lost[toy.after(state, false, true, 0)];
+            bool exit_path = false;
+            for (unsigned may = 0; may < permitted; ++may) exit_path = exit_path || allowed(state, may);
+            lost[state] =
+                !exit_path || lost[toy.after(state, false, false, 0)] || lost[toy.after(state, false, true, 0)];
             more = more || lost[state];
         }
         return more;
@@ -141,11 +143,11 @@ struct Naive {
             more = false;
             for (unsigned state = 0; state < states; ++state) {
                 if (lost[state] || returns[state]) continue;
-                bool way = toy.value(toy.requested.marked, state) || returns[toy.after(state, false, false, 0)] ||
-                           returns[toy.after(state, false, true, 0)];
-                for (unsigned may = 0; may < permitted; ++may) way = way || returns[evolved(state, may)];
-                returns[state] = way;
-                more = more || way;
+                bool branch = toy.value(toy.requested.marked, state) || returns[toy.after(state, false, false, 0)] ||
+                              returns[toy.after(state, false, true, 0)];
+                for (unsigned may = 0; may < permitted; ++may) branch = branch || returns[evolved(state, may)];
+                returns[state] = branch;
+                more = more || branch;
             }
         }
         bool more = false;
@@ -232,7 +234,7 @@ struct Counts {
 /// Checks the reported elements that the conditions disable, observations that they make unreachable, and properties
 /// that are violated without the conditions.
 void expect_losses(const Toy& toy, const Supervisor& found, const Policy& policy, Counts& counts) {
-    const Closed ours = closed(toy, policy), free = closed(toy, {0xFF, 0xFF, 0xFF});
+    const Closed restricted = closed(toy, policy), free = closed(toy, {0xFF, 0xFF, 0xFF});
     if (found.conditions.empty()) {
         EXPECT_TRUE(free.safe);
         return;
@@ -240,7 +242,7 @@ void expect_losses(const Toy& toy, const Supervisor& found, const Policy& policy
     EXPECT_EQ(found.violated, std::vector<bool>{!free.safe});
     for (std::size_t index = 0; index < 3; ++index) {
         bool given = false, refused = false;
-        for (const auto& [state, evolved] : ours.evolutions) {
+        for (const auto& [state, evolved] : restricted.evolutions) {
             const unsigned from = state, here = chosen(toy, policy, state), bit = 1U << index;
             const auto effect = [&](unsigned may) {
                 if (index == 2) return ((toy.after(from, true, false, may) >> Out) & 1U) != 0;
@@ -260,8 +262,9 @@ void expect_losses(const Toy& toy, const Supervisor& found, const Policy& policy
             return std::ranges::any_of(loop.evolutions,
                                        [&](const auto& each) { return ((each.first >> seen[index]) & 1U) != 0; });
         };
-        const bool lost = std::ranges::find(found.lost, Supervisor::Observation{0, index}) != found.lost.end();
-        EXPECT_EQ(lost, reaches(free) && !reaches(ours)) << "observation " << index;
+        const bool lost = std::ranges::find(found.newly_unreachable, Supervisor::Observation{0, index}) !=
+                          found.newly_unreachable.end();
+        EXPECT_EQ(lost, reaches(free) && !reaches(restricted)) << "observation " << index;
         counts.lost += lost ? 1 : 0;
     }
 }
@@ -285,14 +288,15 @@ void expect_claim(const Toy& toy, const Naive& naive, const Supervisor& found, c
     for (unsigned index = 0; index < 3; ++index)
         for (unsigned at = 0; at < 8; ++at)
             if (((policy[index] >> at) & 1U) == 0) refused.emplace_back(index, at);
-    const Closed ours = closed(toy, policy);
+    const Closed restricted = closed(toy, policy);
     for (unsigned more = 1; refused.size() < 9 && more < (1U << refused.size()); ++more) {
         Policy wider = policy;
         for (std::size_t i = 0; i < refused.size(); ++i)
             if (((more >> i) & 1U) != 0) wider[refused[i].first] |= 1U << refused[i].second;
         const Closed other = closed(toy, wider);
         ++counts.others;
-        EXPECT_TRUE(!other.safe || !other.returns || other.evolutions == ours.evolutions) << "it is less restrictive";
+        EXPECT_TRUE(!other.safe || !other.returns || other.evolutions == restricted.evolutions)
+            << "it is less restrictive";
     }
 }
 
@@ -332,9 +336,9 @@ TEST(RandomizedSupervise, ConditionsAgreeWithANaiveGameAndAreLeastRestrictive) {
             ++counts.unknown;
         } else {
             const Policy policy = policy_of(found);
-            const Closed ours = closed(toy, policy);
-            EXPECT_TRUE(ours.safe);
-            EXPECT_TRUE(ours.returns);
+            const Closed restricted = closed(toy, policy);
+            EXPECT_TRUE(restricted.safe);
+            EXPECT_TRUE(restricted.returns);
             expect_claim(toy, naive, found, policy, counts);
             expect_losses(toy, found, policy, counts);
             ++(found.conditions.empty()                             ? counts.free
@@ -363,11 +367,11 @@ TEST(RandomizedSupervise, ConditionsForRandomLoopsAreProvedByBothEngines) {
         print(text, random_loop(random));
         ParseResult reading = read_string(std::move(text).str(), "loop.grafcet");
         if (!reading.model) continue;  // a chart that cannot be written as text
-        SuperviseRequest ask;
-        ask.limits.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
+        SuperviseRequest request;
+        request.limits.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
         std::string doing;
-        ask.limits.progress = [&doing](const Progress& now) { doing = now.words(); };
-        const auto made = supervised(*reading.model, {0}, {0}, reading.sources, ask, reading.diagnostics);
+        request.limits.progress = [&doing](const Progress& now) { doing = now.words(); };
+        const auto made = supervised(*reading.model, {0}, {0}, reading.sources, request, reading.diagnostics);
         if (!made) continue;  // the property is not about states
         EXPECT_TRUE(made->outcome == Supervisor::Outcome::Unknown || !doing.empty()) << "how far it is, is told";
         EXPECT_EQ(made->failures, std::vector<std::string>{});

@@ -284,7 +284,7 @@ TEST(RandomizedSymbolic, AgreesWithAnExplicitSearchOnRandomControllers) {
 }
 
 struct Cut {
-    std::size_t said = 0, unsaid = 0;
+    std::size_t decided = 0, undecided = 0;
 };
 
 /// Checks that, with insufficient memory, each verdict is unknown or equals that of the complete search.
@@ -298,7 +298,7 @@ void expect_no_more_said(const System& system, const SymbolicResult& whole, Cut&
             if (result.verdicts[i].outcome != Outcome::Unknown) {
                 ASSERT_EQ(result.verdicts[i].outcome, whole.verdicts[i].outcome) << whole.verdicts[i].property;
             }
-            ++(result.verdicts[i].outcome == Outcome::Unknown ? cut.unsaid : cut.said);
+            ++(result.verdicts[i].outcome == Outcome::Unknown ? cut.undecided : cut.decided);
         }
     }
 }
@@ -335,10 +335,10 @@ TEST(RandomizedSymbolic, EventClustersGiveTheSameVerdictsOnRandomLoops) {
         }
     }
     std::cout << systems << " systems, " << saturated << " saturated, " << runs << " runs; with less memory "
-              << cut.said << " verdicts, " << cut.unsaid << " unknown\n";
+              << cut.decided << " verdicts, " << cut.undecided << " unknown\n";
     EXPECT_GT(saturated, systems / 4);
-    EXPECT_GT(cut.said, 0u);
-    EXPECT_GT(cut.unsaid, 0u);
+    EXPECT_GT(cut.decided, 0u);
+    EXPECT_GT(cut.undecided, 0u);
 }
 
 }  // namespace

@@ -106,16 +106,18 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
             if (!test(i)) return false;
         return true;
     };
-    const auto judged = [&](std::size_t i) { return !property.at_stable || tadd.settled(all.states[i]); };
+    const auto is_considered = [&](std::size_t i) { return !property.at_stable || tadd.settled(all.states[i]); };
     switch (property.pattern) {
     case Pattern::Always:
-        return everywhere([&](std::size_t i) { return !judged(i) || tadd.holds(property.operands[0], all.states[i]); });
+        return everywhere(
+            [&](std::size_t i) { return !is_considered(i) || tadd.holds(property.operands[0], all.states[i]); });
     case Pattern::Never: return everywhere([&, p = where(0)](std::size_t i) { return !p[i]; });
     case Pattern::Reachable: return !everywhere([&, p = where(0)](std::size_t i) { return !p[i]; });
     case Pattern::ExactlyOneOf:
         return everywhere([&](std::size_t i) {
-            return !judged(i) || std::ranges::count_if(property.operands,
-                                                       [&](Id<Expr> p) { return tadd.holds(p, all.states[i]); }) == 1;
+            return !is_considered(i) || std::ranges::count_if(property.operands, [&](Id<Expr> p) {
+                                            return tadd.holds(p, all.states[i]);
+                                        }) == 1;
         });
     case Pattern::Inevitable: return inevitable(all, where(0))[0];
     case Pattern::LeadsTo: {
@@ -124,7 +126,7 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
     }
     case Pattern::NoDeadlock:
         return everywhere([&](std::size_t i) {
-            if (!judged(i)) return true;
+            if (!is_considered(i)) return true;
             std::set<std::size_t> seen;
             for (; seen.insert(i).second; i = all.later[i])
                 if (all.acts[i] || all.faulty[i]) return true;
@@ -134,7 +136,7 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
         std::vector<bool> goal = all.passes;
         for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = goal[i] || all.faulty[i];
         const auto flows = possible(all, goal, [](std::size_t, std::size_t) { return true; });
-        return everywhere([&](std::size_t i) { return !judged(i) || flows[i]; });
+        return everywhere([&](std::size_t i) { return !is_considered(i) || flows[i]; });
     }
     case Pattern::AlwaysPossible: {
         std::vector<bool> goal = where(0);
@@ -222,7 +224,7 @@ void compare(const Network& network, const NaiveTadd& tadd, const Explored& all,
         if (property.pattern == Pattern::ReachableAllSteps || property.pattern >= Pattern::RawUppaal) continue;
         SCOPED_TRACE("property " + property.name + ", pattern " + std::to_string(static_cast<int>(property.pattern)));
         const Verdict& given = verdict(result, property.name);
-        ++seen.outcomes[std::to_string(static_cast<int>(property.pattern)) + " " + told(result, property.name)];
+        ++seen.outcomes[std::to_string(static_cast<int>(property.pattern)) + " " + outcome_text(result, property.name)];
         const bool holds = naive_verdict(tadd, all, property);
         if (given.outcome != Outcome::Unknown) EXPECT_EQ(given.outcome == Outcome::Holds, holds);
         else if (given.obstacle == UnknownReason::Faulty) EXPECT_EQ(holds, about_all_states(property.pattern));
@@ -247,7 +249,7 @@ void compare_jobs(const Network& network, const TimedResult& one, bool links) {
         ASSERT_EQ(several.verdicts.size(), one.verdicts.size());
         for (std::size_t i = 0; i < one.verdicts.size(); ++i) {
             const Verdict &given = one.verdicts[i], &found = several.verdicts[i];
-            EXPECT_EQ(told(several, given.property), told(one, given.property));
+            EXPECT_EQ(outcome_text(several, given.property), outcome_text(one, given.property));
             EXPECT_EQ(std::tie(found.reason, found.notes, found.vacuous),
                       std::tie(given.reason, given.notes, given.vacuous));
             EXPECT_EQ(found.run, given.run) << given.property;
@@ -265,8 +267,9 @@ void compare_units(const Network& network, const TimedResult& result) {
         if (!finer.complete) continue;
         for (const Verdict& given : result.verdicts) {
             SCOPED_TRACE(given.property + " in units " + std::to_string(factor) +
-                         " times as fine: " + told(finer, given.property));
-            if (given.outcome != Outcome::Unknown) EXPECT_EQ(told(result, given.property), told(finer, given.property));
+                         " times as fine: " + outcome_text(finer, given.property));
+            if (given.outcome != Outcome::Unknown)
+                EXPECT_EQ(outcome_text(result, given.property), outcome_text(finer, given.property));
             else EXPECT_NE(verdict(finer, given.property).outcome, Outcome::Holds);
         }
     }
@@ -318,7 +321,8 @@ void compare_states(Network network, const Explored& all) {
     network.properties.add({.name = "all", .pattern = Pattern::ExactlyOneOf, .operands = ones});
     const TimedResult result = check_timed(network);
     for (const Property& property : network.properties) {
-        if (property.pattern == Pattern::Reachable) EXPECT_EQ(told(result, property.name), "holds") << property.name;
+        if (property.pattern == Pattern::Reachable)
+            EXPECT_EQ(outcome_text(result, property.name), "holds") << property.name;
         else EXPECT_NE(verdict(result, property.name).outcome, Outcome::Violated);
     }
 }
@@ -332,7 +336,8 @@ void compare_all(Network network, Random& random, Seen& seen) {
     EXPECT_TRUE(result.complete);
     EXPECT_LE(result.states, all->states.size());
     const TimedResult sparing = check_timed(network, {.keep_links = false});
-    for (const Verdict& given : result.verdicts) EXPECT_EQ(told(result, given.property), told(sparing, given.property));
+    for (const Verdict& given : result.verdicts)
+        EXPECT_EQ(outcome_text(result, given.property), outcome_text(sparing, given.property));
     compare(network, tadd, *all, result, seen);
     compare_jobs(network, result, true);
     compare_jobs(network, sparing, false);
@@ -424,7 +429,7 @@ TEST(RandomizedTimedEngine, EveryQuiescentStateOfGrainAtomicIsReachedInGrainPhas
                                        .operands = {term}});
             }
             const TimedResult result = check_timed(phased, {.max_states = 300'000, .profile = true});
-            for (const Property& property : phased.properties) EXPECT_EQ(told(result, property.name), "holds");
+            for (const Property& property : phased.properties) EXPECT_EQ(outcome_text(result, property.name), "holds");
             if (result.complete && result.errors.empty() && result.profile->sampled == result.states) {
                 EXPECT_LE(check_timed(atomic).states, result.states - result.profile->inside_cycles);
             }

@@ -227,8 +227,8 @@ TEST(Documents, StateTheVerdictsThatCheckFinds) {
             ++loops;
             const Workplace workplace;
             workplace.write("block.grafcet", text);
-            const std::string said = workplace.output_of("grafverif check --all block.grafcet && echo as claimed");
-            EXPECT_TRUE(said.ends_with("as claimed\n")) << document << ':' << block.line << '\n' << said;
+            const std::string printed = workplace.output_of("grafverif check --all block.grafcet && echo as claimed");
+            EXPECT_TRUE(printed.ends_with("as claimed\n")) << document << ':' << block.line << '\n' << printed;
         }
     }
     EXPECT_GE(loops, 4u);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, int> rungs = {
+const std::map<std::string, int> levels = {
     {"support", 0}, {"ir", 1},       {"syntax", 2},   {"run", 2},     {"bdd", 2},      {"circuit", 2},
     {"read", 3},    {"derive", 3},   {"plant", 3},    {"compose", 3}, {"schedule", 3}, {"emit", 3},
     {"check", 3},   {"compare", 3},  {"conform", 3},  {"analyse", 3}, {"explain", 3},  {"report", 3},
@@ -28,7 +28,7 @@ const std::map<std::string, int> rungs = {
 
 struct Inclusion {
     fs::path file = {};
-    std::string room = {};
+    std::string module_name = {};
     std::string header = {};  ///< the text between the quotes or brackets
 };
 
@@ -43,7 +43,7 @@ std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
 
 /// Returns the module of `file`: its first folder below src or include/grafverif. The public API belongs to the
 /// pipeline.
-std::string memory_with(const fs::path& file) {
+std::string module_of(const fs::path& file) {
     if (file == root / "include/grafverif/grafverif.hpp") return "pipeline";
     for (const char* base : {"src", "include/grafverif"}) {
         const fs::path below = fs::relative(file, root / base);
@@ -59,34 +59,35 @@ std::vector<Inclusion> inclusions() {
         std::istringstream lines(text_of(file));
         for (std::string line; std::getline(lines, line);) {
             std::smatch match;
-            if (std::regex_search(line, match, pattern)) found.push_back({file, memory_with(file), match[1]});
+            if (std::regex_search(line, match, pattern)) found.push_back({file, module_of(file), match[1]});
         }
     }
     return found;
 }
 
 /// Returns the module of a header of the project, and an empty string for any other header.
-std::string room_of(const std::string& header) {
+std::string module_of_header(const std::string& header) {
     const fs::path path(header);
     if (header == "grafverif/grafverif.hpp") return "pipeline";
     if (header.starts_with("grafverif/")) return std::next(path.begin())->string();
     const std::string first = path.begin()->string();
-    return rungs.contains(first) && path.has_parent_path() ? first : "";
+    return levels.contains(first) && path.has_parent_path() ? first : "";
 }
 
 TEST(Layering, EveryFolderIsAModuleWithALayer) {
     for (const fs::path& file : sources({"include/grafverif", "src"}))
-        EXPECT_TRUE(rungs.contains(memory_with(file))) << file;
+        EXPECT_TRUE(levels.contains(module_of(file))) << file;
 }
 
 TEST(Layering, NoModuleIncludesAHigherModuleOrAnotherCommand) {
     const std::vector<Inclusion> all = inclusions();
     ASSERT_GT(all.size(), 100u);
     for (const Inclusion& inclusion : all) {
-        const std::string target = room_of(inclusion.header);
-        if (target.empty() || target == inclusion.room) continue;
-        ASSERT_TRUE(rungs.contains(target)) << inclusion.file << " includes " << inclusion.header;
-        EXPECT_LT(rungs.at(target), rungs.at(inclusion.room)) << inclusion.file << " includes " << inclusion.header;
+        const std::string target = module_of_header(inclusion.header);
+        if (target.empty() || target == inclusion.module_name) continue;
+        ASSERT_TRUE(levels.contains(target)) << inclusion.file << " includes " << inclusion.header;
+        EXPECT_LT(levels.at(target), levels.at(inclusion.module_name))
+            << inclusion.file << " includes " << inclusion.header;
     }
 }
 
@@ -133,7 +134,7 @@ TEST(Layering, ThirdPartyLibrariesStayInTheirModules) {
             if (!inclusion.header.starts_with(rule.prefix)) continue;
             const std::string place = fs::relative(inclusion.file, root / "src").string();
             const bool allowed = std::ranges::any_of(rule.places, [&](const std::string& where) {
-                return inclusion.room == where || place.starts_with(where);
+                return inclusion.module_name == where || place.starts_with(where);
             });
             EXPECT_TRUE(allowed) << inclusion.file << " includes " << inclusion.header;
         }
@@ -143,10 +144,10 @@ TEST(Layering, ThirdPartyLibrariesStayInTheirModules) {
 TEST(Layering, PublicHeadersNameNoThirdParty) {
     for (const Inclusion& inclusion : inclusions()) {
         if (inclusion.file.string().find("/include/grafverif/") == std::string::npos) continue;
-        const bool ours = inclusion.header.starts_with("grafverif/");
+        const bool is_own = inclusion.header.starts_with("grafverif/");
         const bool standard =
             inclusion.header.find('/') == std::string::npos && inclusion.header.find('.') == std::string::npos;
-        EXPECT_TRUE(ours || standard) << inclusion.file << " includes " << inclusion.header;
+        EXPECT_TRUE(is_own || standard) << inclusion.file << " includes " << inclusion.header;
     }
 }
 
@@ -155,7 +156,7 @@ TEST(Layering, OnlyTheAppUsesProcessStreamsAndOnlyThePipelineAlsoReadsFiles) {
         files(R"(std::(i|o)?fstream|std::filesystem(?!::path)|[^\w]::open\()");
     for (const fs::path& file : sources({"include/grafverif", "src"})) {
         EXPECT_EQ(text_of(file).find("#include <fstream>"), std::string::npos) << file << " opens files by other rules";
-        if (memory_with(file) == "app") continue;
+        if (module_of(file) == "app") continue;
         EXPECT_FALSE(std::regex_search(text_of(file), streams)) << file;
         EXPECT_TRUE(file.parent_path() == root / "src/pipeline" || !std::regex_search(text_of(file), files)) << file;
     }

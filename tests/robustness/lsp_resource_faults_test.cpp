@@ -117,7 +117,7 @@ public:
         open_.insert({1, 1000});
     }
 
-    std::size_t receive(std::span<char> room) {
+    std::size_t receive(std::span<char> buffer) {
         const Unlimited own;
         std::unique_lock hold(door_);
         while (part_ < parts_.size() && at_ == parts_[part_].size()) {
@@ -132,8 +132,8 @@ public:
             at_ = 0;
         }
         if (part_ == parts_.size()) return 0;
-        const std::size_t count = std::min({room.size(), parts_[part_].size() - at_, std::size_t{700}});
-        std::copy_n(parts_[part_].begin() + static_cast<std::ptrdiff_t>(at_), count, room.begin());
+        const std::size_t count = std::min({buffer.size(), parts_[part_].size() - at_, std::size_t{700}});
+        std::copy_n(parts_[part_].begin() + static_cast<std::ptrdiff_t>(at_), count, buffer.begin());
         at_ += count;
         return count;
     }
@@ -164,7 +164,7 @@ public:
         ServerEnvironment surroundings;
         surroundings.keep_memory_back = [] { app::keep_memory_back(); };
         surroundings.keep = [](const std::string& name, const std::string&) { return name; };
-        const Ending ending = converse([this](std::span<char> room) { return receive(room); },
+        const Ending ending = converse([this](std::span<char> buffer) { return receive(buffer); },
                                        [this](std::string_view bytes) { send(bytes); }, surroundings);
         lift_limits();
         EXPECT_EQ(ending, Ending::Requested);
@@ -266,10 +266,10 @@ TEST(LspServer, JoinsItsThreadsIfAnExceptionIsThrown) {
     const std::string first =
         framed(request(1, "initialize", {{"processId", nullptr}, {"capabilities", Json::object()}}).dump());
     bool given = false;
-    const Receive receive = [&](std::span<char> room) {
+    const Receive receive = [&](std::span<char> buffer) {
         const std::size_t count = given ? 0 : first.size();
         given = true;
-        std::copy_n(first.begin(), static_cast<std::ptrdiff_t>(count), room.begin());
+        std::copy_n(first.begin(), static_cast<std::ptrdiff_t>(count), buffer.begin());
         return count;
     };
     const Send send = [](std::string_view) { throw std::logic_error("no way out"); };

@@ -29,7 +29,7 @@ TEST(RefusedMemory, VerdictsOfTheSolversAreUnknownOrCorrect) {
     using Method = PdrOptions::Method;
     const TransitionSystem system = untimed_text(lamp, {.plant = PlantApproach::Automata});
     std::size_t refused = 0;
-    for (const Method method : {Method::Pdr, Method::Bmc, Method::InTurns}) {
+    for (const Method method : {Method::Pdr, Method::Bmc, Method::Alternating}) {
         PdrOptions options;
         options.method = method;
         if (method == Method::Bmc) options.max_steps = 6;

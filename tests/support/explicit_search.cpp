@@ -140,16 +140,16 @@ std::vector<StateSet> justice_sets(const System& system, const SystemGraph& grap
 }
 
 StateSet fairly_staying(const SystemGraph& graph, const StateSet& within, const std::vector<StateSet>& justice) {
-    StateSet looked_at(graph.states.size()), good(graph.states.size());
+    StateSet visited(graph.states.size()), good(graph.states.size());
     for (std::size_t state = 0; state < graph.states.size(); ++state) {
-        if (!within[state] || looked_at[state]) continue;
+        if (!within[state] || visited[state]) continue;
         const StateSet component = component_of(graph, within, state);
         const bool cyclic = std::ranges::count(component, true) > 1 ||
                             std::ranges::find(graph.successors[state], state) != graph.successors[state].end();
         const bool fair = std::ranges::none_of(
             justice, [&](const StateSet& each) { return is_empty(intersection(each, component)); });
         for (std::size_t i = 0; i < component.size(); ++i) {
-            looked_at[i] = looked_at[i] || component[i];
+            visited[i] = visited[i] || component[i];
             good[i] = good[i] || (component[i] && cyclic && fair);
         }
     }
@@ -173,8 +173,8 @@ bool explicit_verdict(const System& system, const SystemGraph& graph, const Prop
     case Pattern::LeadsTo: return is_empty(intersection(sets[0], fairly_staying(graph, complement(sets[1]), justice)));
     case Pattern::AlwaysPossible: {
         const StateSet fair = fairly_staying(graph, all, justice);
-        const StateSet lost = complement(leading_to(graph, all, intersection(sets[0], fair)));
-        return is_empty(intersection(fair, lost));
+        const StateSet dead = complement(leading_to(graph, all, intersection(sets[0], fair)));
+        return is_empty(intersection(fair, dead));
     }
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:

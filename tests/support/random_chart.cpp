@@ -99,7 +99,7 @@ struct Generator {
     }
 
     /// Returns the chart that contains `partial`.
-    std::int64_t home(std::int64_t partial) const {
+    std::int64_t root(std::int64_t partial) const {
         while (chart.partial_charts[{static_cast<std::uint32_t>(partial)}].kind == Chart::PartialKind::Expansion)
             partial = outer[static_cast<std::size_t>(partial)];
         return partial;
@@ -110,7 +110,7 @@ struct Generator {
         for (std::int64_t count = often(50) ? number(1, 3) : 0; count > 0; --count) {
             const Id<Chart::Step> step = pick_step();
             const std::int64_t forced = number(0, static_cast<std::int64_t>(chart.partial_charts.size()) - 1);
-            if (home(chart.steps[step].chart.index) >= home(forced)) continue;
+            if (root(chart.steps[step].chart.index) >= root(forced)) continue;
             Chart::ForcingOrder order{step, {static_cast<std::uint32_t>(forced)}, Chart::ForcedTo::Empty, {}, {}};
             order.to = static_cast<Chart::ForcedTo>(number(0, 3));
             const std::vector<Id<Chart::Step>> all = steps_of(order.forced);

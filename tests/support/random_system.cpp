@@ -47,10 +47,10 @@ struct Terms {
     /// Returns a value of `type`. `otherwise` replaces an integer outside its range.
     Id<Expr> value(Type type, Id<Expr> otherwise) {
         if (type.boolean) return boolean(3);
-        const Id<Expr> wish = integer(2);
-        const Id<Expr> fits = exprs.conjunction(exprs.apply(Op::GreaterEqual, wish, exprs.integer(type.low)),
-                                                exprs.apply(Op::LessEqual, wish, exprs.integer(type.high)));
-        return exprs.conditional(fits, wish, otherwise);
+        const Id<Expr> candidate = integer(2);
+        const Id<Expr> fits = exprs.conjunction(exprs.apply(Op::GreaterEqual, candidate, exprs.integer(type.low)),
+                                                exprs.apply(Op::LessEqual, candidate, exprs.integer(type.high)));
+        return exprs.conditional(fits, candidate, otherwise);
     }
 };
 

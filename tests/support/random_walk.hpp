@@ -17,15 +17,15 @@ inline Run random_walk(const Network& network, Random& random, int moves) {
     NetworkState state = initial_state(network);
     for (int i = 0; i < moves; ++i) {
         const std::vector<Fire> choices = enabled(network, state);
-        const Leeway way = leeway(network, state);
-        const auto count = static_cast<std::int64_t>(choices.size()) + (way.may_pass ? 1 : 0);
+        const Leeway delay = leeway(network, state);
+        const auto count = static_cast<std::int64_t>(choices.size()) + (delay.may_pass ? 1 : 0);
         if (count == 0) return run;
         const std::int64_t drawn = random_number(random, 0, count - 1);
         Move move = Delay{1};
         if (drawn < static_cast<std::int64_t>(choices.size())) move = choices[static_cast<std::size_t>(drawn)];
         else
             move = Delay{random_number(
-                random, 1, std::min(way.limit.value_or(6), std::max<std::int64_t>(1, way.change.value_or(6))))};
+                random, 1, std::min(delay.limit.value_or(6), std::max<std::int64_t>(1, delay.change.value_or(6))))};
         if (perform(network, state, move).result != Step::Result::Done) return run;
         run.moves.push_back(move);
         if (network.race.valid() && state.variables[network.race.index] != 0) return run;

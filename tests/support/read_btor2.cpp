@@ -11,8 +11,8 @@ namespace {
 /// in all tests.
 std::int64_t cut(std::int64_t value, unsigned width) {
     if (width >= 64) return value;
-    const unsigned gone = 64 - width;
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << gone) >> gone;
+    const unsigned unused = 64 - width;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << unused) >> unused;
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ namespace grafverif {
 namespace {
 
 [[noreturn]] void give_up(const Diagnostics& diagnostics) {
-    std::string said = "no model";
-    for (const Diagnostic& diagnostic : diagnostics.all()) said += "\n" + diagnostic.message;
-    throw std::invalid_argument(said);
+    std::string problem = "no model";
+    for (const Diagnostic& diagnostic : diagnostics.all()) problem += "\n" + diagnostic.message;
+    throw std::invalid_argument(problem);
 }
 
 std::optional<TransitionSystem> scheduled(const Model& model, const ScheduleOptions& options, Grain grain,

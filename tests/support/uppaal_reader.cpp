@@ -427,16 +427,16 @@ Network read_uppaal(const std::string& xml) { return Reader(xml).read(); }
 
 Network as_read_back(Network network) {
     const std::vector<uppaal::Inexpressible> left_out = uppaal::inexpressible(network);
-    Table<Property> said;
+    Table<Property> queries;
     bool queries_settled = false;
     for (const Id<Property> id : network.properties.ids()) {
         if (std::ranges::any_of(left_out, [&](const uppaal::Inexpressible& other) { return other.property == id; }))
             continue;
         const Property& property = network.properties[id];
         queries_settled = queries_settled || (property.at_stable && property.pattern != Pattern::RawUppaal);
-        said.add(property);
+        queries.add(property);
     }
-    network.properties = std::move(said);
+    network.properties = std::move(queries);
     if (!queries_settled) network.settled = {};
     return network;
 }

@@ -57,9 +57,9 @@ struct Network {
         std::int64_t initial = 0;
         bool scratch = false;
         Span origin = {};
-        std::string told = {};  ///< name in properties and traces, `Gate.X`; `name` if empty
+        std::string shown_name = {};  ///< name in properties and traces, `Gate.X`; `name` if empty
 
-        const std::string& display_name() const { return told.empty() ? name : told; }
+        const std::string& display_name() const { return shown_name.empty() ? name : shown_name; }
         bool operator==(const Variable&) const = default;
     };
 

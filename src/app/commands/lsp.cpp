@@ -41,7 +41,7 @@ public:
     CancellableInput(const CancellableInput&) = delete;
     CancellableInput& operator=(const CancellableInput&) = delete;
 
-    std::size_t receive(std::span<char> room) const {
+    std::size_t receive(std::span<char> buffer) const {
         // The interval is in milliseconds. Polling is necessary because a signal may interrupt another thread.
         constexpr int poll_interval = 200;
         while (!end_requested_) {
@@ -51,7 +51,7 @@ public:
             if (ready <= 0) continue;
             if (waited[1].revents != 0) return 0;
             if (waited[0].revents == 0) continue;
-            const ssize_t count = ::read(STDIN_FILENO, room.data(), room.size());
+            const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
             if (count >= 0) return static_cast<std::size_t>(count);
             if (errno != EINTR && errno != EAGAIN) return 0;
         }
@@ -130,26 +130,26 @@ ExitCode lsp(CommandContext& job, const Streams& streams) {
     surroundings.version = GRAFVERIF_VERSION;
     surroundings.include_folders = job.options.include_folders;
     if (job.options.response_timeout_ms)
-        surroundings.patience = std::chrono::milliseconds(*job.options.response_timeout_ms);
+        surroundings.response_timeout = std::chrono::milliseconds(*job.options.response_timeout_ms);
     const grafverif::lsp::Send send = [&](std::string_view bytes) { streams.out << bytes << std::flush; };
     if (!streams.alone) {
-        const auto receive = [&](std::span<char> room) {
-            streams.in.read(room.data(), static_cast<std::streamsize>(room.size()));
+        const auto receive = [&](std::span<char> buffer) {
+            streams.in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
             return static_cast<std::size_t>(streams.in.gcount());
         };
         return code_of(grafverif::lsp::converse(receive, send, surroundings));
     }
     const Interrupt interrupt;
-    const CancellableInput ear(interrupt.requested());
+    const CancellableInput input(interrupt.requested());
     Pages pages(job.options);
     DisplayFolder shelf;
     surroundings.is_alive = is_alive;
     surroundings.simulator = [&](const std::string& path) { return pages.address(path); };
     surroundings.keep = [&](const std::string& name, const std::string& text) { return shelf.keep(name, text); };
     surroundings.keep_memory_back = [] { app::keep_memory_back(); };
-    surroundings.hang_up = [&] { ear.stop(); };
+    surroundings.hang_up = [&] { input.stop(); };
     const auto ending =
-        grafverif::lsp::converse([&](std::span<char> room) { return ear.receive(room); }, send, surroundings);
+        grafverif::lsp::converse([&](std::span<char> buffer) { return input.receive(buffer); }, send, surroundings);
     return interrupt.requested() ? ExitCode::Unknown : code_of(ending);
 }
 

@@ -60,7 +60,7 @@ private:
         if (line.starts_with("wait")) return execute_wait(line);
         const ScanValues inputs = read_scan_line(line, columns_);
         if (!inputs.values) return refuse(inputs.problem);
-        if (clock_ == Clock::Real) let_real_time_pass();
+        if (clock_ == Clock::Real) elapse_real_time();
         const std::string problem = plc_.scan(*inputs.values);
         if (problem.empty()) streams_.out << scan_line(plc_.outputs()) << '\n';
         else fail(problem, ExitCode::Verdict);
@@ -75,7 +75,7 @@ private:
         else plc_.wait(*wait->milliseconds);
     }
 
-    void let_real_time_pass() {
+    void elapse_real_time() {
         const Steady::time_point now = Steady::now();
         const auto passed = std::chrono::duration_cast<std::chrono::milliseconds>(now - last_);
         plc_.wait(passed.count());

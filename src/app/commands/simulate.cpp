@@ -64,7 +64,7 @@ public:
 
     /// Shows the new steps, the error, and in an interactive session the choices.
     void answer(const std::string& problem) {
-        const ChartRun& run = simulation_.told();
+        const ChartRun& run = simulation_.recorded_run();
         if (run.rows.size() < shown_) {
             shown_ = run.rows.size() - 1;
             out_ << "back to:\n";
@@ -95,7 +95,7 @@ private:
         "  quit               exit\n";
 
     void show() {
-        const ChartRun& run = simulation_.told();
+        const ChartRun& run = simulation_.recorded_run();
         const ChartRun::State& now = run.moments.back().after;
         out_ << "time       " << event_text(run, now) << "\nsituation ";
         for (const Id<ChartRun::Step> step : now.situation) out_ << ' ' << printable(run.steps[step].short_name);
@@ -145,10 +145,11 @@ private:
     void prompt() {
         std::size_t number = 0;
         for (const Choice& choice : simulation_.choices()) out_ << fmt::format("{:>5}  {}\n", ++number, choice.words);
-        const DelayBounds patience = simulation_.patience();
-        if (patience.may_pass)
-            out_ << (patience.limit ? fmt::format(" wait  up to {}\n", seconds_text(*patience.limit * patience.unit_ms))
-                                    : " wait  any time\n");
+        const DelayBounds delay_bounds = simulation_.delay_bounds();
+        if (delay_bounds.may_pass)
+            out_ << (delay_bounds.limit
+                         ? fmt::format(" wait  up to {}\n", seconds_text(*delay_bounds.limit * delay_bounds.unit_ms))
+                         : " wait  any time\n");
         out_ << prompt_;
     }
 
@@ -288,7 +289,8 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, C
     if (job.options.random_seed) problem = walk(simulation, *job.options.random_seed, job.options.steps);
     else if (job.options.script) code = follow_script(simulation, *job.options.script, streams, job);
     else code = converse(simulation, streams, job);
-    const ChartRun run = job.options.random_seed ? simulation.with_trace_rows(detail_of(job)) : simulation.told();
+    const ChartRun run =
+        job.options.random_seed ? simulation.with_trace_rows(detail_of(job)) : simulation.recorded_run();
     if (job.options.random_seed) print_trace(run, streams.out);
     if (!problem.empty()) streams.out << "! " << printable(problem) << '\n';
     const bool is_what_if = simulation.what_if_row().has_value();  // a run with forced steps need not follow the rules

@@ -35,10 +35,10 @@ namespace {
 struct BenchOptions {
     std::string controller = {};  ///< the shell command that runs the controller
     Clock clock = Clock::Simulated;
-    bool keep_going = false;                         ///< continue after a failure if possible
-    std::chrono::milliseconds patience{10'000};      ///< time limit for one response
-    const std::atomic<bool>* stop = nullptr;         ///< cancellation flag: execute no further step
-    std::function<void(std::size_t)> progress = {};  ///< called with the number of completed rows
+    bool keep_going = false;                             ///< continue after a failure if possible
+    std::chrono::milliseconds response_timeout{10'000};  ///< time limit for one response
+    const std::atomic<bool>* stop = nullptr;             ///< cancellation flag: execute no further step
+    std::function<void(std::size_t)> progress = {};      ///< called with the number of completed rows
 };
 
 using Cause = TestReport::Cause;
@@ -75,7 +75,7 @@ private:
 
     bool run_sequence(std::size_t index) {
         LineProcess dialogue(options_.controller,
-                             {options_.patience, longest_scan_line(outputs_.size()), options_.stop});
+                             {options_.response_timeout, longest_scan_line(outputs_.size()), options_.stop});
         const std::vector<const TestSequence::Step*> rows = rows_of(report_.test.sequences[index]);
         for (std::size_t row = 0; row < rows.size(); ++row) {
             std::optional<Failure> failure = run_row(dialogue, *rows[row]);
@@ -99,7 +99,7 @@ private:
         std::optional<Failure> first;
         if (step.wait_ms != 0) wait(dialogue, step.wait_ms);
         for (std::uint32_t scan = 1; scan <= step.cycles && !stopped(); ++scan) {
-            std::optional<Failure> failure = judge(dialogue, dialogue.ask(scan_line(step.inputs)), step);
+            std::optional<Failure> failure = check_response(dialogue, dialogue.request(scan_line(step.inputs)), step);
             if (!failure) continue;
             failure->scan = scan;
             if (!options_.keep_going || is_fatal(failure->cause)) return first ? first : failure;
@@ -119,14 +119,15 @@ private:
             std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(end - now, nap));
     }
 
-    std::optional<Failure> judge(LineProcess& dialogue, const Reply& answer, const TestSequence::Step& step) const {
+    std::optional<Failure> check_response(LineProcess& dialogue, const Reply& answer,
+                                          const TestSequence::Step& step) const {
         Failure failure;
         switch (answer.kind) {
-        case Reply::Kind::Line: return judge(answer.text, step);
+        case Reply::Kind::Line: return check_response(answer.text, step);
         case Reply::Kind::Stopped: return {};
         case Reply::Kind::Silent:
             failure.cause = Cause::Silent;
-            failure.message = fmt::format("no response within {}", duration_text(options_.patience.count()));
+            failure.message = fmt::format("no response within {}", duration_text(options_.response_timeout.count()));
             break;
         case Reply::Kind::Ended:
             failure.cause = Cause::Ended;
@@ -141,7 +142,7 @@ private:
         return failure;
     }
 
-    std::optional<Failure> judge(const std::string& line, const TestSequence::Step& step) const {
+    std::optional<Failure> check_response(const std::string& line, const TestSequence::Step& step) const {
         ScanValues read = read_scan_line(line, outputs_);
         if (read.values && *read.values == step.outputs) return {};
         Failure failure;
@@ -186,7 +187,7 @@ void write_test_report(const TestReport& report, CommandContext& job, const Stre
 
 std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Limits& limits) {
     BenchOptions bench{options.against, options.clock, options.keep_going};
-    bench.patience = std::chrono::milliseconds(options.response_timeout_ms.value_or(10'000));
+    bench.response_timeout = std::chrono::milliseconds(options.response_timeout_ms.value_or(10'000));
     bench.stop = limits.stop;
     bench.progress = [&](std::size_t done) {
         limits.progress({[&] { return fmt::format("{} of {} steps", done, step_count(sequence)); }});

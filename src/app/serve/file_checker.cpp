@@ -83,7 +83,7 @@ public:
         return version_ == known ? std::nullopt : std::optional(state_);
     }
 
-    std::shared_ptr<const CheckedFile> workpiece() const {
+    std::shared_ptr<const CheckedFile> checked_file() const {
         const std::lock_guard hold(door_);
         return piece_;
     }
@@ -221,13 +221,13 @@ private:
     void prove(Proof& proof) {
         proof.state = "running";
         publish();
-        auto told = std::chrono::steady_clock::now();
+        auto reported_at = std::chrono::steady_clock::now();
         CheckOptions options{.witnesses = false, .limits = {options_.max_states, options_.max_memory, {}, &stale_, {}}};
         if (options_.response_timeout_ms)
-            options.limits.deadline = told + std::chrono::milliseconds(*options_.response_timeout_ms);
+            options.limits.deadline = reported_at + std::chrono::milliseconds(*options_.response_timeout_ms);
         options.limits.progress = [&](const Progress& now) {
-            if (std::chrono::steady_clock::now() - told < progress_interval) return;
-            told = std::chrono::steady_clock::now();
+            if (std::chrono::steady_clock::now() - reported_at < progress_interval) return;
+            reported_at = std::chrono::steady_clock::now();
             proof.progress = now.words();
             publish();
         };
@@ -235,27 +235,27 @@ private:
         if (stale_) return;
         proof.state = report ? "done" : "refused";
         proof.progress.clear();
-        if (report) take_over(*report, proof);
+        if (report) store_result(*report, proof);
         publish();
     }
 
     std::optional<Report> report_on(const Proof& proof, const CheckOptions& options) const {
-        const Model& model = *piece_of_work_->reading.model;
+        const Model& model = *checked_file_->reading.model;
         if (proof.is_loop)
-            return check(loop_to_check(model, {proof.place}, *piece_of_work_->networks[proof.place]), options);
+            return check(loop_to_check(model, {proof.place}, *checked_file_->networks[proof.place]), options);
         Diagnostics already_reported;
         return check_untimed(model, Id<Chart>{proof.place}, {options_.mode, options_.grain, {}}, options,
                              already_reported);
     }
 
-    void take_over(const Report& report, Proof& proof) const {
-        const Model& model = *piece_of_work_->reading.model;
+    void store_result(const Report& report, Proof& proof) const {
+        const Model& model = *checked_file_->reading.model;
         const Id<ClosedLoop> loop = proof.is_loop ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
         const auto add_result = [&](PropertyResult answer) {
             std::string& reason = answer.verdict.reason;
             reason = with_who_stopped(std::move(reason), false, {.timeout_ms = options_.response_timeout_ms});
             proof.properties.push_back(json_of(
-                answer, expectation_text(model, loop, answer.verdict.property, piece_of_work_->reading.sources)));
+                answer, expectation_text(model, loop, answer.verdict.property, checked_file_->reading.sources)));
         };
         for (const PropertyResult& answer : report.answers) add_result(answer);
         if (loop.valid())
@@ -276,12 +276,12 @@ private:
 
     void take_up(std::shared_ptr<CheckedFile> piece) {
         piece->number = ++readings_;
-        piece_of_work_ = std::move(piece);
+        checked_file_ = std::move(piece);
         publish();
     }
 
     void publish() {
-        const CheckedFile& piece = *piece_of_work_;
+        const CheckedFile& piece = *checked_file_;
         Json models = Json::array(), charts = Json::array();
         for (const Proof& proof : proofs_) models.push_back(proof.json());
         if (piece.reading.model)
@@ -300,7 +300,7 @@ private:
             const std::lock_guard hold(door_);
             state["version"] = ++version_;
             state_ = json_text(state, -1);
-            piece_ = piece_of_work_;
+            piece_ = checked_file_;
         }
         changed_();
     }
@@ -319,7 +319,7 @@ private:
     std::shared_ptr<const CheckedFile> piece_ = std::make_shared<CheckedFile>();
 
     // Only the thread that reads and checks uses the following members.
-    std::shared_ptr<const CheckedFile> piece_of_work_ = piece_;
+    std::shared_ptr<const CheckedFile> checked_file_ = piece_;
     std::vector<Proof> proofs_ = {};
     std::uint64_t readings_ = 0;
 
@@ -330,6 +330,6 @@ FileChecker::FileChecker(const Options& options, std::function<void()> changed)
     : work_(std::make_unique<Work>(options, std::move(changed))) {}
 FileChecker::~FileChecker() = default;
 std::optional<std::string> FileChecker::newer(std::uint64_t known) const { return work_->newer(known); }
-std::shared_ptr<const CheckedFile> FileChecker::workpiece() const { return work_->workpiece(); }
+std::shared_ptr<const CheckedFile> FileChecker::checked_file() const { return work_->checked_file(); }
 
 }  // namespace grafverif::app

@@ -38,7 +38,7 @@ public:
     /// Returns the state as JSON (docs/how-to/serve.md) if it is newer than `known`.
     std::optional<std::string> newer(std::uint64_t known) const;
     /// Returns the result of the last parse.
-    std::shared_ptr<const CheckedFile> workpiece() const;
+    std::shared_ptr<const CheckedFile> checked_file() const;
 
 private:
     class Work;

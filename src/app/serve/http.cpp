@@ -131,7 +131,7 @@ public:
 
     void run(const std::atomic<bool>& stop) {
         for (Tcp::acceptor& acceptor : acceptors_) accept(acceptor);
-        look_for(stop);
+        poll_stop_flag(stop);
         context_.run();
         threads_.stop();
         threads_.join();
@@ -140,7 +140,7 @@ public:
     void notify() {
         ++notices_;
         asio::post(context_, [this] {
-            for (const std::shared_ptr<Connection>& waiting : std::exchange(waiting_, {})) waiting->ask(false);
+            for (const std::shared_ptr<Connection>& waiting : std::exchange(waiting_, {})) waiting->call_handler(false);
         });
     }
 
@@ -175,7 +175,7 @@ private:
         }
 
         /// Calls the handler in one of the threads of `threads_`.
-        void ask(bool at_once) {
+        void call_handler(bool at_once) {
             timer_.cancel();
             asio::post(server_.threads_.context(), [self = shared_from_this(), at_once]() mutable {
                 const std::uint64_t notices = self->server_.notices_;
@@ -191,7 +191,7 @@ private:
                 asio::post(server.context_, [self = std::move(self), notices, answer = std::move(answer)]() mutable {
                     if (answer) return self->answer(std::move(*answer));
                     // If an event occurred during the call of the handler, the request may be waiting for it.
-                    self->server_.notices_ == notices ? self->wait() : self->ask(false);
+                    self->server_.notices_ == notices ? self->wait() : self->call_handler(false);
                 });
             });
         }
@@ -203,8 +203,7 @@ private:
             if (error == http::error::body_limit) return refuse(413, "the request is too large");
             if (error == http::error::header_limit) return refuse(431, "the header of the request is too large");
             if (error) return refuse(400, "malformed request");
-            if (auto [status, why] = server_.preservation_obstacle(parser_.get()); status != 0)
-                return refuse(status, why);
+            if (auto [status, why] = server_.reason_to_reject(parser_.get()); status != 0) return refuse(status, why);
             if (server_.has_token(parser_.get())) identify();
             http::async_read(stream_, buffer_, parser_,
                              [self = shared_from_this()](beast::error_code failure, std::size_t) {
@@ -230,16 +229,16 @@ private:
             request_.body = std::move(parser_.get().body());
             last_moment_ = std::chrono::steady_clock::now() + std::chrono::seconds(server_.options_.longest_wait);
             stream_.expires_never();
-            ask(false);
+            call_handler(false);
         }
 
         void wait() {
-            if (gone_) return close();
+            if (disconnected_) return close();
             if (!std::exchange(watched_, true)) watch();
             server_.waiting_.insert(shared_from_this());
             timer_.expires_at(last_moment_);
             timer_.async_wait([self = shared_from_this()](beast::error_code error) {
-                if (!error && self->server_.waiting_.erase(self) != 0) self->ask(true);
+                if (!error && self->server_.waiting_.erase(self) != 0) self->call_handler(true);
             });
         }
 
@@ -253,7 +252,7 @@ private:
         }
 
         void leave() {
-            gone_ = true;
+            disconnected_ = true;
             timer_.cancel();
             if (server_.waiting_.erase(shared_from_this()) != 0) close();
         }
@@ -302,7 +301,7 @@ private:
         std::array<char, 4096> rest_ = {};
         HttpRequest request_ = {};
         std::chrono::steady_clock::time_point last_moment_ = {};
-        bool watched_ = false, gone_ = false;
+        bool watched_ = false, disconnected_ = false;
     };
 
     /// Listens on both addresses at one port. If the system chooses the port and it is in use on one of them, another
@@ -349,7 +348,7 @@ private:
     }
 
     /// True if `host` is an address of this server. Requests with any other Host are rejected.
-    bool is_internal_error(std::string_view host) const {
+    bool is_own_address(std::string_view host) const {
         const std::string end = ":" + std::to_string(port());
         return host == "127.0.0.1" + end || host == "[::1]" + end || host == "localhost" + end ||
                (port() == 80 && (host == "127.0.0.1" || host == "[::1]" || host == "localhost"));
@@ -357,12 +356,12 @@ private:
 
     /// Returns the reason to reject `request` before its body is read; the status is 0 if it is accepted.
     template <class Request>
-    std::pair<unsigned, std::string> preservation_obstacle(const Request& request) const {
-        if (!is_internal_error(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
+    std::pair<unsigned, std::string> reason_to_reject(const Request& request) const {
+        if (!is_own_address(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
             return {421, "unknown host name"};
         const std::string_view origin = text_of(request[http::field::origin]);
         if (request.count(http::field::origin) > 1 ||
-            (!origin.empty() && !(origin.starts_with("http://") && is_internal_error(origin.substr(7)))))
+            (!origin.empty() && !(origin.starts_with("http://") && is_own_address(origin.substr(7)))))
             return {403, "cross-origin request refused"};
         if (request.method() != http::verb::get && request.method() != http::verb::post)
             return {405, "only GET and POST are supported"};
@@ -380,10 +379,10 @@ private:
                      options_.token);
     }
 
-    void look_for(const std::atomic<bool>& stop) {
+    void poll_stop_flag(const std::atomic<bool>& stop) {
         if (stop) return context_.stop();
         stop_timer_.expires_after(std::chrono::milliseconds(50));
-        stop_timer_.async_wait([this, &stop](boost::system::error_code) { look_for(stop); });
+        stop_timer_.async_wait([this, &stop](boost::system::error_code) { poll_stop_flag(stop); });
     }
 
     HttpOptions options_;

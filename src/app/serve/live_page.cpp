@@ -57,8 +57,9 @@ std::uint64_t known_version(const HttpRequest& request) {
 /// Dispatches requests to their handlers.
 class RequestDispatcher {
 public:
-    /// The dispatcher calls `room` when a simulation ends, so that delayed requests are tried again.
-    RequestDispatcher(const Options& options, std::function<void()> room) : options_(options), room_(std::move(room)) {}
+    /// The dispatcher calls `on_capacity` when a simulation ends, so that delayed requests are tried again.
+    RequestDispatcher(const Options& options, std::function<void()> on_capacity)
+        : options_(options), on_capacity_(std::move(on_capacity)) {}
 
     void begin(FileChecker& bench) { bench_ = &bench; }
 
@@ -66,7 +67,7 @@ public:
         if (request.path == "/simulate")
             return request.post ? simulation(request, at_once) : HttpAnswer{405, "text/plain", "use POST for moves\n"};
         if (request.post) return HttpAnswer{405, "text/plain", "POST is not supported here\n"};
-        if (request.path == "/drawings") return HttpAnswer{.body = drawings(*bench_->workpiece())};
+        if (request.path == "/drawings") return HttpAnswer{.body = drawings(*bench_->checked_file())};
         if (request.path == "/report") return report_page(request);
         if (request.path == "/state") return state(known_version(request), at_once);
         if (request.path == "/") return file_named("live.html");
@@ -87,11 +88,11 @@ private:
             return {};
         }
         const std::unique_ptr<const RequestDispatcher, void (*)(const RequestDispatcher*)> place(
-            this, [](const RequestDispatcher* desk) {
-                desk->simulating_.release();
-                desk->room_();
+            this, [](const RequestDispatcher* dispatcher) {
+                dispatcher->simulating_.release();
+                dispatcher->on_capacity_();
             });
-        return HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)};
+        return HttpAnswer{.body = play(*bench_->checked_file(), options_, request.body)};
     }
 
     /// Returns the page that `report` writes. Only one is computed at a time.
@@ -115,7 +116,7 @@ private:
     }
 
     const Options& options_;
-    std::function<void()> room_;
+    std::function<void()> on_capacity_;
     FileChecker* bench_ = nullptr;
     mutable std::counting_semaphore<2> simulating_{2};
     mutable std::mutex reporting_ = {};
@@ -125,12 +126,12 @@ class LivePage::Parts {
 public:
     Parts(Options options, std::uint16_t port)
         : options_(std::move(options)),
-          desk_(options_, [this] { server_.notify(); }),
+          dispatcher_(options_, [this] { server_.notify(); }),
           token_(random_token()),
           server_({.port = port, .token = token_},
-                  [this](const HttpRequest& request, bool at_once) { return desk_.answer(request, at_once); }),
+                  [this](const HttpRequest& request, bool at_once) { return dispatcher_.answer(request, at_once); }),
           bench_(options_, [this] { server_.notify(); }) {
-        desk_.begin(bench_);
+        dispatcher_.begin(bench_);
     }
 
     std::string address() const { return fmt::format("http://127.0.0.1:{}/?token={}", server_.port(), token_); }
@@ -138,7 +139,7 @@ public:
 
 private:
     Options options_;
-    RequestDispatcher desk_;
+    RequestDispatcher dispatcher_;
     std::string token_;
     HttpServer server_;
     FileChecker bench_;

@@ -33,30 +33,30 @@ struct PlayRequest {
 
 Json error_text(const std::string& words) { return {{"error", printable(words)}}; }
 
-std::optional<PlayRequest> wish_of(const std::string& request) {
+std::optional<PlayRequest> parse_request(const std::string& request) {
     // The parser throws no exceptions and rejects deep nesting. The result is empty for invalid input.
     const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 4; };
     const Json json = Json::parse(request, shallow, false);
     if (!json.is_object()) return {};
-    PlayRequest wish;
+    PlayRequest parsed;
     const auto text = [&](const char* key, std::string& into) {
         if (json.contains(key) && json[key].is_string()) into = json[key].get<std::string>();
     };
     const auto number = [&](const char* key, std::uint64_t& into) {
         if (json.contains(key) && json[key].is_number_unsigned()) into = json[key].get<std::uint64_t>();
     };
-    text("loop", wish.loop);
-    text("chart", wish.chart);
-    number("seed", wish.seed);
-    number("random", wish.random);
-    wish.everything = json.contains("everything") && json["everything"] == true;
-    if (!json.contains("moves")) return wish;
+    text("loop", parsed.loop);
+    text("chart", parsed.chart);
+    number("seed", parsed.seed);
+    number("random", parsed.random);
+    parsed.everything = json.contains("everything") && json["everything"] == true;
+    if (!json.contains("moves")) return parsed;
     if (!json["moves"].is_array()) return {};
     for (const Json& move : json["moves"]) {
         if (!move.is_string()) return {};
-        wish.moves.push_back(move.get<std::string>());
+        parsed.moves.push_back(move.get<std::string>());
     }
-    return wish;
+    return parsed;
 }
 
 /// Returns the script line that is equivalent to a randomly chosen command.
@@ -73,13 +73,13 @@ public:
     MovePlayer(Simulation& simulation, std::vector<ElementIds> ids, std::map<std::string, std::string> writers)
         : simulation_(simulation), ids_(std::move(ids)), writers_(std::move(writers)) {}
 
-    Json play(const PlayRequest& wish) {
+    Json play(const PlayRequest& parsed) {
         problem_ = simulation_.begin();
         ends_.push_back(rows());
-        for (const std::string& move : wish.moves)
+        for (const std::string& move : parsed.moves)
             if (problem_.empty()) make(move);
-        RandomWalk walk(wish.seed);
-        for (std::uint64_t k = 0; k < wish.random && problem_.empty(); ++k) {
+        RandomWalk walk(parsed.seed);
+        for (std::uint64_t k = 0; k < parsed.random && problem_.empty(); ++k) {
             const std::optional<Command> next = walk.draw(simulation_);
             if (!next) break;
             make(line_of(*next, simulation_));
@@ -88,7 +88,7 @@ public:
     }
 
 private:
-    std::size_t rows() const { return simulation_.told().rows.size(); }
+    std::size_t rows() const { return simulation_.recorded_run().rows.size(); }
 
     void make(const std::string& move) {
         const Command command = command_of(move);
@@ -104,7 +104,7 @@ private:
 
     /// Returns the ids of the active steps in the drawings of the charts.
     Json lit(const ChartRun::State& state) const {
-        const ChartRun& run = simulation_.told();
+        const ChartRun& run = simulation_.recorded_run();
         Json list = Json::array();
         for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
             const ChartRun::Controller& controller = run.controllers[id];
@@ -116,7 +116,7 @@ private:
     }
 
     Json cleared(const ChartRun::Row& row) const {
-        const ChartRun& run = simulation_.told();
+        const ChartRun& run = simulation_.recorded_run();
         Json list = Json::array();
         for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
             const auto& transitions = run.controllers[id].transitions;
@@ -130,7 +130,7 @@ private:
 
     /// Returns the last rows, as many as a page shows, each with the move that caused it.
     Json rows_json() const {
-        const ChartRun& run = simulation_.told();
+        const ChartRun& run = simulation_.recorded_run();
         Json list = Json::array();
         for (std::size_t k = run.rows.size() - std::min(run.rows.size(), most_rows); k < run.rows.size(); ++k) {
             if (!is_shown(run, k)) continue;
@@ -152,7 +152,7 @@ private:
     }
 
     Json steps_json() const {
-        const ChartRun& run = simulation_.told();
+        const ChartRun& run = simulation_.recorded_run();
         const auto& now = run.moments.back().after.situation;
         Json list = Json::array();
         for (const Id<ChartRun::Step> id : run.steps.ids())
@@ -161,7 +161,7 @@ private:
     }
 
     Json signals_json() const {
-        const ChartRun& run = simulation_.told();
+        const ChartRun& run = simulation_.recorded_run();
         const ChartRun::State& now = run.moments.back().after;
         Json list = Json::array();
         for (const Id<ChartRun::Signal> id : run.signals.ids()) {
@@ -179,26 +179,26 @@ private:
     }
 
     Json answer() const {
-        const DelayBounds patience = simulation_.patience();
+        const DelayBounds delay_bounds = simulation_.delay_bounds();
         const auto milliseconds = [&](const std::optional<std::int64_t>& units) {
-            return units ? Json(*units * patience.unit_ms) : Json(nullptr);
+            return units ? Json(*units * delay_bounds.unit_ms) : Json(nullptr);
         };
         Json choices = Json::array();
         for (const Choice& choice : simulation_.choices())
             choices.push_back({{"words", choice.words}, {"command", choice.command}});
         return {{"moves", made_},
                 {"problem", printable(problem_)},
-                {"time", simulation_.told().moments.back().after.time_ms},
+                {"time", simulation_.recorded_run().moments.back().after.time_ms},
                 {"rows", rows_json()},
                 {"trial", simulation_.what_if_row().has_value()},
                 {"signals", signals_json()},
                 {"steps", steps_json()},
                 {"choices", std::move(choices)},
                 {"wait",
-                 {{"may", patience.may_pass},
-                  {"unit", patience.unit_ms},
-                  {"limit", milliseconds(patience.limit)},
-                  {"change", milliseconds(patience.change)}}},
+                 {{"may", delay_bounds.may_pass},
+                  {"unit", delay_bounds.unit_ms},
+                  {"limit", milliseconds(delay_bounds.limit)},
+                  {"change", milliseconds(delay_bounds.change)}}},
                 {"broken_constraints", simulation_.violated_constraints()}};
     }
 
@@ -241,26 +241,26 @@ Json marks_of(const Chart& chart, const ElementIds& ids) {
     return {{"transitions", std::move(transitions)}, {"actions", std::move(actions)}};
 }
 
-Json played(const CheckedFile& piece, const Options& options, const PlayRequest& wish) {
+Json played(const CheckedFile& piece, const Options& options, const PlayRequest& parsed) {
     if (!piece.reading.model) return error_text("the file has errors and cannot be simulated; correct them");
     const Model& model = *piece.reading.model;
-    if (!wish.loop.empty()) {
-        const auto loop = find_loop(model, wish.loop);
+    if (!parsed.loop.empty()) {
+        const auto loop = find_loop(model, parsed.loop);
         if (!loop || !piece.networks[loop->index])
-            return error_text("there is no closed loop `" + wish.loop + "` that can be simulated");
+            return error_text("there is no closed loop `" + parsed.loop + "` that can be simulated");
         std::vector<ElementIds> ids;
         for (const ClosedLoop::Controller& controller : model.loops[*loop].controllers)
             ids.push_back(element_ids(model.charts[controller.chart], drawing_prefix(controller.chart)));
         Simulation simulation(*piece.networks[loop->index], charts_of(model, model.loops[*loop]),
-                              wish.everything ? Detail::Everything : Detail::Chart);
-        return MovePlayer(simulation, std::move(ids), writers_of(model, model.loops[*loop])).play(wish);
+                              parsed.everything ? Detail::Everything : Detail::Chart);
+        return MovePlayer(simulation, std::move(ids), writers_of(model, model.loops[*loop])).play(parsed);
     }
-    const auto chart = find_chart(model, wish.chart);
+    const auto chart = find_chart(model, parsed.chart);
     if (!chart || !piece.runs[chart->index])
-        return error_text("there is no chart `" + wish.chart + "` that can be simulated");
+        return error_text("there is no chart `" + parsed.chart + "` that can be simulated");
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, options.mode),
-                          wish.everything ? Detail::Everything : Detail::Chart);
-    return MovePlayer(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}, {}).play(wish);
+                          parsed.everything ? Detail::Everything : Detail::Chart);
+    return MovePlayer(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}, {}).play(parsed);
 }
 
 }  // namespace
@@ -283,14 +283,14 @@ std::string drawings(const CheckedFile& piece) {
 }
 
 std::string play(const CheckedFile& piece, const Options& options, const std::string& request) {
-    const std::optional<PlayRequest> wish = wish_of(request);
+    const std::optional<PlayRequest> parsed = parse_request(request);
     Json answer;
-    if (!wish)
+    if (!parsed)
         answer = error_text("malformed request; send an object with `loop` or `chart`, and `moves`, a list of strings");
-    else if (wish->moves.size() > most_moves || wish->random > most_random_moves)
+    else if (parsed->moves.size() > most_moves || parsed->random > most_random_moves)
         answer = error_text("too many moves: at most " + std::to_string(most_moves) + " in total and " +
                             std::to_string(most_random_moves) + " at random per request");
-    else answer = played(piece, options, *wish);
+    else answer = played(piece, options, *parsed);
     return json_text(answer, -1);
 }
 

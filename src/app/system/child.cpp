@@ -33,17 +33,17 @@ namespace {
 std::array<std::atomic<pid_t>, 64> running = {};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
-void enlist(pid_t pid) {
-    for (std::atomic<pid_t>& place : running) {
+void register_child(pid_t pid) {
+    for (std::atomic<pid_t>& slot : running) {
         pid_t none = 0;
-        if (place.compare_exchange_strong(none, pid)) return;
+        if (slot.compare_exchange_strong(none, pid)) return;
     }
 }
 
-void strike_out(pid_t pid) {
-    for (std::atomic<pid_t>& place : running) {
+void unregister_child(pid_t pid) {
+    for (std::atomic<pid_t>& slot : running) {
         pid_t listed = pid;
-        if (place.compare_exchange_strong(listed, 0)) return;
+        if (slot.compare_exchange_strong(listed, 0)) return;
     }
 }
 
@@ -89,7 +89,7 @@ public:
         if (members_++ != 0) return;
         ::prctl(PR_GET_CHILD_SUBREAPER, &adopted_before_);
         ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-        new_states_ = our_children();
+        known_children_ = our_children();
     }
 
     void end() {
@@ -107,11 +107,11 @@ private:
         for (int round = 0; round < most_rounds; ++round) {
             bool found = false;
             for (const pid_t pid : our_children()) {
-                if (new_states_.contains(pid)) continue;
+                if (known_children_.contains(pid)) continue;
                 found = true;
                 if (::getpgid(pid) == pid) ::kill(-pid, SIGKILL);
                 if (::kill(pid, SIGKILL) == 0) reap(pid);
-                else new_states_.insert(pid);
+                else known_children_.insert(pid);
             }
             if (!found) return;
         }
@@ -120,12 +120,12 @@ private:
     std::mutex mutex_ = {};
     std::size_t members_ = 0;
     int adopted_before_ = 0;
-    std::set<pid_t> new_states_ = {};
+    std::set<pid_t> known_children_ = {};
 };
 
-ChildRegistry& family() {
-    static ChildRegistry ours;
-    return ours;
+ChildRegistry& child_registry() {
+    static ChildRegistry instance;
+    return instance;
 }
 
 pid_t spawn(const std::vector<std::string>& arguments, const ChildStreams& streams, const fs::path& folder) {
@@ -137,12 +137,12 @@ pid_t spawn(const std::vector<std::string>& arguments, const ChildStreams& strea
     posix_spawn_file_actions_adddup2(&actions, streams.output, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, streams.error, STDERR_FILENO);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    sigset_t none, ours;
+    sigset_t none, handled;
     sigemptyset(&none);
-    sigemptyset(&ours);
-    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&ours, signal);
+    sigemptyset(&handled);
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&handled, signal);
     posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &ours);
+    posix_spawnattr_setsigdefault(&attributes, &handled);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     posix_spawnattr_setpgroup(&attributes, 0);
     std::vector<std::string> copies = arguments;
@@ -160,14 +160,14 @@ pid_t spawn(const std::vector<std::string>& arguments, const ChildStreams& strea
 }  // namespace
 
 Child::Child(const std::vector<std::string>& arguments, const ChildStreams& streams, const fs::path& folder) {
-    family().begin();
+    child_registry().begin();
     try {
         pid_ = spawn(arguments, streams, folder);
     } catch (...) {
-        family().end();
+        child_registry().end();
         throw;
     }
-    enlist(pid_);
+    register_child(pid_);
 }
 
 std::optional<ChildEnd> Child::ended() {
@@ -188,19 +188,19 @@ void Child::end() {
     if (over_) return;
     const SignalBlocker whole;  // an interruption in this section would leave processes running
     ::kill(-pid_, SIGKILL);
-    strike_out(pid_);
+    unregister_child(pid_);
     reap(pid_);
     over_ = true;
-    family().end();
+    child_registry().end();
 }
 
 bool children_run() noexcept {
-    return std::ranges::any_of(running, [](const std::atomic<pid_t>& place) { return place.load() != 0; });
+    return std::ranges::any_of(running, [](const std::atomic<pid_t>& slot) { return slot.load() != 0; });
 }
 
 void kill_children_at_once() noexcept {
-    for (const std::atomic<pid_t>& place : running)
-        if (const pid_t pid = place.load(); pid != 0) ::kill(-pid, SIGKILL);
+    for (const std::atomic<pid_t>& slot : running)
+        if (const pid_t pid = slot.load(); pid != 0) ::kill(-pid, SIGKILL);
 }
 
 }  // namespace grafverif::app

@@ -17,9 +17,9 @@ constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler accesses only the following objects.
 std::atomic<bool> interrupted = false;
-std::atomic<int> listeners = 0;  ///< number of Interrupt objects
-std::atomic<int> guards = 0;     ///< number of SignalBlocker objects
-std::atomic<int> put_off = 0;    ///< the pending signal, which is raised after the last SignalBlocker
+std::atomic<int> listeners = 0;       ///< number of Interrupt objects
+std::atomic<int> guards = 0;          ///< number of SignalBlocker objects
+std::atomic<int> pending_signal = 0;  ///< the pending signal, which is raised after the last SignalBlocker
 std::array<struct sigaction, signals.size()> before = {};  ///< written only while this handler is not installed
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
@@ -40,7 +40,7 @@ void execute(int signal) {
 extern "C" void note_signal(int signal) {
     const int error = errno;
     if (listeners == 0 || interrupted.exchange(true)) {
-        if (guards != 0) put_off = signal;
+        if (guards != 0) pending_signal = signal;
         else execute(signal);
     }
     errno = error;
@@ -48,13 +48,13 @@ extern "C" void note_signal(int signal) {
 
 void watch() {
     if (listeners + guards != 0) return;
-    struct sigaction ours = {};
-    ours.sa_handler = note_signal;
-    ours.sa_flags = SA_RESTART;
-    ::sigemptyset(&ours.sa_mask);
+    struct sigaction action = {};
+    action.sa_handler = note_signal;
+    action.sa_flags = SA_RESTART;
+    ::sigemptyset(&action.sa_mask);
     for (std::size_t k = 0; k < signals.size(); ++k) {
         ::sigaction(signals[k], nullptr, &before[k]);
-        if (before[k].sa_handler != SIG_IGN) ::sigaction(signals[k], &ours, nullptr);
+        if (before[k].sa_handler != SIG_IGN) ::sigaction(signals[k], &action, nullptr);
     }
 }
 
@@ -98,7 +98,7 @@ SignalBlocker::~SignalBlocker() {
     --guards;
     unwatch();
     if (guards == 0)
-        if (const int signal = put_off.exchange(0); signal != 0) execute(signal);
+        if (const int signal = pending_signal.exchange(0); signal != 0) execute(signal);
 }
 
 }  // namespace grafverif::app

@@ -45,7 +45,7 @@ LineProcess::LineProcess(const std::string& command, const LineProcessLimits& li
     to_ = std::move(in.write);
     from_ = std::move(out.read);
     errors_ = std::move(err.read);
-    for (const Descriptor* ours : {&to_, &from_, &errors_}) set_nonblocking(*ours);
+    for (const Descriptor* pipe : {&to_, &from_, &errors_}) set_nonblocking(*pipe);
     pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);  // writing to a program that has ended must not raise a signal
 }
 
@@ -62,7 +62,7 @@ LineProcess::~LineProcess() {
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
-Reply LineProcess::ask(const std::string& line) {
+Reply LineProcess::request(const std::string& line) {
     Reply answer = result_for(line);
     over_ = answer.kind != Reply::Kind::Line;
     return answer;
@@ -70,13 +70,13 @@ Reply LineProcess::ask(const std::string& line) {
 
 Reply LineProcess::result_for(const std::string& line) {
     receive();
-    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)  // an unsolicited line
-        return {Reply::Kind::Flood, heard_.substr(0, end)};
+    if (const std::size_t end = received_.find('\n'); end != std::string::npos)  // an unsolicited line
+        return {Reply::Kind::Flood, received_.substr(0, end)};
     send(line);
-    const Steady::time_point deadline = Steady::now() + limits_.patience;
+    const Steady::time_point deadline = Steady::now() + limits_.response_timeout;
     for (;;) {
-        const bool answered = heard_.find('\n') != std::string::npos;
-        if (answered || heard_.size() > limits_.longest_line || !from_.open()) return result_so_far();
+        const bool answered = received_.find('\n') != std::string::npos;
+        if (answered || received_.size() > limits_.longest_line || !from_.open()) return result_so_far();
         if (stopped()) return {Reply::Kind::Stopped, {}};
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Steady::now());
         if (left.count() <= 0) return {Reply::Kind::Silent, {}};
@@ -89,10 +89,10 @@ Reply LineProcess::result_for(const std::string& line) {
 
 /// Returns the reply for the text received so far, if it contains a line or is too long, or if the output has ended.
 Reply LineProcess::result_so_far() {
-    const std::size_t end = heard_.find('\n');
-    if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Reply::Kind::Ended, heard_};
-    if (end != heard_.size() - 1) return {Reply::Kind::Flood, heard_.substr(0, end)};
-    std::string line = std::exchange(heard_, {});
+    const std::size_t end = received_.find('\n');
+    if (end == std::string::npos && received_.size() <= limits_.longest_line) return {Reply::Kind::Ended, received_};
+    if (end != received_.size() - 1) return {Reply::Kind::Flood, received_.substr(0, end)};
+    std::string line = std::exchange(received_, {});
     line.pop_back();
     return {Reply::Kind::Line, std::move(line)};
 }
@@ -105,14 +105,14 @@ void LineProcess::send() {
 }
 
 void LineProcess::receive() {
-    if (from_.open() && heard_.size() <= limits_.longest_line) heard_ += taken(from_, bytes_at_once);
+    if (from_.open() && received_.size() <= limits_.longest_line) received_ += taken(from_, bytes_at_once);
 }
 
 void LineProcess::listen() {
     constexpr std::size_t kept = 2000;
     if (!errors_.open()) return;
-    said_ += taken(errors_, bytes_at_once);
-    if (said_.size() > kept) said_.erase(0, said_.size() - kept);
+    error_output_ += taken(errors_, bytes_at_once);
+    if (error_output_.size() > kept) error_output_.erase(0, error_output_.size() - kept);
 }
 
 /// Waits until a pipe is ready, at most for `longest`, and at most 20 ms, so that a stop request is noticed in time.
@@ -143,9 +143,9 @@ std::string LineProcess::end_text() {
                    ? fmt::format("the controller was terminated by signal {} ({})", end.status, ::strsignal(end.status))
                    : fmt::format("the controller exited with code {}", end.status);
     }
-    if (!heard_.empty()) text += fmt::format(", after the incomplete line `{}`", shown_line(heard_));
+    if (!received_.empty()) text += fmt::format(", after the incomplete line `{}`", shown_line(received_));
     listen();
-    std::string_view last = said_;
+    std::string_view last = error_output_;
     while (last.ends_with('\n')) last.remove_suffix(1);
     last.remove_prefix(last.rfind('\n') + 1);  // if there is no line feed, npos + 1 is 0, and the complete text is used
     if (!last.empty()) text += fmt::format("; its error output: {}", shown_line(last));

@@ -15,7 +15,7 @@
 namespace grafverif::app {
 
 struct LineProcessLimits {
-    std::chrono::milliseconds patience{10'000};  ///< time limit for one response
+    std::chrono::milliseconds response_timeout{10'000};  ///< time limit for one response
     /// Maximum length of a line in bytes; a longer response is a Flood.
     std::size_t longest_line = std::size_t{64} << 10U;
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag
@@ -44,7 +44,7 @@ public:
     ~LineProcess();
 
     /// Sends `line` and waits for the response. After any reply other than Line, the connection has ended.
-    Reply ask(const std::string& line);
+    Reply request(const std::string& line);
     /// Sends `line`, which has no response, together with the next one.
     void send(const std::string& line) { unsent_ += line + '\n'; }
 
@@ -71,8 +71,8 @@ private:
     std::optional<Child> program_ = {};
     bool over_ = false;        ///< true if the last reply was not a line; the destructor then ends the program at once
     std::string unsent_ = {};  ///< text that has not been written to the program yet
-    std::string heard_ = {};   ///< the response received so far
-    std::string said_ = {};    ///< the end of its output on standard error
+    std::string received_ = {};      ///< the response received so far
+    std::string error_output_ = {};  ///< the end of its output on standard error
     void (*pipe_signal_before_)(int) = nullptr;
 };
 

@@ -145,7 +145,7 @@ Descriptor locked_folder(const fs::path& path) {
 }
 
 /// Removes the folders of killed runs of the same user in `where`.
-void remove_litter(const fs::path& where) {
+void remove_stale_folders(const fs::path& where) {
     std::error_code failure;
     for (auto entry = fs::directory_iterator(where, failure); !failure && entry != fs::directory_iterator();
          entry.increment(failure)) {
@@ -153,10 +153,10 @@ void remove_litter(const fs::path& where) {
         if (!name.starts_with(folder_name) || name.size() != folder_name.size() + random_part.size()) continue;
         const Descriptor folder = locked_folder(entry->path());
         struct stat mark = {};
-        const bool ours = folder.open() && ::fstatat(folder.number(), lock_mark, &mark, AT_SYMLINK_NOFOLLOW) == 0 &&
-                          mark.st_uid == ::geteuid();
+        const bool is_own = folder.open() && ::fstatat(folder.number(), lock_mark, &mark, AT_SYMLINK_NOFOLLOW) == 0 &&
+                            mark.st_uid == ::geteuid();
         std::error_code ignored;
-        if (ours) fs::remove_all(entry->path(), ignored);
+        if (is_own) fs::remove_all(entry->path(), ignored);
     }
 }
 
@@ -164,7 +164,7 @@ void remove_litter(const fs::path& where) {
 
 TemporaryFolder::TemporaryFolder() {
     const fs::path where = fs::absolute(fs::temp_directory_path());
-    remove_litter(where);
+    remove_stale_folders(where);
     std::string pattern = (where / folder_name).string() + std::string(random_part);
     if (::mkdtemp(pattern.data()) == nullptr)
         fail(errno, fmt::format("cannot create a temporary directory in `{}`", where.string()));

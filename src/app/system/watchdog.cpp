@@ -39,15 +39,15 @@ constexpr bool sanitized = false;
 /// Memory of the program itself: code, library, buffers.
 constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;
 /// Size of the reserve for reporting that memory is exhausted.
-constexpr std::size_t kept_back = std::size_t{2} << 20U;
-constexpr std::size_t kept_to_land = std::size_t{1} << 20U;  ///< size of the reserve for allocations that must not fail
+constexpr std::size_t reserve_size = std::size_t{2} << 20U;
+constexpr std::size_t landing_size = std::size_t{1} << 20U;  ///< size of the reserve for allocations that must not fail
 constexpr auto program_timeout = 3s, reader_timeout = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, poll_interval = 25ms;
 
-std::atomic<std::int64_t> telling = 0;        ///< steady-clock time at which printing of results began; 0 before
-std::atomic<std::int64_t> reporting_cpu = 0;  ///< processor time in nanoseconds that was used before printing began
+std::atomic<std::int64_t> reporting_start = 0;  ///< steady-clock time at which printing of results began; 0 before
+std::atomic<std::int64_t> reporting_cpu = 0;    ///< processor time in nanoseconds that was used before printing began
 std::atomic<void*> reserve = nullptr, landing = nullptr;
-thread_local bool keeping_back = false;
+thread_local bool is_reserving = false;
 
 void write_completely(std::string_view text) {
     while (!text.empty()) {
@@ -114,16 +114,17 @@ std::int64_t processor_time() {
 }
 
 /// Releases the reserved memory. Returns false if it was released before.
-bool give_back(std::atomic<void*>& kept) {
+bool release_reserve(std::atomic<void*>& kept) {
     void* const memory = kept.exchange(nullptr);
     ::operator delete(memory);
     return memory != nullptr;
 }
 
 void no_memory() {
-    if (keeping_back) throw std::bad_alloc();
-    if (must_not_fail() && (give_back(landing) || give_back(reserve))) return;  // operator new repeats the allocation
-    give_back(reserve);
+    if (is_reserving) throw std::bad_alloc();
+    if (must_not_fail() && (release_reserve(landing) || release_reserve(reserve)))
+        return;  // operator new repeats the allocation
+    release_reserve(reserve);
     throw std::bad_alloc();
 }
 
@@ -131,9 +132,9 @@ void no_memory() {
 /// takes half of the processor time of a start.
 bool keep(std::atomic<void*>& kept, std::size_t size) {
     if (kept != nullptr) return true;
-    keeping_back = true;
+    is_reserving = true;
     void* memory = ::operator new(size, std::nothrow);
-    keeping_back = false;
+    is_reserving = false;
     if (memory == nullptr) return false;
     memory = kept.exchange(memory);  // another thread may have stored memory at the same time
     ::operator delete(memory);
@@ -177,7 +178,7 @@ void grow_stack() {
 
 void work_is_done() {
     reporting_cpu = processor_time();
-    telling = std::max<std::int64_t>(1, std::chrono::steady_clock::now().time_since_epoch().count());
+    reporting_start = std::max<std::int64_t>(1, std::chrono::steady_clock::now().time_since_epoch().count());
 }
 
 void expect_memory_to_end() {
@@ -188,8 +189,8 @@ void expect_memory_to_end() {
 }
 
 bool keep_memory_back() {
-    const bool kept = keep(reserve, kept_back);
-    return keep(landing, kept_to_land) && kept;
+    const bool kept = keep(reserve, reserve_size);
+    return keep(landing, landing_size) && kept;
 }
 
 MemoryUnbounded::MemoryUnbounded() {
@@ -204,7 +205,7 @@ MemoryUnbounded::~MemoryUnbounded() {
 }
 
 Watchdog::Watchdog(WatchdogOptions orders) : orders_(std::move(orders)) {
-    telling = 0;
+    reporting_start = 0;
     if (orders_.timeout) {
         margin_ = grace + std::min<std::chrono::milliseconds>(*orders_.timeout / 10, longest_grace);
         last_moment_ = Steady::now() + *orders_.timeout + margin_;
@@ -250,12 +251,12 @@ const std::string* Watchdog::reason() {
     // Results may be printed after the time limit. This additional time is measured in processor time, so that neither
     // a slow reader nor a loaded computer truncates the results. After Ctrl-C, reader_timeout is the limit for a reader
     // that does not read at all.
-    const std::chrono::nanoseconds used(telling == 0 ? 0 : processor_time() - reporting_cpu);
-    const Steady::time_point told(Steady::duration(telling.load()));
-    const auto waited = interrupted_ ? now - std::max(*interrupted_, told) : Steady::duration(0);
-    if (interrupted_ && waited >= grace && (telling == 0 || used >= grace || waited >= reader_timeout))
+    const std::chrono::nanoseconds used(reporting_start == 0 ? 0 : processor_time() - reporting_cpu);
+    const Steady::time_point start(Steady::duration(reporting_start.load()));
+    const auto waited = interrupted_ ? now - std::max(*interrupted_, start) : Steady::duration(0);
+    if (interrupted_ && waited >= grace && (reporting_start == 0 || used >= grace || waited >= reader_timeout))
         return &orders_.interrupted;
-    const bool printed = telling == 0 || used >= margin_;
+    const bool printed = reporting_start == 0 || used >= margin_;
     if (last_moment_ && now >= *last_moment_ && printed) return &orders_.timed_out;
     constexpr std::uint64_t times = sanitized ? 4 : 1;
     if (orders_.max_memory && resident() > times * with_margin(*orders_.max_memory)) return &orders_.out_of_memory;

@@ -102,9 +102,9 @@ void remove_litter(const Folder& folder) {
 
 /// Waits for the lock on the folder. While it is held, no other run uses drafts in the folder.
 void lock(const Folder& folder) {
-    constexpr std::chrono::seconds patience{60};
+    constexpr std::chrono::seconds longest_wait{60};
     constexpr std::chrono::milliseconds nap{3};
-    for (const auto end = std::chrono::steady_clock::now() + patience;
+    for (const auto end = std::chrono::steady_clock::now() + longest_wait;
          ::flock(folder.open.number(), LOCK_EX | LOCK_NB) != 0;) {
         if (errno != EWOULDBLOCK && errno != EINTR) return;  // this file system does not support such locks
         if (std::chrono::steady_clock::now() > end)

@@ -67,7 +67,7 @@ private:
     void count(const TimedResult& found);
     PartNumbers others(const PartNumbers& chosen) const;
     std::vector<const OmittedSubsystem*> left_out(const PartNumbers& chosen) const;
-    std::vector<Run> beside(const PartNumbers& chosen) const;
+    std::vector<Run> other_runs(const PartNumbers& chosen) const;
     std::vector<std::string> names(const PartNumbers& chosen) const;
 
     const Network& network_;
@@ -102,12 +102,12 @@ SubsystemSearch DecomposedCheck::search(const PartNumbers& chosen, bool premises
     for (const SubsystemQuery& question : questions_) {
         const Property& property = question.property;
         deadlock_requested = deadlock_requested || (question.each && property.pattern == Pattern::NoDeadlock);
-        if (question.race) builder.ask(property);
+        if (question.race) builder.add_property(property);
         if (question.each || question.reads != chosen) continue;
-        if (!property.at_stable || settled_separately(property.pattern)) builder.ask(property);
+        if (!property.at_stable || settled_separately(property.pattern)) builder.add_property(property);
     }
-    builder.ask({.name = timelock_probe, .pattern = Pattern::NoTimelock});
-    if (premises && deadlock_requested) builder.ask({.name = deadlock_probe, .pattern = Pattern::NoDeadlock});
+    builder.add_property({.name = timelock_probe, .pattern = Pattern::NoTimelock});
+    if (premises && deadlock_requested) builder.add_property({.name = deadlock_probe, .pattern = Pattern::NoDeadlock});
     SubsystemSearch made{std::move(builder).build(), {}};
     TimedOptions options = options_;
     options.properties = {};
@@ -137,7 +137,7 @@ void DecomposedCheck::search_each() {
             const SubNetwork& of = each_[part].of;
             if (error.variable.valid()) error.variable = of.variables[error.variable.index];
             if (error.process.valid()) error.process = of.processes[error.process.index];
-            error.run = joined(in_complete(of, error.run), beside({part}), Ending::Anywhere).value_or(Run{});
+            error.run = joined(in_complete(of, error.run), other_runs({part}), Ending::Anywhere).value_or(Run{});
             result_.errors.push_back(std::move(error));
         }
 }
@@ -189,7 +189,7 @@ std::vector<const OmittedSubsystem*> DecomposedCheck::left_out(const PartNumbers
 
 /// Returns a run for each part that is not in `chosen` and has a run in which time diverges. The caller combines these
 /// runs with a run of the chosen parts.
-std::vector<Run> DecomposedCheck::beside(const PartNumbers& chosen) const {
+std::vector<Run> DecomposedCheck::other_runs(const PartNumbers& chosen) const {
     std::vector<Run> runs;
     for (const std::uint32_t part : others(chosen)) {
         const std::optional<Premises>& premises = each_[part].result.premises;
@@ -246,7 +246,8 @@ bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& ver
 /// Converts the run of the verdict to a run of the complete network.
 void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& chosen, bool at_stable) const {
     if (!verdict.run) return;
-    verdict.run = joined(in_complete(of, *verdict.run), beside(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
+    verdict.run =
+        joined(in_complete(of, *verdict.run), other_runs(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
     if (!verdict.run) {
         verdict.notes.emplace_back(
             "no trace is given: with the other sub-loops, it repeats only after very many steps");
@@ -254,7 +255,7 @@ void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNum
     }
     const bool maximal = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo ||
                          verdict.pattern == Pattern::NoTimelock;
-    if (maximal && !verdict.run->loop) verdict.run = gone_on(network_, std::move(*verdict.run));
+    if (maximal && !verdict.run->loop) verdict.run = continued(network_, std::move(*verdict.run));
     if (verdict.run->moves.size() <= most_moves) return;
     verdict.run.reset();
     verdict.notes.emplace_back("no trace is given: with the other sub-loops, it has too many moves");
@@ -303,8 +304,8 @@ void DecomposedCheck::result_of_each(SubsystemQuery& question) {
         }
         if (verdict.outcome == Outcome::Violated) return needs_complete(question, why);
         if (verdict.outcome == Outcome::Holds) continue;
-        const bool for_good = verdict.obstacle == UnknownReason::Faulty || verdict.obstacle == UnknownReason::Inexact;
-        if (!for_good && !carries(question, verdict, {part}, why)) return needs_complete(question, why);
+        const bool is_final = verdict.obstacle == UnknownReason::Faulty || verdict.obstacle == UnknownReason::Inexact;
+        if (!is_final && !carries(question, verdict, {part}, why)) return needs_complete(question, why);
         if (!unknown) unknown = verdict;
     }
     if (unknown) return take(question, std::move(*unknown));

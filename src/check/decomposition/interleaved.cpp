@@ -31,10 +31,10 @@ private:
     void search_complete();
     SearchScope scope(const PartList& chosen, std::string because) const;
 
-    SubsystemRun turn_run(const SubsystemResult& search, const FlatRun& run) const;
+    SubsystemRun subsystem_run(const SubsystemResult& search, const FlatRun& run) const;
     std::optional<FlatRun> complete_run(const SubsystemResult& search, const FlatRun& run, bool at_stable,
                                         Verdict& verdict);
-    SubsystemRun led_on(SubsystemRun made, const SubsystemStep& last, const PartList& rest);
+    SubsystemRun extended(SubsystemRun made, const SubsystemStep& last, const PartList& rest);
     std::vector<std::int64_t> here(SubsystemResult& search, const std::vector<std::int64_t>& whole);
     SubsystemRun settled(const PartList& parts);
 
@@ -114,7 +114,7 @@ void InterleavedCheck::answer(Id<Property> id) {
         rest.push_back(&parts_.omitted(part, verdict, property.at_stable));
     if (!parts_.timed() && decide_starved(id, found, verdict, rest)) return;
     const std::string why = parts_.timed() ? preservation_obstacle(verdict, property.at_stable, rest)
-                                           : untimed_objection(verdict, property.at_stable, rest);
+                                           : untimed_preservation_obstacle(verdict, property.at_stable, rest);
     if (!why.empty()) return needs_complete(id, why);
     std::optional<FlatRun> run;
     if (found.check->runs()[place]) run = complete_run(found, *found.check->runs()[place], property.at_stable, verdict);
@@ -145,10 +145,11 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
         give(id, verdict, scope(search.chosen, "shares nothing with it; the verdict is reached without it"), {});
         return true;
     }
-    const FlatRun way =
+    const FlatRun path =
         symbolic::run_of(model, {symbolic::shortest_trace(model, search.check->search_made(), waiting), {}, {}});
     SubsystemResult& moving = parts_.search({who});
-    const SubsystemRun made = behind(turn_run(search, way), turn_run(moving, parts_.turns(moving).endless_run()));
+    const SubsystemRun made =
+        concatenated(subsystem_run(search, path), subsystem_run(moving, parts_.interleaving(moving).endless_run()));
     verdict.outcome = Outcome::Violated;
     verdict.vacuous = false;
     verdict.notes = {"`" + (*mover)->name + "` can move forever while the others wait"};
@@ -207,7 +208,7 @@ void InterleavedCheck::search_complete() {
 // -- runs -------------------------------------------------------------------------------------------------------------
 
 /// Converts a run of the search to steps of the complete system.
-SubsystemRun InterleavedCheck::turn_run(const SubsystemResult& search, const FlatRun& run) const {
+SubsystemRun InterleavedCheck::subsystem_run(const SubsystemResult& search, const FlatRun& run) const {
     const System& system = search.system;
     const FlatSystem& part = search.check->flat();
     const std::vector<Id<FlatSystem::Variable>> in_complete = variables_in_complete(part, parts_.flat());
@@ -235,7 +236,7 @@ std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const 
         variables_in_complete(search.check->flat(), parts_.flat());
     std::vector<std::int64_t> made;
     for (const Id<FlatSystem::Variable> id : in_complete) made.push_back(whole[id.index]);
-    if (parts_.turns(search).reaches(made)) return made;
+    if (parts_.interleaving(search).reaches(made)) return made;
     const std::vector<std::int64_t> first = replayed(parts_.flat(), {}).states.back();
     const std::vector<std::uint32_t> part_of = parts_of_symbols(system_);
     for (std::size_t symbol = 0; symbol < part_of.size(); ++symbol) {
@@ -249,13 +250,13 @@ std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const 
 
 /// Continues the run after the state in which the searched subsystems stop: the other subsystems move until they must
 /// also wait, or forever.
-SubsystemRun InterleavedCheck::led_on(SubsystemRun made, const SubsystemStep& last, const PartList& rest) {
+SubsystemRun InterleavedCheck::extended(SubsystemRun made, const SubsystemStep& last, const PartList& rest) {
     const std::vector<std::int64_t> so_far = replayed(parts_.flat(), made).states.back();
     for (const std::uint32_t part : rest) {
         SubsystemResult& other = parts_.search({part});
-        const Bdd goal = parts_.timed() ? parts_.turns(other).still() : parts_.turns(other).ready();
-        const FlatRun more = parts_.turns(other).moves_on(here(other, so_far), goal);
-        made = behind(std::move(made), turn_run(other, more));
+        const Bdd goal = parts_.timed() ? parts_.interleaving(other).still() : parts_.interleaving(other).ready();
+        const FlatRun more = parts_.interleaving(other).moves_on(here(other, so_far), goal);
+        made = concatenated(std::move(made), subsystem_run(other, more));
         if (made.loop) return made;
     }
     made.loop = made.steps.size();
@@ -269,8 +270,10 @@ SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     const std::vector<std::int64_t> first = replayed(parts_.flat(), {}).states.back();
     for (const std::uint32_t part : parts) {
         SubsystemResult& other = parts_.search({part});
-        const Bdd goal = other.check->meaning(other.system, other.system.settled) & parts_.turns(other).reached();
-        made = behind(std::move(made), turn_run(other, parts_.turns(other).moves_on(here(other, first), goal)));
+        const Bdd goal =
+            other.check->meaning(other.system, other.system.settled) & parts_.interleaving(other).reached();
+        made = concatenated(std::move(made),
+                            subsystem_run(other, parts_.interleaving(other).moves_on(here(other, first), goal)));
     }
     return made;
 }
@@ -278,7 +281,7 @@ SubsystemRun InterleavedCheck::settled(const PartList& parts) {
 /// Returns the run combined with runs of the other parts, or nullopt if the result would be too long.
 std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& search, const FlatRun& run, bool at_stable,
                                                       Verdict& verdict) {
-    SubsystemRun shown = turn_run(search, run);
+    SubsystemRun shown = subsystem_run(search, run);
     const PartList rest = parts_.others(search.chosen);
     const bool stands = shown.loop && std::all_of(shown.steps.begin() + static_cast<std::ptrdiff_t>(*shown.loop),
                                                   shown.steps.end(), [&](const SubsystemStep& step) {
@@ -292,15 +295,15 @@ std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& sea
     }
     std::optional<SubsystemRun> made;
     if (parts_.timed()) {
-        std::vector<SubsystemRun> beside;
+        std::vector<SubsystemRun> waiting_runs;
         for (const std::uint32_t part : rest)
-            if (const auto other = parts_.turns(parts_.search({part})).waiting_run())
-                beside.push_back(turn_run(parts_.search({part}), *other));
-        if (beside.size() == rest.size()) made = side_by_side(shown, beside, at_stable);
+            if (const auto other = parts_.interleaving(parts_.search({part})).waiting_run())
+                waiting_runs.push_back(subsystem_run(parts_.search({part}), *other));
+        if (waiting_runs.size() == rest.size()) made = side_by_side(shown, waiting_runs, at_stable);
     } else {
-        made = behind(at_stable ? settled(rest) : SubsystemRun{}, without_waits(shown));
+        made = concatenated(at_stable ? settled(rest) : SubsystemRun{}, without_waits(shown));
     }
-    if (made && stands) made = led_on(std::move(*made), last, rest);
+    if (made && stands) made = extended(std::move(*made), last, rest);
     if (made) return replayed(parts_.flat(), *made);
     verdict.notes.emplace_back("no trace is given: with the other sub-loops, it repeats only after very many steps");
     return {};

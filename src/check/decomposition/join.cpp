@@ -116,7 +116,7 @@ std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Endi
     return std::move(writer.run);
 }
 
-Run gone_on(const Network& network, Run run) {
+Run continued(const Network& network, Run run) {
     NetworkState state = initial_state(network);
     for (const Move& move : run.moves) perform(network, state, move);
     std::map<std::vector<std::int64_t>, std::size_t> seen;  // number of moves before each state

@@ -27,6 +27,6 @@ std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Endi
 
 /// Returns the run, continued by edges within its last instant until no edge is enabled, a state is repeated, or there
 /// are too many moves.
-Run gone_on(const Network& network, Run run);
+Run continued(const Network& network, Run run);
 
 }  // namespace grafverif

@@ -47,8 +47,8 @@ std::string preservation_obstacle(const Verdict& verdict, bool at_stable,
     return {};
 }
 
-std::string untimed_objection(const Verdict& verdict, bool at_stable,
-                              const std::vector<const OmittedSubsystem*>& left_out) {
+std::string untimed_preservation_obstacle(const Verdict& verdict, bool at_stable,
+                                          const std::vector<const OmittedSubsystem*>& left_out) {
     for (const OmittedSubsystem* const other : left_out) {
         const std::string name = "`" + other->name + "` ";
         if (!at_stable && preservation_class_of(verdict) != PreservationClass::Unavoidable) continue;

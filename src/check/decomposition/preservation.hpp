@@ -44,8 +44,8 @@ std::string because(const Verdict& verdict, bool at_stable);
 
 /// The same functions for abstract time. Subsystems then do not share anything. With abstract time, `settles` means
 /// that some state is quiescent, and `rests` means that there is no infinite run of moves.
-std::string untimed_objection(const Verdict& verdict, bool at_stable,
-                              const std::vector<const OmittedSubsystem*>& left_out);
+std::string untimed_preservation_obstacle(const Verdict& verdict, bool at_stable,
+                                          const std::vector<const OmittedSubsystem*>& left_out);
 std::string untimed_because(const Verdict& verdict, bool at_stable);
 
 /// True if `at stable` can be checked compositionally for properties of this pattern.

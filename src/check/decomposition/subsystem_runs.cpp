@@ -40,7 +40,7 @@ bool SubsystemRun::never_waits_again() const {
                         [](const SubsystemStep& step) { return step.kind == StepKind::Waits; });
 }
 
-SubsystemRun behind(SubsystemRun first, const SubsystemRun& second) {
+SubsystemRun concatenated(SubsystemRun first, const SubsystemRun& second) {
     if (second.loop) first.loop = first.steps.size() + *second.loop;
     first.steps.insert(first.steps.end(), second.steps.begin(), second.steps.end());
     return first;
@@ -57,8 +57,8 @@ SubsystemRun without_waits(const SubsystemRun& run) {
 
 std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::vector<SubsystemRun>& others,
                                          bool settling) {
-    std::vector<RunCursor> beside;
-    for (const SubsystemRun& other : others) beside.emplace_back(other);
+    std::vector<RunCursor> cursors;
+    for (const SubsystemRun& other : others) cursors.emplace_back(other);
     SubsystemRun made;
     // Combinations of positions in all runs, with the index of the first step that has these positions.
     std::map<std::vector<std::size_t>, std::size_t> seen;
@@ -66,7 +66,7 @@ std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::v
     for (RunCursor here(shown); !here.over() && made.steps.size() <= most_steps; here.go_on()) {
         if (shown.loop && here.place() == *shown.loop) {
             std::vector<std::size_t> places;
-            for (const RunCursor& other : beside) places.push_back(alone ? 0 : other.place());
+            for (const RunCursor& other : cursors) places.push_back(alone ? 0 : other.place());
             const auto [known, fresh] = seen.emplace(std::move(places), made.steps.size());
             if (!fresh) {
                 made.loop = known->second;
@@ -74,7 +74,7 @@ std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::v
             }
         }
         if (here.now().kind == StepKind::Waits)
-            for (RunCursor& other : beside) {
+            for (RunCursor& other : cursors) {
                 other.move_on(made);
                 other.go_on();
             }
@@ -82,7 +82,7 @@ std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::v
     }
     if (shown.loop || made.steps.size() > most_steps) return {};
     if (settling)
-        for (RunCursor& other : beside) other.move_on(made);
+        for (RunCursor& other : cursors) other.move_on(made);
     return made;
 }
 

@@ -31,7 +31,7 @@ struct SubsystemRun {
 
 /// Returns the concatenation of two runs. Requires that the first run is finite and that the second begins in its last
 /// state.
-SubsystemRun behind(SubsystemRun first, const SubsystemRun& second);
+SubsystemRun concatenated(SubsystemRun first, const SubsystemRun& second);
 
 /// Returns the run without the steps of the kind `Waits`. Requires that the loop, if any, also contains a step of
 /// another kind.

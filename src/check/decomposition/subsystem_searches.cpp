@@ -110,13 +110,13 @@ void SubsystemSearches::run(SubsystemResult& made) {
     made.as.searched = made.check->complete();
 }
 
-symbolic::InterleavingPremises& SubsystemSearches::turns(SubsystemResult& search) {
-    if (search.turns) return *search.turns;
+symbolic::InterleavingPremises& SubsystemSearches::interleaving(SubsystemResult& search) {
+    if (search.interleaving) return *search.interleaving;
     std::vector<Id<Expr>> moves;
     for (const std::uint32_t part : search.chosen) moves.push_back(system_.parts.each[part].moves);
-    search.turns =
+    search.interleaving =
         std::make_unique<symbolic::InterleavingPremises>(search.system, *search.check, system_.parts.waits, moves);
-    return *search.turns;
+    return *search.interleaving;
 }
 
 /// Determines the properties of a part on which a verdict about other parts depends.
@@ -125,18 +125,18 @@ void SubsystemSearches::know(SubsystemResult& search, PreservationClass claim, b
     if (!as.searched || (claim == PreservationClass::Everywhere && !at_stable)) return;
     // A query that reached the memory limit is repeated by the next call.
     if (timed() && !search.knows_time) {
-        as.never_locks = turns(search).never_locks();
-        as.diverges = as.never_locks || turns(search).diverges();
+        as.never_locks = interleaving(search).never_locks();
+        as.diverges = as.never_locks || interleaving(search).diverges();
         search.knows_time = true;
     }
     if (claim == PreservationClass::Unavoidable && !search.knows_rest) {
-        as.rests = turns(search).rests();
+        as.rests = interleaving(search).rests();
         search.knows_rest = true;
     }
     if (!at_stable || !search.system.settled.valid() || search.knows_settled) return;
     const Bdd settled = search.check->meaning(search.system, search.system.settled);
-    as.settles =
-        timed() ? (turns(search).ready() & ~settled).is_false() : !(turns(search).reached() & settled).is_false();
+    as.settles = timed() ? (interleaving(search).ready() & ~settled).is_false()
+                         : !(interleaving(search).reached() & settled).is_false();
     search.knows_settled = true;
 }
 

@@ -23,7 +23,7 @@ struct SubsystemResult {
     std::vector<Id<Property>> requested = {};  ///< properties of the complete system, in the order of the verdicts
     std::unique_ptr<symbolic::Check> check = {};
     SymbolicResult result = {};
-    std::unique_ptr<symbolic::InterleavingPremises> turns = {};
+    std::unique_ptr<symbolic::InterleavingPremises> interleaving = {};
     OmittedSubsystem as = {};
     /// True if the corresponding properties in `as` are known.
     bool knows_time = false, knows_rest = false, knows_settled = false;
@@ -50,7 +50,7 @@ public:
 
     /// Returns the search of these parts. The search is created on first use and stored.
     SubsystemResult& search(const PartList& chosen);
-    symbolic::InterleavingPremises& turns(SubsystemResult& search);
+    symbolic::InterleavingPremises& interleaving(SubsystemResult& search);
     /// Returns the properties of a part on which a verdict about other parts depends.
     const OmittedSubsystem& omitted(std::uint32_t part, const Verdict& verdict, bool at_stable);
     void forget() { searches_.clear(); }

@@ -49,7 +49,7 @@ Circuit with_numbers(Circuit circuit) {
     return circuit;
 }
 
-std::optional<bool> preservation_class_of(std::string_view text) {
+std::optional<bool> witness_result(std::string_view text) {
     while (!text.empty()) {
         const std::string_view line = next_line(text);
         if (line == "1" || line == "sat") return true;
@@ -114,10 +114,11 @@ std::optional<std::vector<pdr::Cube>> read_invariant(const Circuit& circuit, std
     return cubes;
 }
 
-std::string failure_of(const ProgramResult& said) {
-    if (std::string ended = ended_by(said); !ended.empty()) return ended;
-    return said.status == 0 ? "the program printed no verdict"
-                            : "the program printed no verdict and exited with status " + std::to_string(said.status);
+std::string failure_of(const ProgramResult& program_result) {
+    if (std::string ended = ended_by(program_result); !ended.empty()) return ended;
+    return program_result.status == 0
+               ? "the program printed no verdict"
+               : "the program printed no verdict and exited with status " + std::to_string(program_result.status);
 }
 
 }  // namespace grafverif::hwmcc

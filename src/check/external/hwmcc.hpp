@@ -35,13 +35,13 @@ std::optional<std::vector<std::vector<bool>>> read_witness(const Circuit& circui
 std::string witness_of_abc(std::string_view text);
 /// Returns the first result line of a text: true for `1` or `sat` (the state is reachable), false for `0` or `unsat`
 /// (it is unreachable), otherwise empty.
-std::optional<bool> preservation_class_of(std::string_view text);
+std::optional<bool> witness_result(std::string_view text);
 
 /// Reads an invariant of ABC (`pdr -d -I FILE`). Returns the states that the invariant excludes, one cube per row. The
 /// result is empty if the invariant is invalid.
 std::optional<std::vector<pdr::Cube>> read_invariant(const Circuit& circuit, std::string_view text);
 
 /// Returns the reason why a program gave no result.
-std::string failure_of(const ProgramResult& said);
+std::string failure_of(const ProgramResult& program_result);
 
 }  // namespace grafverif::hwmcc

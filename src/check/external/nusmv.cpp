@@ -148,9 +148,9 @@ std::string state_count(std::string_view section) {
     return end != std::string_view::npos && section[end] == ' ' ? std::string(section.substr(0, end)) : std::string();
 }
 
-std::string failure_of(const ProgramResult& said) {
-    if (std::string ended = ended_by(said); !ended.empty()) return ended;
-    std::string_view text = said.err;
+std::string failure_of(const ProgramResult& program_result) {
+    if (std::string ended = ended_by(program_result); !ended.empty()) return ended;
+    std::string_view text = program_result.err;
     std::string last;
     while (!text.empty())
         if (const std::string_view line = trimmed_line(text); !line.empty()) last = line;
@@ -160,8 +160,9 @@ std::string failure_of(const ProgramResult& said) {
                         : "the program printed no verdict; end of its output: " + last;
 }
 
-UnknownReason obstacle_of(const ProgramResult& said) {
-    const bool stopped = said.end == ProgramResult::End::TimedOut || said.end == ProgramResult::End::Stopped;
+UnknownReason obstacle_of(const ProgramResult& program_result) {
+    const bool stopped =
+        program_result.end == ProgramResult::End::TimedOut || program_result.end == ProgramResult::End::Stopped;
     return stopped ? UnknownReason::Stopped : UnknownReason::Failed;
 }
 
@@ -169,8 +170,8 @@ UnknownReason obstacle_of(const ProgramResult& said) {
 /// is ignored.
 class NusmvOutput {
 public:
-    explicit NusmvOutput(const ProgramResult& said) {
-        if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
+    explicit NusmvOutput(const ProgramResult& program_result) {
+        if (program_result.end != ProgramResult::End::Signalled) sections_ = sections(program_result.out);
     }
 
     /// Returns a section, or an empty string if there is no such section or there are several.
@@ -198,11 +199,11 @@ struct NusmvQuery {
 };
 
 /// Validates the result of the program, sets the verdict, and returns the run that shows it.
-std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, const std::string& name,
-                                const NusmvQuery& question, const ProgramResult& said) {
+std::optional<SystemRun> validated(Verdict& verdict, const NusmvOutput& answers, const std::string& name,
+                                   const NusmvQuery& question, const ProgramResult& program_result) {
     const std::vector<bool> truths = answers.truths_of(name);
     if (truths.size() != 1) {
-        if (truths.empty()) set_unknown(verdict, obstacle_of(said), failure_of(said));
+        if (truths.empty()) set_unknown(verdict, obstacle_of(program_result), failure_of(program_result));
         else distrust(verdict, "the program printed more than one verdict");
         return {};
     }
@@ -212,15 +213,15 @@ std::optional<SystemRun> judged(Verdict& verdict, const NusmvOutput& answers, co
     if (truths.front()) return {};
     const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo ||
                              pattern == Pattern::RawLtl || pattern == Pattern::RawCtl;
-    const auto told = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
-    const std::string why = !told ? "the program printed no trace for its verdict"
-                                  : doubt(question.system, question.flat, question.property, *told);
+    const auto printed_trace = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
+    const std::string why = !printed_trace ? "the program printed no trace for its verdict"
+                                           : doubt(question.system, question.flat, question.property, *printed_trace);
     if (!why.empty()) {
         distrust(verdict, why);
         return {};
     }
-    SystemRun run{{}, told->loop};
-    for (const std::vector<std::int64_t>& state : told->states)
+    SystemRun run{{}, printed_trace->loop};
+    for (const std::vector<std::int64_t>& state : printed_trace->states)
         run.states.push_back(symbol_values(question.flat, state));
     return run;
 }
@@ -239,9 +240,9 @@ std::string nusmv_commands(const std::string& model, const SystemSpelling& spell
 }
 
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
-                       const std::vector<std::size_t>& properties, const ProgramResult& said) {
+                       const std::vector<std::size_t>& properties, const ProgramResult& program_result) {
     FlatSystem flat = flattened(system);
-    const NusmvOutput answers(said);
+    const NusmvOutput answers(program_result);
     NusmvResult result;
     const std::string_view totality = answers.section("fsm");
     for (const std::string_view words : {"The transition relation is total", "the machine is deadlock-free"})
@@ -254,8 +255,10 @@ NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spe
         std::optional<SystemRun> run;
         if (!totality.empty() && !result.total)
             set_unknown(verdict, UnknownReason::Faulty, "some reachable state has no successor");
-        else if (totality.empty()) set_unknown(verdict, obstacle_of(said), failure_of(said));
-        else run = judged(verdict, answers, std::to_string(index), {system, flat, spelling, property}, said);
+        else if (totality.empty()) set_unknown(verdict, obstacle_of(program_result), failure_of(program_result));
+        else
+            run =
+                validated(verdict, answers, std::to_string(index), {system, flat, spelling, property}, program_result);
         result.verdicts.push_back(std::move(verdict));
         result.runs.push_back(std::move(run));
     }

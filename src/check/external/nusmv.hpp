@@ -34,6 +34,6 @@ struct NusmvResult {
 /// unknown (`engine-disagrees`) if a false specification has no run of the system that shows it, or if a property has
 /// two verdicts.
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
-                       const std::vector<std::size_t>& properties, const ProgramResult& said);
+                       const std::vector<std::size_t>& properties, const ProgramResult& program_result);
 
 }  // namespace grafverif

@@ -86,7 +86,7 @@ Verdict unasked(Verdict verdict) {
     return verdict;
 }
 
-Verdict ask(Verdict verdict, const ExternalQuery& question, const ExternalOptions& options) {
+Verdict run_query(Verdict verdict, const ExternalQuery& question, const ExternalOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     ExternalResult answer = question.formula.empty() ? undecided(UnknownReason::Unsupported, question.reason)
                                                      : read_verifyta(options.run(question.formula));
@@ -98,7 +98,7 @@ Verdict ask(Verdict verdict, const ExternalQuery& question, const ExternalOption
 }
 
 /// Makes a verdict unknown if two stored actions of the model may race.
-void take_back(Verdict& verdict) {
+void withdraw(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
     set_unknown(verdict, UnknownReason::Faulty, "stored actions can race; see `no_race`");
 }
@@ -118,9 +118,9 @@ ExternalResult read_verifyta(const ProgramResult& result) {
     if (open == 1)
         return undecided(UnknownReason::Inexact, "verifyta reports that the formula may or may not be satisfied");
     if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, UnknownReason::None, {}};
-    std::string said = first_line(marked(result.err));
-    if (said.empty()) said = "exit code " + std::to_string(result.status);
-    return undecided(UnknownReason::Failed, "verifyta printed no verdict: " + said);
+    std::string error_line = first_line(marked(result.err));
+    if (error_line.empty()) error_line = "exit code " + std::to_string(result.status);
+    return undecided(UnknownReason::Failed, "verifyta printed no verdict: " + error_line);
 }
 
 std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuery> questions,
@@ -141,12 +141,12 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
         if (queries_race(network, question)) race = verdicts.size();
         else if (is_probe(property) ? !holds(probed_by(property)) : !requested(property)) continue;
         verdicts.push_back(stopped ? unasked(verdict_on(network, question))
-                                   : ask(verdict_on(network, question), question, options));
+                                   : run_query(verdict_on(network, question), question, options));
         stopped = stopped || verdicts.back().obstacle == UnknownReason::Stopped;
     }
     if (network.race.valid() && (!race || verdicts[*race].outcome != Outcome::Holds))
         for (std::size_t i = 0; i < verdicts.size(); ++i)
-            if (i != race) take_back(verdicts[i]);
+            if (i != race) withdraw(verdicts[i]);
     apply_probes(network.properties, verdicts);
     std::erase_if(verdicts, [&](const Verdict& verdict) { return is_probe(network.properties[verdict.about]); });
     const auto about_time = [](const Property& property) { return property.pattern == Pattern::NoTimelock; };

@@ -269,7 +269,7 @@ public:
           signature_(signature_variables(run.network)),
           stages_(stages_of(run, signature_)),
           instance_of_(network.processes.size(), none) {
-        questions_.ask({}, property);
+        questions_.add_query({}, property);
         for (std::size_t i = 0; i < run.instances.size(); ++i) instance_of_[run.instances[i].process.index] = i;
     }
 
@@ -317,7 +317,7 @@ private:
         const std::size_t next = std::min(stage + 1, stages_.size() - 1);
         open_.push({stages_.size() - stage, distance(at, next), *node});
         last_stage_ = std::max(last_stage_, stage);
-        if (!shown_ && watch_.wants(machine_, at, registers_)) {
+        if (!shown_ && watch_.needs(machine_, at, registers_)) {
             watch_.look(machine_, static_cast<std::uint32_t>(*node), at, registers_);
             shown_ = questions_.state_found(0);
         }

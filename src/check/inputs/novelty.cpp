@@ -39,7 +39,7 @@ class NoveltySearch::States {
 public:
     States(const Network& network, std::vector<Property> properties, const std::vector<AbstractableProcess>& instances)
         : machine_(network), properties_(std::move(properties)), queries_(network, machine_, monitor_) {
-        for (const Property& property : properties_) queries_.ask({}, property);
+        for (const Property& property : properties_) queries_.add_query({}, property);
         is_autonomous_.resize(network.processes.size());
         for (const AbstractableProcess& instance : instances)
             is_autonomous_[instance.process.index] = instance.autonomous;
@@ -86,7 +86,7 @@ private:
         situations_.push_back(now);
         const std::size_t earlier = visits_[now.signature]++;
         open_.push({std::size_t(std::bit_width(earlier)) + 2 * now.moves, *state});
-        if (!monitor_.wants(machine_, words, registers_)) return;
+        if (!monitor_.needs(machine_, words, registers_)) return;
         monitor_.look(machine_, static_cast<std::uint32_t>(*state), words, registers_);
     }
 

@@ -16,7 +16,7 @@ namespace {
 
 using Variable = Id<Network::Variable>;
 
-constexpr std::int64_t most_tried = 4096;  // maximum number of values that are enumerated
+constexpr std::int64_t most_combinations = 4096;  // maximum number of values that are enumerated
 
 class Faults {
 public:
@@ -52,7 +52,7 @@ public:
             for (const Id<Expr> leaf : leaves(network_.exprs, term)) {
                 const Type& of = network_.variables[variable_of(leaf)].type;
                 if (!now.emplace(network_.exprs[leaf].value, of.low).second) continue;
-                combinations = std::min(combinations * (of.high - of.low + 1), most_tried + 1);
+                combinations = std::min(combinations * (of.high - of.low + 1), most_combinations + 1);
             }
         };
         read(value);
@@ -64,7 +64,7 @@ public:
             for (const Id<Expr> conjunct : operands_of(network_.exprs, edge.guard, Op::And))
                 if (reads_some(conjunct, now)) guards.push_back(conjunct);
         for (const Id<Expr> guard : guards) read(guard);
-        if (combinations > most_tried) return false;
+        if (combinations > most_combinations) return false;
         do {
             const auto of = [&](const Expr& leaf) { return now.at(leaf.value); };
             const bool enabled = std::ranges::all_of(

@@ -55,11 +55,11 @@ public:
 
     void begin() {
         if (!has_local(network_, options_)) return search_complete();
-        look_at_whole();
+        search_complete_model();
         // This restriction is necessary because a property that holds by localization may be unknown or vacuous in the
         // complete network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
-        ask();
+        collect_queries();
         if (tasks_.empty() && !race_) return;
         may_err_ = cells_that_may_err(network_, cells_);
         if (may_err_.contains(NetworkFragments::none)) return;
@@ -96,15 +96,15 @@ private:
         Cells reads = {};
     };
 
-    void look_at_whole();
+    void search_complete_model();
     bool is_open() const;
-    void ask();
+    void collect_queries();
     bool about_race(const Property& property) const;
     void search_locally();
     void search(const Task& task);
     void go_on_with(Open open);
     void know(const Property& property);
-    std::string taken_to_do(const LocalNetwork& local) const;
+    std::string assumed_behaviour(const LocalNetwork& local) const;
     SearchScope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
 
@@ -131,7 +131,7 @@ private:
 
 /// Explores a small number of states of the complete network. Often these are all reachable states. Otherwise many
 /// properties are decided by states near the initial state.
-void LocalizationCheck::look_at_whole() {
+void LocalizationCheck::search_complete_model() {
     TimedOptions first = options_;
     first.max_states = std::min(options_.max_states, limits_.whole);
     const bool at_stable = std::ranges::any_of(network_.properties, [&](const Property& property) {
@@ -155,7 +155,7 @@ bool LocalizationCheck::is_open() const {
     });
 }
 
-void LocalizationCheck::ask() {
+void LocalizationCheck::collect_queries() {
     std::map<Cells, std::vector<std::size_t>> groups;
     for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
         const Verdict& verdict = result_.verdicts[k];
@@ -184,11 +184,11 @@ bool LocalizationCheck::about_race(const Property& property) const {
 
 /// Searches the fragments that each query reads, and each fragment that may have a model error.
 void LocalizationCheck::search_locally() {
-    std::set<std::uint32_t> looked_at;
+    std::set<std::uint32_t> searched_cells;
     const auto work = [&] {
         while (!tasks_.empty()) {
             for (; !tasks_.empty(); tasks_.pop_front()) {
-                looked_at.insert(tasks_.front().cells.begin(), tasks_.front().cells.end());
+                searched_cells.insert(tasks_.front().cells.begin(), tasks_.front().cells.end());
                 search(tasks_.front());
             }
             for (Open& open : std::exchange(open_, {})) go_on_with(std::move(open));
@@ -234,7 +234,8 @@ void LocalizationCheck::search(const Task& task) {
         const Verdict& verdict = found.verdicts[i];
         const Outcome carries = wanted(*questions_[k]) ? Outcome::Violated : Outcome::Holds;
         if (verdict.outcome == carries) {
-            (found_[k] = verdict).scope = scope(std::set(task.cells.begin(), task.cells.end()), taken_to_do(local));
+            (found_[k] = verdict).scope =
+                scope(std::set(task.cells.begin(), task.cells.end()), assumed_behaviour(local));
             know(*questions_[k]);
         } else {
             left.requested.push_back(k);
@@ -257,7 +258,7 @@ void LocalizationCheck::know(const Property& property) {
         {property.name, is_true ? term : network_.exprs.negation(term), cells_read(network_, cells_, property)});
 }
 
-std::string LocalizationCheck::taken_to_do(const LocalNetwork& local) const {
+std::string LocalizationCheck::assumed_behaviour(const LocalNetwork& local) const {
     std::vector<std::string> names;
     for (const std::size_t i : local.known) names.push_back(known_[i].name);
     if (names.empty()) return "may do anything at any time, which is an over-approximation";

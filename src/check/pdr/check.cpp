@@ -41,11 +41,11 @@ public:
         const std::unordered_set<std::string_view> requested(options_.properties.begin(), options_.properties.end());
         find_faults();
         for (const Id<Property> id : system_.properties.ids())
-            if (requested.empty() || requested.contains(system_.properties[id].name)) ask(id);
+            if (requested.empty() || requested.contains(system_.properties[id].name)) add_query(id);
         switch (options_.method) {
         case PdrOptions::Method::Pdr: by_pdr({}); break;
         case PdrOptions::Method::Bmc: by_bmc({}); break;
-        case PdrOptions::Method::InTurns: interleaved_steps(); break;
+        case PdrOptions::Method::Alternating: interleaved_steps(); break;
         }
         for (PropertyQuery& question : questions_) {
             result_.verdicts.push_back(std::move(question.verdict));
@@ -68,15 +68,15 @@ private:
         std::size_t cleared = 0;
         /// `has_value` is true if the operands are proved to have values in every reachable state.
         bool open = true, has_value = false;
-        const std::atomic<bool>* moot = nullptr;  ///< set when another engine has decided the query
-        std::function<PdrAnswer()> search = {};   ///< an interrupted PDR search, to be continued
+        const std::atomic<bool>* decided_elsewhere = nullptr;  ///< set when another engine has decided the query
+        std::function<PdrAnswer()> search = {};                ///< an interrupted PDR search, to be continued
 
-        bool is_open() const { return open && (moot == nullptr || !moot->load()); }
-        bool wants() const { return property.pattern == Pattern::Reachable; }
+        bool is_open() const { return open && (decided_elsewhere == nullptr || !decided_elsewhere->load()); }
+        bool is_reachability() const { return property.pattern == Pattern::Reachable; }
     };
 
     /// Adds a query. Queries that require no search are decided immediately.
-    void ask(Id<Property> id) {
+    void add_query(Id<Property> id) {
         const Property& property = system_.properties[id];
         PropertyQuery& question = questions_.emplace_back(PropertyQuery{property, verdict_on(id, property)});
         if (const std::string why = refusal(property.pattern); !why.empty())
@@ -85,7 +85,8 @@ private:
             return give_up(question, UnknownReason::Unsupported, "its property is not proved");
         if (fault_obstacle_ != UnknownReason::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
-        if (options_.moot != nullptr) question.moot = &(*options_.moot)[id.index];
+        if (options_.decided_elsewhere != nullptr)
+            question.decided_elsewhere = &(*options_.decided_elsewhere)[id.index];
     }
 
     void give_up(PropertyQuery& question, UnknownReason obstacle, std::string reason) {
@@ -104,20 +105,20 @@ private:
     }
 
     /// Searches for a state in which `bad` is true. The result, a trace or an invariant, is always validated, also for
-    /// queries about faults and quiescence, because the verdicts of properties depend on them. `going_on` is an
-    /// interrupted search or empty. If the search is interrupted, it is stored in `*going_on`.
-    PdrAnswer searched(Literal bad, const std::string& name, std::function<PdrAnswer()>* going_on = nullptr) {
-        const auto told = [this, &name](std::size_t frames) {
+    /// queries about faults and quiescence, because the verdicts of properties depend on them. `interrupted` is an
+    /// interrupted search or empty. If the search is interrupted, it is stored in `*interrupted`.
+    PdrAnswer searched(Literal bad, const std::string& name, std::function<PdrAnswer()>* interrupted = nullptr) {
+        const auto report_frames = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
         };
-        std::function<PdrAnswer()> search = going_on != nullptr ? *going_on : nullptr;
+        std::function<PdrAnswer()> search = interrupted != nullptr ? *interrupted : nullptr;
         if (options_.reach) search = [&] { return options_.reach(circuit_, bad, watch_); };
-        else if (!search) search = search_for(circuit_, bad, watch_, told);
-        if (going_on != nullptr) *going_on = search;
+        else if (!search) search = search_for(circuit_, bad, watch_, report_frames);
+        if (interrupted != nullptr) *interrupted = search;
         PdrAnswer answer = search();
-        if (going_on != nullptr) *going_on = nullptr;
+        if (interrupted != nullptr) *interrupted = nullptr;
         if (answer.reached) {
-            if (!gets_to(bad, answer.inputs))
+            if (!reaches(bad, answer.inputs))
                 throw UnsoundResult{"the trace for `" + name + "` is invalid: it does not reach the state"};
             return answer;
         }
@@ -127,7 +128,7 @@ private:
     }
 
     /// True if `bad` is true in some state of the run. Removes the states after the first such state.
-    bool gets_to(Literal bad, std::vector<std::vector<bool>>& inputs) const {
+    bool reaches(Literal bad, std::vector<std::vector<bool>>& inputs) const {
         std::size_t states = 0, first = 0;
         run_through(circuit_, inputs, [&](const NodeValues& values) {
             ++states;
@@ -245,7 +246,7 @@ private:
             const auto start = Clock::now();
             if (time) watch_.limit(*time);
             else watch_.share(left--);
-            watch_.end_with(question.moot);
+            watch_.end_with(question.decided_elsewhere);
             guarded([&] {
                 if (watch_.over()) throw Exhausted{Exhausted::Cause::Stopped};
                 decide(question);
@@ -259,11 +260,12 @@ private:
     /// exceeded, the query remains open.
     void conclude(PropertyQuery& question, const char* by, bool later) {
         if (obstacle_ == UnknownReason::None) {
-            if (options_.method != PdrOptions::Method::InTurns || question.verdict.outcome == Outcome::Unknown) return;
+            if (options_.method != PdrOptions::Method::Alternating || question.verdict.outcome == Outcome::Unknown)
+                return;
             question.verdict.notes.push_back(std::string("decided by ") + by);
             if (options_.answered) options_.answered(question.verdict, question.run);
         } else if (!later || obstacle_ != UnknownReason::Stopped || watch_.over()) {
-            give_up(question, obstacle_, what_is_cleared(question));
+            give_up(question, obstacle_, bmc_progress_text(question));
         }
     }
 
@@ -284,7 +286,7 @@ private:
         const Property& property = question.property;
         if (has_no_value(question)) return;
         const auto start = Clock::now();
-        const bool interleaved_steps = options_.method == PdrOptions::Method::InTurns;
+        const bool interleaved_steps = options_.method == PdrOptions::Method::Alternating;
         std::optional<PdrAnswer> known = proved_by_equal_latches(question.target->bad);
         PdrAnswer answer =
             known ? std::move(*known)
@@ -294,13 +296,13 @@ private:
             return reached(question, answer);
         }
         // If this search is interrupted, the query remains open.
-        if (!question.wants() && property.at_stable) is_settled();
-        close(question, question.wants() ? Outcome::Violated : Outcome::Holds);
+        if (!question.is_reachability() && property.at_stable) is_settled();
+        close(question, question.is_reachability() ? Outcome::Violated : Outcome::Holds);
         question.verdict.notes.push_back("proved by an inductive invariant of " +
                                          std::to_string(answer.invariant.size()) +
                                          (answer.invariant.size() == 1 ? " clause" : " clauses") + ", checked by " +
                                          (options_.reach ? "a solver" : "a second solver"));
-        if (!question.wants() && property.at_stable) mark_vacuous(question.verdict);
+        if (!question.is_reachability() && property.at_stable) mark_vacuous(question.verdict);
     }
 
     std::optional<PdrAnswer> proved_by_equal_latches(Literal bad) {
@@ -330,7 +332,7 @@ private:
         if (const std::string why = doubt(system_, flat_, question.property, external_trace(answer)); !why.empty())
             throw UnsoundResult{"the trace for `" + question.property.name + "` is invalid: " + why};
         question.run = run_of(answer);
-        close(question, question.wants() ? Outcome::Holds : Outcome::Violated);
+        close(question, question.is_reachability() ? Outcome::Holds : Outcome::Violated);
         if (options_.reach) return;
         question.verdict.notes.emplace_back(question.cleared + 1 >= answer.inputs.size() ? "no shorter trace exists"
                                                                                          : "a shorter trace may exist");
@@ -356,7 +358,7 @@ private:
     std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
-        if (found && !gets_to(question.target->bad, *found))
+        if (found && !reaches(question.target->bad, *found))
             throw UnsoundResult{"the trace for `" + question.property.name +
                                 "` is invalid: it does not reach the state"};
         if (!found) ++question.cleared;
@@ -367,14 +369,14 @@ private:
     /// time remain open.
     void by_bmc(std::optional<Clock::duration> time) {
         if (without_bmc_) return;
-        if (!time) refuse_what_has_no_value();
+        if (!time) refuse_undefined_values();
         const auto end = Clock::now() + time.value_or(Clock::duration::zero());
-        std::size_t told = none;
-        while (PropertyQuery* question = least_looked_at()) {
-            if (options_.progress && told != question->cleared)
-                options_.progress({{}, told = question->cleared, watch_.bytes(), seconds()});
+        std::size_t reported = none;
+        while (PropertyQuery* question = least_searched()) {
+            if (options_.progress && reported != question->cleared)
+                options_.progress({{}, reported = question->cleared, watch_.bytes(), seconds()});
             if (time) watch_.limit(end - Clock::now());
-            watch_.end_with(question->moot);
+            watch_.end_with(question->decided_elsewhere);
             obstacle_ = UnknownReason::Bound;
             if (question->cleared <= options_.max_steps.value_or(none))
                 guarded([&] {
@@ -392,7 +394,7 @@ private:
         }
     }
 
-    void refuse_what_has_no_value() {
+    void refuse_undefined_values() {
         for (PropertyQuery& question : questions_) {
             if (!question.is_open()) continue;
             guarded([&] { has_no_value(question); });
@@ -402,7 +404,7 @@ private:
 
     /// Among the open queries whose operands are known to have values, returns the one for which the searched runs are
     /// shortest; null if there is none.
-    PropertyQuery* least_looked_at() {
+    PropertyQuery* least_searched() {
         PropertyQuery* least = nullptr;
         for (PropertyQuery& question : questions_)
             if (question.is_open() && question.has_value && (least == nullptr || question.cleared < least->cleared))
@@ -411,12 +413,12 @@ private:
     }
 
     /// Returns the reason why BMC ends without a run, and the length of the searched runs.
-    std::string what_is_cleared(const PropertyQuery& question) const {
+    std::string bmc_progress_text(const PropertyQuery& question) const {
         std::string words = obstacle_ == UnknownReason::Bound ? "" : reason_;
         if (question.cleared == 0) return words;
         const std::size_t steps = question.cleared - 1;
         return words + (words.empty() ? "" : "; ") + "no run of up to " + std::to_string(steps) +
-               (steps == 1 ? " step" : " steps") + (question.wants() ? " reaches it" : " violates it");
+               (steps == 1 ? " step" : " steps") + (question.is_reachability() ? " reaches it" : " violates it");
     }
 
     /// True if some state is quiescent.

@@ -39,9 +39,9 @@ struct Undecided {
 };
 
 struct PdrOptions {
-    /// InTurns: PDR runs for some time on each property, and then BMC on all for a third of the time that PDR has used.
-    /// Then both run again, with four times the time. A note names the engine that found the verdict.
-    enum class Method { Pdr, Bmc, InTurns };
+    /// Alternating: PDR runs for some time on each property, and then BMC on all for a third of the time that PDR has
+    /// used. Then both run again, with four times the time. A note names the engine that found the verdict.
+    enum class Method { Pdr, Bmc, Alternating };
     Method method = Method::Pdr;
     std::chrono::steady_clock::duration first_step_of = std::chrono::milliseconds(250);
     /// For BMC: maximum length of the searched runs; if empty, only time and memory limit the search.
@@ -55,10 +55,10 @@ struct PdrOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                ///< cancellation flag: return the results so far
     std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame or step
-    /// For InTurns. `answered` is called with every decided verdict as soon as it is available. `moot` marks properties
-    /// of the system for which no further work is necessary, because another engine has decided them.
+    /// For Alternating. `answered` is called with every decided verdict as soon as it is available. `decided_elsewhere`
+    /// marks properties of the system for which no further work is necessary, because another engine has decided them.
     std::function<void(const Verdict&, const std::optional<SystemRun>&)> answered = {};
-    const std::vector<std::atomic<bool>>* moot = nullptr;
+    const std::vector<std::atomic<bool>>* decided_elsewhere = nullptr;
 };
 
 struct PdrResult {

@@ -105,7 +105,7 @@ private:
         core.clear();
         for (std::size_t i = 0; i < cube.size(); ++i)
             if (solver_->failed(assumptions[first + i])) core.push_back(cube[i]);
-        keep_off_first_state(core, cube);
+        exclude_first_state(core, cube);
         return false;
     }
 
@@ -119,7 +119,7 @@ private:
 
     /// Extends `core` by literals of `cube` so that it does not contain the first state. Requires that `cube` does not
     /// contain the first state.
-    static void keep_off_first_state(Cube& core, const Cube& cube) {
+    static void exclude_first_state(Cube& core, const Cube& cube) {
         if (!holds_first_state(core)) return;
         const auto found = std::ranges::find_if_not(cube, is_inverted);
         assert(found != cube.end());
@@ -179,7 +179,7 @@ private:
                     open.push(add(std::move(before)));
                     continue;
                 }
-                learn(std::move(core), frame);
+                block_cube(std::move(core), frame);
             }
             if (frame < top()) {
                 obligations_[at].frame = frame + 1;
@@ -198,7 +198,7 @@ private:
     }
 
     /// Excludes a generalization of the cube from the frame, and from later frames from which it can also be excluded.
-    void learn(Cube cube, std::size_t frame, bool obstacles = false) {
+    void block_cube(Cube cube, std::size_t frame, bool obstacles = false) {
         generalise(cube, frame - 1, obstacles);
         Cube core;
         while (frame < top() && !steps_into(cube, frame, true, core)) {
@@ -238,7 +238,7 @@ private:
             if (obstacles || left == 0 || before == 0) return false;
             const Cube state = found_for(nexts_of(cube)).state;
             if (holds_first_state(state) || steps_into(state, before - 1, true, core)) return false;
-            learn(std::move(core), before, true);
+            block_cube(std::move(core), before, true);
         }
         cube = std::move(core);
         return true;

@@ -58,7 +58,7 @@ std::uint64_t LimitMonitor::bytes() const {
 
 bool LimitMonitor::terminate() {
     if (met_) return true;
-    for (const std::atomic<bool>* each : {bounds_.stop, moot_})
+    for (const std::atomic<bool>* each : {bounds_.stop, decided_elsewhere_})
         if (each != nullptr && each->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
     constexpr std::uint32_t seldom = 64;  // number of calls between two tests of time and memory
     if (calls_++ % seldom != 0 || met_) return met_.has_value();

@@ -43,7 +43,7 @@ public:
     /// Limits the following work to `time` or to the remaining time, whichever is shorter.
     void limit(std::chrono::steady_clock::duration time);
     /// Adds a flag that ends the following work when it is set; null removes the flag.
-    void end_with(const std::atomic<bool>* moot) { moot_ = moot; }
+    void end_with(const std::atomic<bool>* decided_elsewhere) { decided_elsewhere_ = decided_elsewhere; }
     std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
     /// True if the complete work was cancelled or its deadline has passed; deadlines of shares and memory are ignored.
     bool over() const;
@@ -56,7 +56,7 @@ public:
 private:
     SolverLimits bounds_;
     std::optional<std::chrono::steady_clock::time_point> share_ = {};  ///< deadline of the current share
-    const std::atomic<bool>* moot_ = nullptr;
+    const std::atomic<bool>* decided_elsewhere_ = nullptr;
     std::uint64_t before_ = 0;
     std::uint32_t calls_ = 0;
     std::chrono::steady_clock::time_point weighed_ = {};  ///< time of the last memory measurement

@@ -78,8 +78,8 @@ std::optional<Cover> cover(const BddSpace& space, Bdd on, Bdd off, std::span<con
     Generator yes(space, most), no(space, most);
     Cover straight{yes(on, ~off).products, false}, negated{no(off, ~on).products, true};
     if (yes.overflown() && no.overflown()) return {};
-    const bool turn = yes.overflown() || (!no.overflown() && length(negated.products) < length(straight.products));
-    Cover& best = turn ? negated : straight;
+    const bool negate = yes.overflown() || (!no.overflown() && length(negated.products) < length(straight.products));
+    Cover& best = negate ? negated : straight;
     for (std::vector<BddLiteral>& product : best.products) std::ranges::sort(product, {}, &BddLiteral::variable);
     std::ranges::sort(best.products, [](const auto& left, const auto& right) {
         return std::ranges::lexicographical_compare(left, right, {}, &BddLiteral::variable, &BddLiteral::variable);

@@ -28,21 +28,21 @@ Bdd Game::evolved(std::size_t player, const Bdd& pairs) const {
 
 /// Returns the states from which `to` cannot be avoided in the next step: a move leads to `to`, or the evolution of
 /// some player leads to `to` whichever permissions are granted.
-Bdd Game::unwilling(const Bdd& to) const {
+Bdd Game::unavoidable(const Bdd& to) const {
     Bdd found = moves_to(to);
     for (std::size_t player = 0; player < players(); ++player) found |= helpless(player, to);
     return found & reached_;
 }
 
-Bdd Game::allowed(std::size_t player, const LosingRegion& lost) const {
-    return ready(player) & ~lost.all & ~evolves_to(player, lost.all);
+Bdd Game::allowed(std::size_t player, const LosingRegion& losing) const {
+    return ready(player) & ~losing.all & ~evolves_to(player, losing.all);
 }
 
 /// Returns the winning states from which a path through winning states leads to a marked state.
-Bdd Game::coreachable(const LosingRegion& lost, const Bdd& marked) const {
-    const Bdd won = reached_ & ~lost.all;
+Bdd Game::coreachable(const LosingRegion& losing, const Bdd& marked) const {
+    const Bdd won = reached_ & ~losing.all;
     std::vector<Bdd> pairs;
-    for (std::size_t player = 0; player < players(); ++player) pairs.push_back(allowed(player, lost));
+    for (std::size_t player = 0; player < players(); ++player) pairs.push_back(allowed(player, losing));
     Bdd found = won & marked;
     for (Bdd latest = found; !latest.is_false();) {
         Bdd before = moves_to(latest);
@@ -54,20 +54,20 @@ Bdd Game::coreachable(const LosingRegion& lost, const Bdd& marked) const {
     return found;
 }
 
-LosingRegion Game::solve(const Bdd& bad, const Bdd& marked, LosingRegion lost) const {
+LosingRegion Game::solve(const Bdd& bad, const Bdd& marked, LosingRegion losing) const {
     const auto add = [&](const Bdd& states, bool blocked) {
-        const Bdd found = states & reached_ & ~lost.all;
+        const Bdd found = states & reached_ & ~losing.all;
         if (found.is_false()) return false;
-        lost.stages.push_back({found, blocked});
-        lost.all |= found;
+        losing.stages.push_back({found, blocked});
+        losing.all |= found;
         return true;
     };
     add(bad, false);
     do {
-        while (add(unwilling(lost.all), false)) {
+        while (add(unavoidable(losing.all), false)) {
         }
-    } while (add(~coreachable(lost, marked), true));
-    return lost;
+    } while (add(~coreachable(losing, marked), true));
+    return losing;
 }
 
 }  // namespace grafverif::supervise

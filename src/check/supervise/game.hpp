@@ -68,15 +68,15 @@ public:
     /// Returns the states of `pairs`, without the permissions.
     Bdd states(const Bdd& pairs) const { return exists(pairs, all_may_); }
 
-    /// Returns all losing states for the bad states `bad`. `lost` contains the losing states that are already known.
-    LosingRegion solve(const Bdd& bad, const Bdd& marked, LosingRegion lost = {}) const;
+    /// Returns all losing states for the bad states `bad`. `losing` contains the losing states that are already known.
+    LosingRegion solve(const Bdd& bad, const Bdd& marked, LosingRegion losing = {}) const;
     /// Returns the pairs of a winning state and permissions under which an evolution of the player leads to a winning
     /// state.
-    Bdd allowed(std::size_t player, const LosingRegion& lost) const;
+    Bdd allowed(std::size_t player, const LosingRegion& losing) const;
 
 private:
-    Bdd unwilling(const Bdd& to) const;
-    Bdd coreachable(const LosingRegion& lost, const Bdd& marked) const;
+    Bdd unavoidable(const Bdd& to) const;
+    Bdd coreachable(const LosingRegion& losing, const Bdd& marked) const;
 
     const symbolic::StateSpace& model_;
     std::vector<Player> players_ = {};

@@ -64,23 +64,23 @@ public:
         prepare();
         if (!result_.reason.empty()) return std::move(result_);
         report_phase("computing the losing states");
-        LosingRegion lost = game_->solve(bad_, marked_);
-        if (!(lost.all & model_->initial()).is_false()) {
+        LosingRegion losing = game_->solve(bad_, marked_);
+        if (!(losing.all & model_->initial()).is_false()) {
             find_violated(unrestricted());
-            return nothing(lost);
+            return nothing(losing);
         }
-        while (!settled(lost)) {
+        while (!settled(losing)) {
             result_.claim = Supervisor::Permissiveness::Cautious;
             report_phase("recomputing the conditions");
-            if (!(lost.all & model_->initial()).is_false())
+            if (!(losing.all & model_->initial()).is_false())
                 return unknown("the inputs and steps of the charts do not distinguish enough states");
         }
         report_phase("simplifying the conditions");
-        if (!write(lost)) return unknown("a condition has more than 64 terms");
+        if (!write(losing)) return unknown("a condition has more than 64 terms");
         if (!result_.conditions.empty()) {
             const Bdd free = unrestricted();
             find_violated(free);
-            find_lost(free);
+            find_newly_unreachable(free);
         }
         result_.outcome = Supervisor::Outcome::Found;
         return std::move(result_);
@@ -175,11 +175,11 @@ private:
     /// Returns a policy for the states of `within`. The permissions are decided one by one, those of transitions before
     /// those of outputs, and as few as possible are refused. States without an allowed combination of permissions are
     /// added to `none_left`.
-    Policy decided(std::size_t player, const Bdd& within, const LosingRegion& lost, Bdd& none_left) const {
+    Policy decided(std::size_t player, const Bdd& within, const LosingRegion& losing, Bdd& none_left) const {
         const std::vector<Bdd>& may = game_->may(player);
         Policy made{std::vector<Bdd>(may.size())};
         const Bdd here = within & game_->ready(player);
-        Bdd pairs = game_->allowed(player, lost) & here;
+        Bdd pairs = game_->allowed(player, losing) & here;
         const auto decide = [&](std::size_t index, const Bdd& wanted) {
             const Bdd never = game_->states(wanted) & ~game_->states(wanted & may[index]);
             Bdd& sights = made.refusals[index];
@@ -215,45 +215,45 @@ private:
     }
 
     /// Returns the states that are reachable from `states` under the policies by paths without losing states.
-    Bdd closed(Bdd states, const LosingRegion& lost, const std::vector<Policy>& policies) const {
+    Bdd closed(Bdd states, const LosingRegion& losing, const std::vector<Policy>& policies) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);
             for (std::size_t player = 0; player < game_->players(); ++player)
                 next |= game_->evolved(player, latest & game_->ready(player) & policies[player].obeyed);
-            latest = next & ~lost.all & ~states;
+            latest = next & ~losing.all & ~states;
         }
         return states;
     }
 
     /// Computes the policies. If no policies exist for these states, adds losing states and returns false.
-    bool settled(LosingRegion& lost) {
+    bool settled(LosingRegion& losing) {
         policies_ = lenient();
-        Bdd looked_at = model_->initial();
+        Bdd considered = model_->initial();
         for (;;) {
-            looked_at = closed(looked_at, lost, policies_);
+            considered = closed(considered, losing, policies_);
             Bdd fails, none_left;
             for (std::size_t player = 0; player < game_->players(); ++player)
-                fails |=
-                    looked_at & game_->ready(player) & policies_[player].obeyed & game_->evolves_to(player, lost.all);
+                fails |= considered & game_->ready(player) & policies_[player].obeyed &
+                         game_->evolves_to(player, losing.all);
             if (fails.is_false()) break;
             for (std::size_t player = 0; player < game_->players(); ++player)
-                policies_[player] = decided(player, looked_at, lost, none_left);
+                policies_[player] = decided(player, considered, losing, none_left);
             if (none_left.is_false()) continue;
-            lost = game_->solve(none_left, marked_, std::move(lost));
+            losing = game_->solve(none_left, marked_, std::move(losing));
             return false;
         }
-        under_ = closed(model_->initial(), lost, policies_);
-        const Bdd circling = under_ & ~returning(lost);
+        under_ = closed(model_->initial(), losing, policies_);
+        const Bdd circling = under_ & ~returning(losing);
         if (circling.is_false()) return true;
-        lost = game_->solve(circling, marked_, std::move(lost));
+        losing = game_->solve(circling, marked_, std::move(losing));
         return false;
     }
 
     /// Returns the reached states from which a marked state is reachable under the policies.
-    Bdd returning(const LosingRegion& lost) const {
+    Bdd returning(const LosingRegion& losing) const {
         std::vector<Bdd> pairs;
         for (std::size_t player = 0; player < game_->players(); ++player)
-            pairs.push_back(game_->allowed(player, lost) & under_ & policies_[player].obeyed);
+            pairs.push_back(game_->allowed(player, losing) & under_ & policies_[player].obeyed);
         Bdd found = under_ & marked_;
         for (Bdd latest = found; !latest.is_false(); found |= latest) {
             Bdd before = game_->moves_to(latest);
@@ -280,7 +280,7 @@ private:
     }
 
     /// Writes each condition and the classification. Returns false if a condition is too long.
-    bool write(const LosingRegion& lost) {
+    bool write(const LosingRegion& losing) {
         for (std::size_t player = 0; player < game_->players(); ++player) {
             const Bdd here = under_ & game_->ready(player);
             const Bdd chosen = here & policies_[player].obeyed;
@@ -293,7 +293,7 @@ private:
                     result_.disabled.push_back({player, index});
                 if (!write(player, index, chosen, matters.back())) return false;
             }
-            claim(player, chosen, matters, game_->allowed(player, lost) & here);
+            claim(player, chosen, matters, game_->allowed(player, losing) & here);
         }
         if (!result_.hidden.empty()) result_.claim = Supervisor::Permissiveness::Cautious;
         if (result_.claim != Supervisor::Permissiveness::Cautious && !result_.traded.empty())
@@ -364,26 +364,26 @@ private:
         for (const Bdd& bad : bads_) result_.violated.push_back(!(free & bad).is_false());
     }
 
-    void find_lost(const Bdd& free) {
+    void find_newly_unreachable(const Bdd& free) {
         for (std::size_t player = 0; player < observed_.size(); ++player)
             for (std::size_t seen = 0; seen < observed_[player].size(); ++seen)
                 if (const Bdd& each = observed_[player][seen]; !(free & each).is_false() && (under_ & each).is_false())
-                    result_.lost.push_back({player, seen});
+                    result_.newly_unreachable.push_back({player, seen});
     }
 
     // -- runs that cannot be prevented --------------------------------------------------------------------------------
 
-    Supervisor nothing(const LosingRegion& lost) {
+    Supervisor nothing(const LosingRegion& losing) {
         result_.outcome = Supervisor::Outcome::None;
         symbolic::Path path;
-        symbolic::State state = model_->pick(lost.all & model_->initial(), {});
+        symbolic::State state = model_->pick(losing.all & model_->initial(), {});
         for (;;) {
             path.states.push_back(state);
             const auto stage = std::ranges::find_if(
-                lost.stages, [&](const LosingRegion::Stage& each) { return evaluate(each.states, state); });
+                losing.stages, [&](const LosingRegion::Stage& each) { return evaluate(each.states, state); });
             result_.blocked = stage->blocked;
             if (stage->blocked || evaluate(bad_, state)) break;
-            step(path, state, lost, static_cast<std::size_t>(stage - lost.stages.begin()));
+            step(path, state, losing, static_cast<std::size_t>(stage - losing.stages.begin()));
         }
         result_.run = run_of(*model_, path);
         result_.flat = flat_;
@@ -391,11 +391,11 @@ private:
     }
 
     /// Adds a step to the first reachable stage before `stage`: a move, or an evolution under all permissions.
-    void step(symbolic::Path& path, symbolic::State& state, const LosingRegion& lost, std::size_t stage) const {
+    void step(symbolic::Path& path, symbolic::State& state, const LosingRegion& losing, std::size_t stage) const {
         const Bdd only = model_->only(state);
         const auto go = [&](const Bdd& to, const Bdd& how) {
             for (std::size_t before = 0; before < stage; ++before) {
-                const Bdd next = to & lost.stages[before].states;
+                const Bdd next = to & losing.stages[before].states;
                 if (next.is_false()) continue;
                 path.steps.push_back(how);
                 state = model_->pick(next, state);
@@ -405,7 +405,7 @@ private:
         };
         if (go(game_->moved(only), game_->is_move())) return;
         Bdd earlier;
-        for (std::size_t before = 0; before < stage; ++before) earlier |= lost.stages[before].states;
+        for (std::size_t before = 0; before < stage; ++before) earlier |= losing.stages[before].states;
         for (std::size_t player = 0; player < game_->players(); ++player) {
             const Bdd free = lenient(player).obeyed;
             if ((only & game_->helpless(player, earlier)).is_false()) continue;

@@ -106,7 +106,7 @@ struct Supervisor {
     };
     /// Found: observations that are true in some reachable state of the system without conditions, but not in any
     /// reachable state with the conditions.
-    std::vector<Observation> lost = {};
+    std::vector<Observation> newly_unreachable = {};
     /// For each bad term: true if it is reachable without conditions; empty if Unknown, or if no condition is needed.
     std::vector<bool> violated = {};
     /// None: a run to a bad state. All permissions are granted, and no move of the run can be prevented. If `blocked`

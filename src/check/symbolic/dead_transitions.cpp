@@ -13,16 +13,17 @@ namespace {
 using System = TransitionSystem;
 
 Bdd reachable_from(const StateSpace& model, const Bdd& reached, const State& from) {
-    Bdd behind = model.only(from);
-    if (model.has_clusters()) return model.closure(behind) & reached;
-    for (Bdd latest = behind; !latest.is_false(); behind |= latest) latest = model.image(latest) & reached & ~behind;
-    return behind;
+    Bdd reachable = model.only(from);
+    if (model.has_clusters()) return model.closure(reachable) & reached;
+    for (Bdd latest = reachable; !latest.is_false(); reachable |= latest)
+        latest = model.image(latest) & reached & ~reachable;
+    return reachable;
 }
 
 class DeadTransitionSearch {
 public:
-    DeadTransitionSearch(const System& system, FlatSystem& flat, const StateSpace& model, Bdd behind)
-        : system_(system), flat_(flat), model_(model), behind_(std::move(behind)) {
+    DeadTransitionSearch(const System& system, FlatSystem& flat, const StateSpace& model, Bdd reachable)
+        : system_(system), flat_(flat), model_(model), reachable_(std::move(reachable)) {
         for (const System::Controller& controller : system.controllers) {
             for (const auto& step : controller.words.steps)
                 add_name(step.variable, prefix_of(controller) + step.name.variable());
@@ -61,8 +62,8 @@ private:
             clears = flat_.exprs.conjunction(clears, flattened(system_, flat_, controller.evolves));
         BddTerms terms = model_.terms();
         const BddTerm& term = terms(clears);
-        if (!(behind_ & term.undefined).is_false()) return true;
-        return !model_.image(behind_, model_.steps_where(term.bits.front())).is_false();
+        if (!(reachable_ & term.undefined).is_false()) return true;
+        return !model_.image(reachable_, model_.steps_where(term.bits.front())).is_false();
     }
 
     /// Returns the first conjunct of the condition that is false in all of these states.
@@ -75,7 +76,7 @@ private:
             const Expr& leaf = flat_.exprs[negated ? flat_.exprs.operands(part)[0] : part];
             if (leaf.op != Op::Variable || !names_.contains(leaf.value)) continue;
             BddTerms terms = model_.terms();
-            if ((behind_ & terms(part).bits.front()).is_false()) return (negated ? "!" : "") + names_.at(leaf.value);
+            if ((reachable_ & terms(part).bits.front()).is_false()) return (negated ? "!" : "") + names_.at(leaf.value);
         }
         return {};
     }
@@ -83,7 +84,7 @@ private:
     const System& system_;
     FlatSystem& flat_;
     const StateSpace& model_;
-    Bdd behind_;
+    Bdd reachable_;
     // Name of each flat variable that represents a step, an input, an output or an internal variable.
     std::map<std::int64_t, std::string> names_ = {};
 };

@@ -15,7 +15,7 @@ namespace {
 /// A choice is split if, on average over its values, at most this fraction of the bits can change.
 constexpr double worth_splitting = 0.6;
 /// Maximum size, in nodes, of a condition that is used to show that a bit is unchanged.
-constexpr std::size_t easily_joined = 100;
+constexpr std::size_t most_joined_nodes = 100;
 
 /// A function with its support, which is stored because it is needed repeatedly.
 struct Read {
@@ -114,7 +114,7 @@ private:
     bool stays(std::uint32_t bit, const Read& value, const std::vector<Read>& conditions) const {
         Bdd changes = value.function ^ space_.variable(bit);
         for (const Read& each : conditions)
-            if (!changes.is_false() && !each.reads_any(bits_) && size(each.function) <= easily_joined)
+            if (!changes.is_false() && !each.reads_any(bits_) && size(each.function) <= most_joined_nodes)
                 changes &= each.function;
         return changes.is_false();
     }

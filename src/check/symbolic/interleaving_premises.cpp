@@ -27,24 +27,24 @@ const Bdd& InterleavingPremises::ready() {
 
 bool InterleavingPremises::never_locks() { return (reached_ & ~can_reach(model_, reached_, ready())).is_false(); }
 
-const Bdd& InterleavingPremises::waiting_for_ever() {
-    if (waiting_for_ever_) return *waiting_for_ever_;
+const Bdd& InterleavingPremises::waiting_forever() {
+    if (waiting_forever_) return *waiting_forever_;
     Bdd staying = reached_;
     for (Bdd before; before != staying;) {
         before = staying;
         staying = can_reach(model_, staying, staying & model_.preimage(staying, wait_steps_));
     }
-    return waiting_for_ever_.emplace(std::move(staying));
+    return waiting_forever_.emplace(std::move(staying));
 }
 
-const Bdd& InterleavingPremises::moving_for_ever() {
-    if (moving_for_ever_) return *moving_for_ever_;
+const Bdd& InterleavingPremises::moving_forever() {
+    if (moving_forever_) return *moving_forever_;
     Bdd staying = reached_;
     for (Bdd before; before != staying;) {
         before = staying;
         staying &= model_.preimage(staying, move_steps_);
     }
-    return moving_for_ever_.emplace(std::move(staying));
+    return moving_forever_.emplace(std::move(staying));
 }
 
 /// Returns the states of a shortest path of moves in `within` to a state of `goal`, including both ends, or an empty
@@ -69,7 +69,7 @@ void InterleavingPremises::add_moves(const std::vector<State>& states, FlatRun& 
 
 /// Follows moves within `within` until a state is repeated. From each state of `within`, a move leads to a state of
 /// `within`.
-void InterleavingPremises::walk(State from, const Bdd& within, FlatRun& run) const {
+void InterleavingPremises::follow_moves(State from, const Bdd& within, FlatRun& run) const {
     std::map<State, std::size_t> seen;
     while (seen.emplace(from, run.states.size()).second) {
         const State next = model_.pick(model_.image(model_.only(from), move_steps_) & within, from);
@@ -80,17 +80,17 @@ void InterleavingPremises::walk(State from, const Bdd& within, FlatRun& run) con
 }
 
 std::optional<FlatRun> InterleavingPremises::waiting_run() {
-    const Bdd staying = waiting_for_ever();
+    const Bdd staying = waiting_forever();
     const Bdd waiting = staying & model_.preimage(staying, wait_steps_);
     FlatRun run;
     std::map<State, std::size_t> seen;
     State state = model_.pick(staying & model_.initial(), {});
     while (seen.emplace(state, run.states.size()).second) {
         if (run.states.size() > longest_run) return {};
-        const std::vector<State> way = moves_to(state, waiting, staying);
-        add_moves(way, run);
-        state = model_.pick(model_.image(model_.only(way.back()), wait_steps_) & staying, way.back());
-        run.states.push_back(model_.values(way.back(), &state, waits_));
+        const std::vector<State> path = moves_to(state, waiting, staying);
+        add_moves(path, run);
+        state = model_.pick(model_.image(model_.only(path.back()), wait_steps_) & staying, path.back());
+        run.states.push_back(model_.values(path.back(), &state, waits_));
     }
     run.loop = seen.at(state);
     return run;
@@ -99,22 +99,22 @@ std::optional<FlatRun> InterleavingPremises::waiting_run() {
 FlatRun InterleavingPremises::moves_on(const std::vector<std::int64_t>& from, const Bdd& goal) const {
     const State first = model_.state_of(from);
     FlatRun run;
-    const std::vector<State> way = moves_to(first, goal, reached_);
-    if (way.empty()) {
-        walk(first, reached_, run);
+    const std::vector<State> path = moves_to(first, goal, reached_);
+    if (path.empty()) {
+        follow_moves(first, reached_, run);
         return run;
     }
-    add_moves(way, run);
-    run.states.push_back(model_.values(way.back(), nullptr, Bdd::constant(true)));
+    add_moves(path, run);
+    run.states.push_back(model_.values(path.back(), nullptr, Bdd::constant(true)));
     return run;
 }
 
 FlatRun InterleavingPremises::endless_run() {
-    const Bdd staying = moving_for_ever();
+    const Bdd staying = moving_forever();
     FlatRun run;
-    const std::vector<State> way = moves_to(model_.pick(model_.initial(), {}), staying, reached_);
-    add_moves(way, run);
-    walk(way.back(), staying, run);
+    const std::vector<State> path = moves_to(model_.pick(model_.initial(), {}), staying, reached_);
+    add_moves(path, run);
+    follow_moves(path.back(), staying, run);
     return run;
 }
 

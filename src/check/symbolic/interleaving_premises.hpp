@@ -21,11 +21,11 @@ public:
                          const std::vector<Id<Expr>>& moves);
 
     /// True if some run waits infinitely often.
-    bool diverges() { return !(waiting_for_ever() & model_.initial()).is_false(); }
+    bool diverges() { return !(waiting_forever() & model_.initial()).is_false(); }
     /// True if, from each reachable state, the part can reach a step that waits.
     bool never_locks();
     /// True if every run waits infinitely often or ends.
-    bool rests() { return moving_for_ever().is_false(); }
+    bool rests() { return moving_forever().is_false(); }
     /// Returns the reachable states in which the part can wait.
     const Bdd& ready();
     const Bdd& reached() const { return reached_; }
@@ -44,16 +44,16 @@ public:
     FlatRun endless_run();
 
 private:
-    const Bdd& waiting_for_ever();
-    const Bdd& moving_for_ever();
+    const Bdd& waiting_forever();
+    const Bdd& moving_forever();
     std::vector<State> moves_to(const State& from, const Bdd& goal, const Bdd& within) const;
     void add_moves(const std::vector<State>& states, FlatRun& run) const;
-    void walk(State from, const Bdd& within, FlatRun& run) const;
+    void follow_moves(State from, const Bdd& within, FlatRun& run) const;
 
     const StateSpace& model_;
     Bdd reached_ = {}, waits_ = {}, moves_ = {};
     std::deque<bdd::ClusterSteps> wait_steps_ = {}, move_steps_ = {};
-    std::optional<Bdd> ready_ = {}, waiting_for_ever_ = {}, moving_for_ever_ = {};
+    std::optional<Bdd> ready_ = {}, waiting_forever_ = {}, moving_forever_ = {};
 };
 
 }  // namespace grafverif::symbolic

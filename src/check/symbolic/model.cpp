@@ -147,8 +147,8 @@ std::deque<bdd::ClusterSteps> StateSpace::steps_where(const Bdd& condition,
     EventCluster all{offered_, next_bits_};
     all.conditions.push_back(condition);
     const auto is_kept = [&](std::uint32_t bit) { return std::ranges::find(kept, bit) != kept.end(); };
-    std::vector<std::uint32_t> gone = choice_bits_;
-    std::erase_if(gone, is_kept);
+    std::vector<std::uint32_t> eliminated = choice_bits_;
+    std::erase_if(eliminated, is_kept);
     std::vector<EventCluster> found;
     if (by_kind_ && free_.is_true()) {
         std::vector<BddWord> choices;
@@ -160,13 +160,13 @@ std::deque<bdd::ClusterSteps> StateSpace::steps_where(const Bdd& condition,
     if (found.empty()) found.push_back(std::move(all));
     std::deque<bdd::ClusterSteps> steps;
     for (EventCluster& kind : found)
-        steps.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), gone, support(free_));
+        steps.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), eliminated, support(free_));
     return steps;
 }
 
 Bdd StateSpace::image(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const {
     Bdd result;
-    for (const bdd::ClusterSteps& kind : steps) result |= kind.relation.image(states, kind.gone);
+    for (const bdd::ClusterSteps& kind : steps) result |= kind.relation.image(states, kind.quantified);
     return result & invariant_;
 }
 

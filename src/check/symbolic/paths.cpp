@@ -7,10 +7,10 @@
 namespace grafverif::symbolic {
 
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
-          const std::function<bool(std::size_t)>& goes_on) {
+          const std::function<bool(std::size_t)>& keep_going) {
     for (bool found = !rings.each.empty(); found; found = rings.add(model.image(rings.each.back()) & within)) {
         if (!(rings.each.back() & goal).is_false()) return true;
-        if (goes_on && !goes_on(rings.each.size())) return true;
+        if (keep_going && !keep_going(rings.each.size())) return true;
     }
     return false;
 }
@@ -36,9 +36,9 @@ namespace {
 /// the predecessors of removed states.
 Bdd can_stay(const StateSpace& model, const Bdd& within) {
     Bdd result = within & model.preimage(within);
-    for (Bdd gone = within & ~result; !gone.is_false(); result &= ~gone) {
-        const Bdd before = model.preimage(gone) & result;
-        gone = before & ~model.preimage(model.image(before) & result);
+    for (Bdd removed = within & ~result; !removed.is_false(); result &= ~removed) {
+        const Bdd before = model.preimage(removed) & result;
+        removed = before & ~model.preimage(model.image(before) & result);
     }
     return result;
 }

@@ -19,11 +19,11 @@ struct Path {
     std::vector<Bdd> steps = {};
 };
 
-/// Adds rings to `rings` until one intersects `goal`, no new state is found, or `goes_on` returns false for the number
-/// of rings. Rings are subsets of `within`; the first ring must be a subset of `within`. Returns true if further states
-/// may exist.
+/// Adds rings to `rings` until one intersects `goal`, no new state is found, or `keep_going` returns false for the
+/// number of rings. Rings are subsets of `within`; the first ring must be a subset of `within`. Returns true if further
+/// states may exist.
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
-          const std::function<bool(std::size_t)>& goes_on = {});
+          const std::function<bool(std::size_t)>& keep_going = {});
 
 /// Returns a shortest path through `rings` to a state of `goal`, or an empty list if no ring contains such a state.
 std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal);

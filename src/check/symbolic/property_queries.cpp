@@ -36,7 +36,7 @@ Id<Expr> PropertyQueries::exactly_one(const std::vector<Id<Expr>>& operands) {
     return one;
 }
 
-void PropertyQueries::ask(Id<Property> about) {
+void PropertyQueries::add_query(Id<Property> about) {
     const Property& property = system_.properties[about];
     PropertyQuery question{about, {}};
     for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
@@ -77,8 +77,8 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
     // Explanations are computed after all verdicts, because they may need time or memory that is necessary for another
     // verdict.
     for (QueryResult& found : all) {
-        if (!found.lost) continue;
-        std::string words = what_is_dead(*model, search, *found.lost);
+        if (!found.dead_state) continue;
+        std::string words = what_is_dead(*model, search, *found.dead_state);
         if (!words.empty()) found.verdict.notes.push_back(std::move(words));
     }
     return all;
@@ -144,13 +144,13 @@ void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& ques
     Verdict& verdict = found.verdict;
     verdict.outcome = Outcome::Holds;
     if (of(question).pattern == Pattern::AlwaysPossible) {
-        const Bdd lost = fair_ & ~can_reach(model, search.reached, p & fair_);
-        if (lost.is_false()) return;
+        const Bdd dead = fair_ & ~can_reach(model, search.reached, p & fair_);
+        if (dead.is_false()) return;
         verdict.outcome = Outcome::Violated;
         verdict.notes.emplace_back("impossible from the last state of the trace");
-        const std::vector<State> way = shortest_trace(model, search, lost);
-        found.run = run_of(model, {way, {}});
-        found.lost = way.back();
+        const std::vector<State> trace = shortest_trace(model, search, dead);
+        found.run = run_of(model, {trace, {}});
+        found.dead_state = trace.back();
         return;
     }
     const bool leads = of(question).pattern == Pattern::LeadsTo;

@@ -27,7 +27,7 @@ std::vector<State> shortest_trace(const StateSpace& model, ReachableSet& search,
 struct QueryResult {
     Verdict verdict = {};
     std::optional<FlatRun> run = {};
-    std::optional<State> lost = {};  ///< a state from which the states required by the property are unreachable
+    std::optional<State> dead_state = {};  ///< a state from which the states required by the property are unreachable
 };
 
 class PropertyQueries {
@@ -35,7 +35,7 @@ public:
     PropertyQueries(const TransitionSystem& system, FlatSystem& flat);
 
     /// Translates a property. All calls must precede answers(), because the function adds terms to `flat`.
-    void ask(Id<Property> property);
+    void add_query(Id<Property> property);
     /// Returns the verdicts, in the order of the calls of ask(). `model` may be null if the search ended before it was
     /// built.
     std::vector<QueryResult> answers(const StateSpace* model, ReachableSet& search, const SymbolicOptions& options);

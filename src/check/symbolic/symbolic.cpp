@@ -18,7 +18,7 @@ Check::Check(const TransitionSystem& system, const SymbolicOptions& options)
       questions_(system, flat_) {
     const std::unordered_set<std::string_view> requested(options.properties.begin(), options.properties.end());
     for (const Id<Property> id : system.properties.ids())
-        if (requested.empty() || requested.contains(system.properties[id].name)) questions_.ask(id);
+        if (requested.empty() || requested.contains(system.properties[id].name)) questions_.add_query(id);
 }
 
 SymbolicResult Check::result() {
@@ -77,7 +77,7 @@ void Check::search() {
     // If a step assigns a value outside a range, its successor is not a state, and the search ends. Therefore each ring
     // is checked for such steps before its successors are used.
     bool leaks = false;
-    const auto goes_on = [&](bool kinds) {
+    const auto keep_going = [&](bool kinds) {
         return [&, kinds](std::size_t depth) {
             search_.reached = search_.rings.reached;
             leaks = leaks || model.leak(search_.rings.each.back());
@@ -89,11 +89,11 @@ void Check::search() {
     };
     search_.witnesses = options_.witnesses;
     search_.rings.add(model.initial());
-    if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_clusters())) && !leaks) {
+    if (grow(model, search_.rings, model.invariant(), {}, keep_going(model.has_clusters())) && !leaks) {
         const Bdd closure = model.closure(search_.reached);
         // Assignments that violate a range or the invariants may have successors although no run leads to them.
         if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
-        else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
+        else grow(model, search_.rings, model.invariant(), {}, keep_going(false));
     }
     result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;
 }

@@ -33,7 +33,7 @@ std::string text_of(UnknownReason ended, const Graph& graph, const Limits& limit
 template <class Is>
 StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) {
     StateSet set(graph.states());
-    limits.share_states(graph.looked_at, [&](std::size_t begin, std::size_t end) {
+    limits.share_states(graph.explored, [&](std::size_t begin, std::size_t end) {
         for (auto state = static_cast<std::uint32_t>(begin); state != end; ++state)
             if (is(graph.kind(state))) set.add(state);
     });
@@ -190,8 +190,8 @@ void PropertyQueries::decide_liveness(PropertyQuery& question, Graph& graph, con
 }
 
 void PropertyQueries::decide_deadlock(PropertyQuery& question, Graph& graph, const Limits& limits) {
-    const auto judged = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
-    const std::optional<std::uint32_t> state = first_deadlock(graph, judged, limits);
+    const auto considered = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
+    const std::optional<std::uint32_t> state = first_deadlock(graph, considered, limits);
     if (state && inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
     if (state) return violated(question.verdict, graph.run_to(*state));
     holds_if_dense(question, graph, graph.stuck_bound);
@@ -244,12 +244,13 @@ void PropertyQueries::decide_possible(PropertyQuery& question, Graph& graph, con
         return set_unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
     std::optional<StateSet> goal = states_where(question, graph, question.p, limits);
     if (!goal) return;
-    const auto lost = out_of_reach(graph, *goal, Transitions::All, limits);
-    if (!lost) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
-    if (!lost->empty() && inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
-    if (!lost->empty()) {
-        question.lost = lost->front();
-        return violated(question.verdict, graph.run_to(lost->front()));
+    const auto dead_states = out_of_reach(graph, *goal, Transitions::All, limits);
+    if (!dead_states) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
+    if (!dead_states->empty() && inexact_)
+        return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
+    if (!dead_states->empty()) {
+        question.dead_state = dead_states->front();
+        return violated(question.verdict, graph.run_to(dead_states->front()));
     }
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())
@@ -261,9 +262,10 @@ void PropertyQueries::decide_possible(PropertyQuery& question, Graph& graph, con
 /// Adds the note on dead transitions. The note is omitted if it needs more time or memory than is available.
 void PropertyQueries::report_never_again(const PropertyQuery& question, Graph& graph, const Limits& limits,
                                          Verdict& verdict) const {
-    if (!question.lost || verdict.outcome != Outcome::Violated || outcomes_.obstacle != UnknownReason::None) return;
+    if (!question.dead_state || verdict.outcome != Outcome::Violated || outcomes_.obstacle != UnknownReason::None)
+        return;
     try {
-        if (std::string words = dead_transitions_note(graph, *question.lost, limits); !words.empty())
+        if (std::string words = dead_transitions_note(graph, *question.dead_state, limits); !words.empty())
             verdict.notes.push_back(std::move(words));
     } catch (const Limits::Stop&) {
         return;

@@ -17,26 +17,26 @@ constexpr std::uint32_t none = Store::none;
 
 /// The states reached outside `met`, in the order of the walk, and the predecessor of each state. The predecessor of a
 /// root is the root.
-struct Walk {
+struct Traversal {
     Column<std::uint32_t> order = {};
     Column<std::uint32_t> from = {};  // predecessor of each state of the graph; none if the state was not reached
 
     bool has(std::uint32_t state) const { return from[state] != none; }
 };
 
-Walk walk(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots) {
-    Walk walk;
-    walk.from.assign(graph.states(), none);
+Traversal traverse(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots) {
+    Traversal traversal;
+    traversal.from.assign(graph.states(), none);
     std::size_t next_root = 0;
     std::size_t done = 0;
     const auto reach = [&](std::uint32_t state, std::uint32_t from) {
-        if (walk.has(state)) return;
-        walk.from[state] = from;
-        walk.order.push_back(state);
+        if (traversal.has(state)) return;
+        traversal.from[state] = from;
+        traversal.order.push_back(state);
     };
-    for (std::size_t depth = 0; depth < graph.levels.size() || done < walk.order.size(); ++depth) {
-        for (const std::size_t level = walk.order.size(); done < level; ++done) {
-            const std::uint32_t state = walk.order[done];
+    for (std::size_t depth = 0; depth < graph.levels.size() || done < traversal.order.size(); ++depth) {
+        for (const std::size_t level = traversal.order.size(); done < level; ++done) {
+            const std::uint32_t state = traversal.order[done];
             graph.each(state, [&](std::uint32_t next) {
                 if (!met.has(next)) reach(next, state);
             });
@@ -45,14 +45,14 @@ Walk walk(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& r
         for (; next_root < roots.size() && roots[next_root] < end; ++next_root)
             reach(roots[next_root], roots[next_root]);
     }
-    return walk;
+    return traversal;
 }
 
 }  // namespace
 
 Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless,
                const Limits& limits) {
-    const Walk reached = walk(graph, met, roots);
+    const Traversal reached = traverse(graph, met, roots);
     Components components(graph.states(), limits, [&](std::uint32_t state, const auto& take) {
         graph.each(state, [&](std::uint32_t next) {
             if (reached.has(next)) take(next);

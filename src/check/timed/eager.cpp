@@ -60,20 +60,20 @@ Opcode operation(Op op) {
 std::uint32_t Compiler::eager(Id<Expr> term, std::uint32_t next, std::uint32_t& result) {
     const Exprs& exprs = network_.exprs;
     const std::vector<Id<Expr>> terms = subterms(exprs, term);
-    std::unordered_map<std::uint32_t, std::uint32_t> home;
-    for (std::uint32_t i = 0; i < terms.size(); ++i) home.emplace(terms[i].index, i);
+    std::unordered_map<std::uint32_t, std::uint32_t> register_of;
+    for (std::uint32_t i = 0; i < terms.size(); ++i) register_of.emplace(terms[i].index, i);
     reserve(static_cast<std::uint32_t>(terms.size()));
-    result = home.at(term.index);
+    result = register_of.at(term.index);
     std::uint32_t start = next;
-    for (auto walk = terms.rbegin(); walk != terms.rend(); ++walk) {
-        const Expr& node = exprs[*walk];
-        const auto operands = exprs.operands(*walk);
-        const std::uint32_t to = home.at(walk->index);
-        const auto in = [&](std::size_t i) { return home.at(operands[i].index); };
+    for (auto it = terms.rbegin(); it != terms.rend(); ++it) {
+        const Expr& node = exprs[*it];
+        const auto operands = exprs.operands(*it);
+        const std::uint32_t to = register_of.at(it->index);
+        const auto in = [&](std::size_t i) { return register_of.at(operands[i].index); };
         const auto constant = [&](Word value) {
             return emit({.value = value, .yes = start, .to = to, .op = Opcode::Constant});
         };
-        if (const auto bits = literal(*walk); bits && is_leaf(node.op)) {
+        if (const auto bits = literal(*it); bits && is_leaf(node.op)) {
             const std::uint32_t truth = constant(1);
             start = test(*bits, truth, constant(0));
         } else if (node.op == Op::Variable) {

@@ -33,7 +33,7 @@ bool Limits::stopped() const {
     return options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
 }
 
-UnknownReason Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
+UnknownReason Limits::stop_reason(const Graph& graph, std::uint32_t state, std::size_t more) {
     if (stopped()) return UnknownReason::Stopped;
     // The evaluation of properties requires additional memory. If links are kept, the index is freed before the
     // evaluation.
@@ -74,8 +74,8 @@ public:
         new_states_.begin(1, 1);
         find_or_discover(0);
         new_states_.index(0, graph_.store.roots());
-        while (graph_.looked_at < graph_.states()) {
-            if (const UnknownReason obstacle = limits_.judge(graph_, graph_.looked_at, held());
+        while (graph_.explored < graph_.states()) {
+            if (const UnknownReason obstacle = limits_.stop_reason(graph_, graph_.explored, held());
                 obstacle != UnknownReason::None)
                 return obstacle;
             if (limits_.until_decided() && watch_.is_over()) return UnknownReason::Bound;
@@ -112,7 +112,7 @@ private:
         } catch (const std::bad_alloc&) {
             obstacle = UnknownReason::Memory;
         }
-        write_down(graph_.states() - first);
+        store_links(graph_.states() - first);
         for (std::size_t i = 0; i < filled_; ++i) {
             note(slices_[i]);
             if (slices_[i].bytes() > kept_bytes) slices_[i] = {};
@@ -124,7 +124,7 @@ private:
     /// are complete.
     std::size_t compute() {
         const std::size_t most = std::size_t{slices_each} * team_.size();
-        const std::size_t states = graph_.states() - graph_.looked_at;
+        const std::size_t states = graph_.states() - graph_.explored;
         const std::size_t count = std::min(most, (states + limits_.slice() - 1) / limits_.slice());
         if (slices_.size() < count) slices_.resize(count);
         while (slicers_.size() < team_.size()) slicers_.emplace_back(graph_, watch_, races_);
@@ -134,7 +134,7 @@ private:
             while (!stopped.load(std::memory_order_relaxed) && computed.load(std::memory_order_relaxed) < many_text) {
                 const std::size_t at = next.fetch_add(1);
                 if (at >= count) return;
-                const std::size_t begin = graph_.looked_at + at * limits_.slice();
+                const std::size_t begin = graph_.explored + at * limits_.slice();
                 const std::size_t end = std::min<std::size_t>(begin + limits_.slice(), graph_.states());
                 const std::size_t words = slicers_[member].fill(slices_[at], static_cast<std::uint32_t>(begin),
                                                                 static_cast<std::uint32_t>(end));
@@ -195,7 +195,7 @@ private:
                 level_end_ = static_cast<std::uint32_t>(graph_.states());
             }
             visit(slice, state, slice.states[state - slice.begin]);
-            graph_.looked_at = state + 1;
+            graph_.explored = state + 1;
         }
         return UnknownReason::None;
     }
@@ -223,9 +223,9 @@ private:
     }
 
     /// Indexes the new states, so that they can be found, and stores the targets of the edges of the expanded states.
-    void write_down(std::size_t found) {
+    void store_links(std::size_t found) {
         next_slice_ = 0;
-        share(std::max<std::size_t>(found, graph_.looked_at - slices_[0].begin), [&](unsigned member) {
+        share(std::max<std::size_t>(found, graph_.explored - slices_[0].begin), [&](unsigned member) {
             if (member < new_states_.parts()) new_states_.index(member, graph_.store.roots());
             for (std::size_t i = 0; (i = next_slice_.fetch_add(1)) < filled_;) lead(slices_[i]);
         });
@@ -241,7 +241,7 @@ private:
 
     /// Stores the targets of the edges of a slice's expanded states, without allocating memory.
     void lead(SuccessorBatch& slice) {
-        for (std::uint32_t state = slice.begin; state < std::min(slice.end, graph_.looked_at); ++state) {
+        for (std::uint32_t state = slice.begin; state < std::min(slice.end, graph_.explored); ++state) {
             const SuccessorBatch::State& at = slice.states[state - slice.begin];
             if (graph_.linked) slice.links.begin();
             std::uint32_t last = state;
@@ -274,7 +274,7 @@ private:
         NewStates::Entry& entry = new_states_[new_state.entry];
         if (entry.number != Store::none) return entry.number;
         entry.number = discover(entry.root, parent);
-        if (new_state.wanted) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
+        if (new_state.needed) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
         return entry.number;
     }
 
@@ -297,7 +297,7 @@ private:
             new_states_[new_states_.meet(new_states_.part_of(graph_.store.roots().shard_of(root)), root).entry];
         if (entry.number != Store::none) return entry.number;
         entry.number = discover(root, parent);
-        if (watch_.wants(graph_.machine, now_.words.data(), registers_))
+        if (watch_.needs(graph_.machine, now_.words.data(), registers_))
             watch_.look(graph_.machine, entry.number, now_.words.data(), registers_);
         return entry.number;
     }
@@ -349,12 +349,12 @@ private:
     /// Records the model errors and uncovered bounds of the expanded states of a slice.
     void note(const SuccessorBatch& slice) {
         const auto first = [&](std::optional<UncoveredAt>& of, const std::optional<UncoveredAt>& at) {
-            if (!of && at && at->state < graph_.looked_at) of = at;
+            if (!of && at && at->state < graph_.explored) of = at;
         };
         first(graph_.stuck_bound, slice.stuck_bound);
         first(graph_.locked_bound, slice.locked_bound);
         for (const FaultAt& at : slice.faults) {
-            if (at.state >= graph_.looked_at) return;
+            if (at.state >= graph_.explored) return;
             const bool known = std::ranges::any_of(graph_.faults, [&](const FaultAt& other) {
                 return other.fault.edge == at.fault.edge && other.fault.kind == at.fault.kind &&
                        other.fault.variable == at.fault.variable;

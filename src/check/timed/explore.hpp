@@ -53,7 +53,7 @@ public:
     }
     /// Returns the reason that ends the search, or None. Reports progress periodically. `more` is the number of bytes
     /// used in addition to the graph.
-    UnknownReason judge(const Graph& graph, std::uint32_t state, std::size_t more);
+    UnknownReason stop_reason(const Graph& graph, std::uint32_t state, std::size_t more);
     /// Computes a profile of the states found so far, if there are many states and a profile was requested. A profile
     /// is computed at most once.
     void explain(Graph& graph);

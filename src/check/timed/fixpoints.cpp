@@ -25,7 +25,7 @@ void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool parallel, 
             const std::uint32_t state = open[i];
             if (!decided(state)) open[kept++] = state;
             else if (parts == 1) set.add(state);
-            else set.add_beside(state);
+            else set.add_concurrently(state);
         }
         ends[part] = kept;
     };
@@ -144,7 +144,7 @@ private:
             stack.pop_back();
             if ((top & leaving) != 0) {
                 path.states.remove(top & ~leaving);
-                walkers_ == 1 ? met_.add(top & ~leaving) : met_.add_beside(top & ~leaving);
+                walkers_ == 1 ? met_.add(top & ~leaving) : met_.add_concurrently(top & ~leaving);
                 continue;
             }
             if (met_.has(top)) continue;
@@ -222,14 +222,14 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
 std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& considered,
                                             const Limits& limits) {
     StateSet alive(graph.states());
-    const auto goes_on = [&](std::uint32_t state) {
+    const auto continues = [&](std::uint32_t state) {
         return !graph.open(state) && !alive.has(state) && graph.kind(state) == StateKind::Passes &&
                graph.target(state) != state;
     };
-    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
+    for (std::uint32_t state = 0; state < graph.explored; ++state) {
         limits.poll();
         std::uint32_t end = state;
-        while (goes_on(end)) end = graph.target(end);
+        while (continues(end)) end = graph.target(end);
         const bool dead = !graph.open(end) && !alive.has(end) &&
                           (graph.kind(end) == StateKind::Stuck || graph.kind(end) == StateKind::Passes);
         if (dead && considered(state)) return state;

@@ -89,13 +89,13 @@ private:
     Column<std::uint32_t> ends_ = {};  // start of the list of each state
 };
 
-/// A set of states. Threads may add to it in parallel with `add_beside`, and read it at the same time.
+/// A set of states. Threads may add to it in parallel with `add_concurrently`, and read it at the same time.
 class StateSet {
 public:
     explicit StateSet(std::size_t states) : words_((states + 63) / 64) {}
     bool has(std::uint32_t state) const { return (word(state).load(relaxed) & bit(state)) != 0; }
     void add(std::uint32_t state) { word(state).store(word(state).load(relaxed) | bit(state), relaxed); }
-    void add_beside(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
+    void add_concurrently(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
     void remove(std::uint32_t state) { word(state).store(word(state).load(relaxed) & ~bit(state), relaxed); }
 
     /// Returns the 64 states from 64 * `index` on, one for each bit.
@@ -133,7 +133,7 @@ public:
     Column<std::uint32_t> kinds = {};  // kind and target of each state
     Links links = {};                  // lists of the expanded states
     bool linked = true;
-    std::uint32_t looked_at = 0;             // number of expanded states; they have `kinds` and `links`
+    std::uint32_t explored = 0;              // number of expanded states; they have `kinds` and `links`
     std::vector<std::uint32_t> levels = {};  // first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;
@@ -148,7 +148,7 @@ public:
     bool passes(std::uint32_t state) const {
         return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs;
     }
-    bool open(std::uint32_t state) const { return state >= looked_at || kind(state) == StateKind::Open; }
+    bool open(std::uint32_t state) const { return state >= explored || kind(state) == StateKind::Open; }
     void set_kind(std::uint32_t state, StateKind kind, std::uint32_t target) {
         kinds[state] = (static_cast<std::uint32_t>(kind) << kind_shift) | (target & target_mask);
     }

@@ -48,13 +48,13 @@ void Machine::expand(const Word* words, Moves& moves) const {
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (edges_[edge].first_set == edges_[edge].last_set) take(edge, words, moves);
-    else fire_each_way(edge, words, moves);
+    else fire_each_path(edge, words, moves);
 }
 
 /// Adds the successor by the edge as the last move. Returns null after a model error.
 Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
-    if (const std::size_t room = (moves.edges.size() + 1) * layout_.words; moves.words.size() < room)
-        moves.words.resize(2 * room);
+    if (const std::size_t needed = (moves.edges.size() + 1) * layout_.words; moves.words.size() < needed)
+        moves.words.resize(2 * needed);
     Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
     const ExecutionResult ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
@@ -70,13 +70,13 @@ Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
 
 /// Executes the code of the edge once for each combination of inputs, depth-first over the splits: each execution
 /// follows `path`, which is then advanced.
-void Machine::fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const {
+void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const {
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;
     const auto word = [&](std::size_t split) -> std::int64_t& { return *(registers - Choices::path - split / 64); };
     for (std::size_t i = 0; i < Choices::path_text; ++i) word(64 * i) = 0;
-    for (std::size_t ways = 0;; ++ways) {
-        if (ways == most_choices) {
+    for (std::size_t paths = 0;; ++paths) {
+        if (paths == most_choices) {
             moves.cut = true;
             return;
         }

@@ -119,7 +119,7 @@ private:
     void compile_guard(Id<Expr> guard, Edge& compiled);
     void add_sets(Id<Network::Process> process, Id<Network::Edge> edge, Edge& compiled);
     void fire(std::uint32_t edge, const Word* words, Moves& moves) const;
-    void fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const;
+    void fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const;
     Word* take(std::uint32_t edge, const Word* words, Moves& moves) const;
 
     const Network& network_;

@@ -178,9 +178,9 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
         next = compiler_.emit(instruction);
     }
     const auto assign = [&](const std::vector<Network::Assignment>& assignments) {
-        for (auto walk = assignments.rbegin(); walk != assignments.rend(); ++walk)
-            next = compiler_.assignment({static_cast<std::uint32_t>(network_.exprs[walk->target].value)}, walk->value,
-                                        next);
+        for (auto it = assignments.rbegin(); it != assignments.rend(); ++it)
+            next =
+                compiler_.assignment({static_cast<std::uint32_t>(network_.exprs[it->target].value)}, it->value, next);
     };
     for (auto call = edge.calls.rbegin(); call != edge.calls.rend(); ++call)
         assign(automaton.procedures[*call].assignments);

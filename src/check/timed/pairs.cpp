@@ -21,7 +21,7 @@ std::uint32_t print_of(std::uint64_t hash, unsigned number_bits) {
     return static_cast<std::uint32_t>(hash) & ((1U << (32U - number_bits)) - 1);
 }
 
-std::size_t home_of(std::uint64_t hash, std::size_t slots) {
+std::size_t home_slot(std::uint64_t hash, std::size_t slots) {
     return static_cast<std::size_t>(((hash >> 22U & 0xFFFFFFFFU) * slots) >> 32U);
 }
 
@@ -46,13 +46,13 @@ Pairs::Pairs(unsigned shard_bits)
 void Pairs::prefetch(Word pair) const {
     const std::uint64_t hash = Pairs::hash(pair);
     const Shard& shard = shards_[shard_at(hash)];
-    __builtin_prefetch(shard.slots.data() + home_of(hash, shard.slots.size()));
+    __builtin_prefetch(shard.slots.data() + home_slot(hash, shard.slots.size()));
 }
 
 void Pairs::prefetch_met(Word pair) const {
     const std::uint64_t hash = Pairs::hash(pair);
     const Shard& shard = shards_[shard_at(hash)];
-    const std::uint32_t slot = shard.slots[home_of(hash, shard.slots.size())];
+    const std::uint32_t slot = shard.slots[home_slot(hash, shard.slots.size())];
     if (slot != 0) prefetch_pair((slot & mask_of(shard.number_bits)) - 1);
 }
 
@@ -61,7 +61,7 @@ std::uint32_t Pairs::find(Word pair) const {
     const Shard& shard = shards_[shard_at(hash)];
     const std::uint32_t print = print_of(hash, shard.number_bits);
     const std::size_t slots = shard.slots.size();
-    for (std::size_t place = home_of(hash, slots);; place = place + 1 == slots ? 0 : place + 1) {
+    for (std::size_t place = home_slot(hash, slots);; place = place + 1 == slots ? 0 : place + 1) {
         const std::uint32_t slot = shard.slots[place];
         if (slot == 0) return none;
         if (slot >> shard.number_bits != print) continue;
@@ -97,7 +97,7 @@ void Pairs::count(Shard& shard) {
 
 void Pairs::put(Shard& shard, std::uint64_t hash, std::uint32_t number) {
     const std::size_t slots = shard.slots.size();
-    std::size_t place = home_of(hash, slots);
+    std::size_t place = home_slot(hash, slots);
     while (shard.slots[place] != 0) place = place + 1 == slots ? 0 : place + 1;
     shard.slots[place] = print_of(hash, shard.number_bits) << shard.number_bits | (number + 1);
 }

@@ -91,12 +91,12 @@ public:
             profile_.parts[i].factor = elements_[i].factor();
         }
         for (std::size_t i = 0; i < profile_.clocks.size(); ++i) {
-            ProfiledElement& thing = elements_[profile_.parts.size() + i];
-            profile_.clocks[i].values = thing.values.size();
-            profile_.clocks[i].factor = thing.factor();
+            ProfiledElement& element = elements_[profile_.parts.size() + i];
+            profile_.clocks[i].values = element.values.size();
+            profile_.clocks[i].factor = element.factor();
         }
         if (profile_.finest) profile_.finest->factor = finer_.factor();
-        const auto by_factor = [](const auto& thing) { return -thing.factor.value(); };
+        const auto by_factor = [](const auto& element) { return -element.factor.value(); };
         std::ranges::stable_sort(profile_.parts, {}, by_factor);
         std::ranges::stable_sort(profile_.clocks, {}, by_factor);
         return std::move(profile_);
@@ -108,7 +108,7 @@ private:
     /// Creates one part for each controller with its timers, and one part for each other process.
     void name_parts() {
         part_of_.assign(network_.processes.size(), Column::none);
-        told_ = display_names(network_);
+        display_names_ = display_names(network_);
         for (const Network::Controller& controller : network_.controllers) {
             part_of_[controller.process.index] = profile_.parts.size();
             for (const Network::Timer& timer : controller.timers)
@@ -139,7 +139,7 @@ private:
             const Field& field = layout.clocks[id.index][clock.index];
             if (field.width == 0) continue;
             columns_.push_back({field, part_of_[id.index], profile_.clocks.size()});
-            profile_.clocks.push_back({.process = told_[id.index], .name = automaton.clocks[clock].name});
+            profile_.clocks.push_back({.process = display_names_[id.index], .name = automaton.clocks[clock].name});
             profile_.clocks.back().origin = network_.processes[id].origin;
             find_greatest(network_.processes[id], clock, profile_.clocks.back());
         }
@@ -190,7 +190,7 @@ private:
     }
 
     void look(const Word* words) {
-        for (ProfiledElement& thing : elements_) thing.now = 0;
+        for (ProfiledElement& element : elements_) element.now = 0;
         finer_.now = 0;
         std::uint64_t whole = 0;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -203,7 +203,7 @@ private:
             if (profile_.finest) finer_.now += value - mixed(mixed(i) ^ coarser(column.field.raw(words)));
         }
         if (profile_.finest) finer_.look(whole, classes_, 0);
-        for (ProfiledElement& thing : elements_) thing.look(whole, classes_, profile_.most_combinations);
+        for (ProfiledElement& element : elements_) element.look(whole, classes_, profile_.most_combinations);
         const bool inside = std::ranges::any_of(waiting_, [&](const Waiting& at) {
             const Word now = at.location.raw(words);
             return now != at.waiting && now != at.initial;
@@ -214,8 +214,8 @@ private:
     Graph& graph_;
     const Network& network_;
     StateProfile profile_ = {};
-    std::vector<std::size_t> part_of_ = {};  // part of each process
-    std::vector<std::string> told_ = {};     // name of each process: `3s/X2` for a timer, otherwise its name
+    std::vector<std::size_t> part_of_ = {};        // part of each process
+    std::vector<std::string> display_names_ = {};  // name of each process: `3s/X2` for a timer, otherwise its name
     std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
     std::vector<ProfiledElement> elements_ = {};  // first the parts, then the clocks

@@ -21,7 +21,7 @@ std::size_t PropertyMonitor::add_bit(const Field& bit, std::uint32_t settled) {
     return results_.size() - 1;
 }
 
-bool PropertyMonitor::wants(const Machine& machine, const Word* words, Registers& registers) const {
+bool PropertyMonitor::needs(const Machine& machine, const Word* words, Registers& registers) const {
     const auto holds = [&](std::uint32_t code) { return machine.holds(code, words, registers); };
     const auto wanted = [&](const Predicate& predicate) { return holds(predicate.code) != End::No; };
     const auto missing = [&](const Bits& bits) {

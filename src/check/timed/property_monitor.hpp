@@ -22,7 +22,7 @@ public:
     std::size_t add_bit(const Field& bit, std::uint32_t settled);
 
     /// True if the new state ends some monitor, so that look() must be called. Thread-safe.
-    bool wants(const Machine& machine, const Word* words, Registers& registers) const;
+    bool needs(const Machine& machine, const Word* words, Registers& registers) const;
     /// Evaluates a new state for which wants() is true.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
     /// True if each monitor has found a state or an undefined predicate.

@@ -78,7 +78,7 @@ void PropertyQueries::query_step_states(const Property& property, const Property
     }
 }
 
-void PropertyQueries::ask(Id<Property> about, const Property& property) {
+void PropertyQueries::add_query(Id<Property> about, const Property& property) {
     PropertyQuery question{.property = &property, .at_stable = property.at_stable};
     question.verdict = verdict_on(about, property);
     if (property.at_stable && is_checked(property.pattern) && !network_.settled.valid()) {

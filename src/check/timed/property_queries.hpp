@@ -25,7 +25,7 @@ public:
     /// `abstracted`: the network is an input abstraction.
     PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch, bool abstracted = false);
 
-    void ask(Id<Property> about, const Property& property);
+    void add_query(Id<Property> about, const Property& property);
     /// True if some selected property is `inevitable`, `leads to` or `always possible`; their verdicts depend on the
     /// edges of the graph, not only on single states.
     bool follow_edges() const;
@@ -51,7 +51,7 @@ private:
         std::size_t watch = none;  // monitor of a state that decides the property or its vacuity
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
-        std::optional<std::uint32_t> lost = {};  // a state from which no required state is reachable
+        std::optional<std::uint32_t> dead_state = {};  // a state from which no required state is reachable
     };
 
     std::uint32_t settled_and(const Property& property, Id<Expr> operand);

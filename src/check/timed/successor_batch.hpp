@@ -37,7 +37,7 @@ struct alignas(own_lines) SuccessorBatch {
         std::uint32_t entry = 0;  ///< index of the entry in the set of new states
         std::uint8_t shard = 0;   ///< shard of the root
         bool folded = false;
-        bool wanted = false;  ///< true if a property monitor needs the state
+        bool needed = false;  ///< true if a property monitor needs the state
         bool first = false;   ///< true if no earlier new state of the block is equal
     };
 

@@ -65,10 +65,10 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     for (const Id<Property> id : flat.properties.ids()) {
         const Property& property = flat.properties[id];
         if (!timed::is_selected(options, property)) continue;
-        questions.ask(id, property);
+        questions.add_query(id, property);
         timelock_requested = timelock_requested || timed::about_time(property);
     }
-    if (!timelock_requested) questions.ask({}, timelock);
+    if (!timelock_requested) questions.add_query({}, timelock);
     std::uint32_t settled = timed::Program::no;
     if (options.premises && flat.settled.valid())
         settled = machine.compiler().condition(flat.settled, timed::Program::yes, timed::Program::no);

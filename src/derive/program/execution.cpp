@@ -118,10 +118,10 @@ void SymbolicExecution::event(std::vector<Scan::Event>& events, Id<Expr> conditi
 void SymbolicExecution::execute(const Program::Body& body, std::size_t from, std::uint32_t frame) {
     for (std::size_t i = from; i < body.size() && !failed_; ++i) {
         execute(program_.statements[body[i]], frame);
-        const Id<Expr> goes_on = alive();
-        if (is_true(exprs_, goes_on) || i + 1 == body.size()) continue;
+        const Id<Expr> continues = alive();
+        if (is_true(exprs_, continues) || i + 1 == body.size()) continue;
         branch(
-            goes_on,
+            continues,
             [&] {
                 write(returned_, exprs_.constant(false));
                 write(exited_, exprs_.constant(false));
@@ -222,11 +222,11 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
         const auto once = [&] {  // returns true if the next iteration follows unconditionally
             execute(body, 0, frame);
             if (failed_) return false;
-            Id<Expr> goes_on = alive();
-            if (statement.kind == Kind::Repeat && !is_false(exprs_, goes_on)) {
-                if (!is_true(exprs_, goes_on)) {
+            Id<Expr> continues = alive();
+            if (statement.kind == Kind::Repeat && !is_false(exprs_, continues)) {
+                if (!is_true(exprs_, continues)) {
                     branch(
-                        goes_on,
+                        continues,
                         [&] {
                             rest();
                             if (is_true(exprs_, value(statement.value, frame))) return;
@@ -237,15 +237,15 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
                         [] {});
                     return false;
                 }
-                goes_on = exprs_.negation(value(statement.value, frame));
+                continues = exprs_.negation(value(statement.value, frame));
             }
-            if (is_false(exprs_, goes_on)) return false;
-            if (is_true(exprs_, goes_on)) {
+            if (is_false(exprs_, continues)) return false;
+            if (is_true(exprs_, continues)) {
                 rest();
                 return true;
             }
             branch(
-                goes_on,
+                continues,
                 [&] {
                     rest();
                     iterate(statement, last, frame);

@@ -80,7 +80,9 @@ private:
         return true;
     }
 
-    Literal literal(Literal ours) const { return written_.literals[node_of(ours)] ^ (ours & 1U); }
+    Literal literal(Literal gate_literal) const {
+        return written_.literals[node_of(gate_literal)] ^ (gate_literal & 1U);
+    }
 
     void header() {
         const auto lists = static_cast<std::size_t>(

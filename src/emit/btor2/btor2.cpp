@@ -44,15 +44,15 @@ std::string one_word(std::string name) {
 /// Output lines, hash-consed.
 class Lines {
 public:
-    Line sort(std::uint32_t width) { return said("sort bitvec " + std::to_string(width)); }
+    Line sort(std::uint32_t width) { return line_of("sort bitvec " + std::to_string(width)); }
     Line constant(std::uint32_t width, std::int64_t value) {
-        return said("constd " + std::to_string(sort(width)) + " " + std::to_string(value));
+        return line_of("constd " + std::to_string(sort(width)) + " " + std::to_string(value));
     }
     Line apply(std::string_view op, std::uint32_t width, std::initializer_list<Line> operands,
                const std::string& rest = "") {
         std::string line = std::string(op) + " " + std::to_string(sort(width));
         for (const Line operand : operands) line += " " + std::to_string(operand);
-        return said(line + rest);
+        return line_of(line + rest);
     }
     /// Adds a line without searching for an equal line: the line is not a value, or must not be shared by several
     /// values.
@@ -63,7 +63,7 @@ public:
     std::string text() && { return std::move(text_); }
 
 private:
-    Line said(const std::string& line) {
+    Line line_of(const std::string& line) {
         const auto [place, first] = known_.try_emplace(line, 0);
         if (first) place->second = fresh(line);
         return place->second;
@@ -183,8 +183,8 @@ private:
         Word word{true, 1, truth(!disjunction), 0};
         for (const Word& operand : operands) {
             if (operand.undefined != 0) {
-                const Line looked_at = disjunction ? negation(word.line) : word.line;
-                word.undefined = either(word.undefined, both(looked_at, operand.undefined));
+                const Line evaluates_next = disjunction ? negation(word.line) : word.line;
+                word.undefined = either(word.undefined, both(evaluates_next, operand.undefined));
             }
             word.line = disjunction ? either(word.line, operand.line) : both(word.line, operand.line);
         }
@@ -239,7 +239,7 @@ public:
         add_words();
         add_constraints();
         add_next_values();
-        for (const Id<Property> id : system_.properties.ids()) ask(id);
+        for (const Id<Property> id : system_.properties.ids()) add_query(id);
         for (const auto& [name, condition] : leaks_) bad(condition, name);
         if (!system_.constants.empty()) result_.text = "; constants: " + constants_text(system_.constants) + "\n";
         result_.text += std::move(lines_).text();
@@ -319,7 +319,7 @@ private:
         lines_.fresh("bad " + std::to_string(condition) + " " + one_word(name));
     }
 
-    void ask(Id<Property> id) {
+    void add_query(Id<Property> id) {
         const Property& property = system_.properties[id];
         std::vector<Word> operands;
         for (const Id<Expr> operand : property.operands) operands.push_back(now_(flattened(system_, flat_, operand)));

@@ -35,17 +35,17 @@ struct PreferredPosition {
 
 class Arranger {
 public:
-    explicit Arranger(Layers& layers) : layers_(layers), wishes_(layers.items.size()) {
+    explicit Arranger(Layers& layers) : layers_(layers), preferred_(layers.items.size()) {
         for (std::vector<std::size_t>& order : layers_.order) place(order);
         for (std::size_t node = 0; node < layers_.arrows.size(); ++node) lay_rows(node);
     }
 
     void arrange() {
-        constexpr int turns = 10;
+        constexpr int rounds = 10;
         const std::size_t count = layers_.order.size();
         Layers best;
         double shortest = std::numeric_limits<double>::infinity();
-        for (int turn = 0; turn < turns; ++turn) {
+        for (int round = 0; round < rounds; ++round) {
             for (std::size_t layer = 1; layer < count; ++layer) draw(layer, true, false, true);
             for (std::size_t layer = count; layer-- > 0;) draw(layer, false, true, true);
             for (std::size_t node = 0; node < layers_.arrows.size(); ++node) lay_rows(node);
@@ -67,17 +67,18 @@ public:
 
 private:
     /// Moves the items of a layer towards the other ends of their lines: the ends in the previous layer if `before` is
-    /// true, the ends in the next layer if `behind` is true. If `anew` is true, the items are also reordered.
-    void draw(std::size_t layer, bool before, bool behind, bool anew) {
+    /// true, the ends in the next layer if `after` is true. If `reorder` is true, the items are also reordered.
+    void draw(std::size_t layer, bool before, bool after, bool reorder) {
         std::vector<std::size_t>& order = layers_.order[layer];
-        for (const std::size_t item : order) wishes_[item] = {};
+        for (const std::size_t item : order) preferred_[item] = {};
         if (before && layer > 0)
-            for (const Net& net : layers_.channels[layer - 1]) wish_before(layer - 1, net);
-        if (behind)
-            for (const Net& net : layers_.channels[layer]) wish_behind(layer, net);
-        if (anew)
-            std::ranges::stable_sort(
-                order, {}, [this](std::size_t item) { return wished(item) + layers_.items[item].size / 2.0; });
+            for (const Net& net : layers_.channels[layer - 1]) attract_before(layer - 1, net);
+        if (after)
+            for (const Net& net : layers_.channels[layer]) attract_after(layer, net);
+        if (reorder)
+            std::ranges::stable_sort(order, {}, [this](std::size_t item) {
+                return preferred_position(item) + layers_.items[item].size / 2.0;
+            });
         place(order);
     }
 
@@ -88,29 +89,29 @@ private:
         return layers_.items[item].lane ? 2 : 0.25;
     }
 
-    void wish_before(std::size_t channel, const Net& net) {
+    void attract_before(std::size_t channel, const Net& net) {
         double sum = 0;
         for (const Port& port : net.near) sum += near_place(layers_, port);
         for (const Port& port : net.far)
-            wishes_[port.item].add(sum / static_cast<double>(net.near.size()) - layers_.items[port.item].entry,
-                                   weight(channel, net, port.item));
+            preferred_[port.item].add(sum / static_cast<double>(net.near.size()) - layers_.items[port.item].entry,
+                                      weight(channel, net, port.item));
     }
 
-    void wish_behind(std::size_t channel, const Net& net) {
+    void attract_after(std::size_t channel, const Net& net) {
         double sum = 0;
         for (const Port& port : net.near) sum += near_place(layers_, port);
         for (const Port& port : net.far) sum += far_place(layers_, port);
         const auto others = static_cast<double>(net.near.size() + net.far.size() - 1);
         for (const Port& port : net.near) {
             const double here = near_place(layers_, port);
-            wishes_[port.item].add((sum - here) / others - (here - layers_.items[port.item].at),
-                                   weight(channel, net, port.item));
+            preferred_[port.item].add((sum - here) / others - (here - layers_.items[port.item].at),
+                                      weight(channel, net, port.item));
         }
     }
 
-    double wished(std::size_t item) const {
-        const PreferredPosition& wish = wishes_[item];
-        return wish.weight == 0 ? layers_.items[item].at : wish.sum / wish.weight;
+    double preferred_position(std::size_t item) const {
+        const PreferredPosition& preferred = preferred_[item];
+        return preferred.weight == 0 ? layers_.items[item].at : preferred.sum / preferred.weight;
     }
 
     /// Assigns to each item the position nearest to its preferred position, under the given order and gaps.
@@ -125,8 +126,8 @@ private:
         for (std::size_t k = 0; k < order.size(); ++k) {
             const Item* const last = k > 0 ? &layers_.items[order[k - 1]] : nullptr;
             offsets.push_back(last == nullptr ? 0 : offsets.back() + last->size + gap(*last, layers_.items[order[k]]));
-            const double weight = std::max(0.1, wishes_[order[k]].weight);
-            Block block{weight * (wished(order[k]) - offsets.back()), weight, 1};
+            const double weight = std::max(0.1, preferred_[order[k]].weight);
+            Block block{weight * (preferred_position(order[k]) - offsets.back()), weight, 1};
             for (; !blocks.empty() && blocks.back().begin() >= block.begin(); blocks.pop_back()) {
                 block.sum += blocks.back().sum;
                 block.weight += blocks.back().weight;
@@ -151,13 +152,13 @@ private:
         }
         int at = (item.size - item.rows) / 2;
         if (item.is_reached_back) {
-            item.back_entry = at + back_room / 2;
-            at += back_room;
+            item.back_entry = at + back_space / 2;
+            at += back_space;
         }
         for (const std::size_t arrow : arrows) {
             Row& row = layers_.rows[arrow];
             row.at = at + row.before;
-            at = row.at + row.behind;
+            at = row.at + row.after;
         }
     }
 
@@ -182,8 +183,8 @@ private:
             double off = std::numeric_limits<double>::infinity();
             for (const Port& port : layers_.channels[layer - 1][known->second].near)
                 if (const double here = near_place(layers_, port) - middle; std::abs(here) < std::abs(off)) off = here;
-            const Extent room = room_of(order, k);
-            const double at = std::max(room.low, std::min(room.high, item.at + off));
+            const Extent range = range_of(order, k);
+            const double at = std::max(range.low, std::min(range.high, item.at + off));
             if (std::abs(item.at + off - at) <= item.size / 2 - corner) item.at = at;
         }
     }
@@ -200,24 +201,24 @@ private:
         for (const auto& [target, lanes] : runs) {
             std::size_t layer = layers_.depth[target] + 1;
             for (std::size_t begin = 0, end = 0; begin < lanes.size(); begin = end) {
-                Extent room = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+                Extent range = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
                 double sum = 0;
                 for (; end < lanes.size(); ++end) {
-                    const Extent here = room_of(layers_.order[layer + end], place_of[lanes[end]]);
-                    const Extent both = {std::max(room.low, here.low), std::min(room.high, here.high)};
+                    const Extent here = range_of(layers_.order[layer + end], place_of[lanes[end]]);
+                    const Extent both = {std::max(range.low, here.low), std::min(range.high, here.high)};
                     if (end > begin && both.low > both.high) break;
-                    room = both;
+                    range = both;
                     sum += layers_.items[lanes[end]].at;
                 }
                 const double mean = sum / static_cast<double>(end - begin);
                 for (std::size_t k = begin; k < end; ++k)
-                    layers_.items[lanes[k]].at = std::max(room.low, std::min(room.high, mean));
+                    layers_.items[lanes[k]].at = std::max(range.low, std::min(range.high, mean));
             }
         }
     }
 
     /// Returns the range in which the `k`th item of a layer can be moved.
-    Extent room_of(const std::vector<std::size_t>& order, std::size_t k) const {
+    Extent range_of(const std::vector<std::size_t>& order, std::size_t k) const {
         constexpr double far = std::numeric_limits<double>::infinity();
         const Item& item = layers_.items[order[k]];
         const Item* const above = k > 0 ? &layers_.items[order[k - 1]] : nullptr;
@@ -276,12 +277,12 @@ private:
                                [&](const auto& line) { return line.second == item.node; });
         };
         if (item.lane) return is_free(at);
-        int wish = item.size / 2;
+        int preferred = item.size / 2;
         const auto end = lines.upper_bound(at + item.size - corner);
         for (auto line = lines.lower_bound(at + corner); line != end; ++line)
-            if (line->second == item.node) wish = line->first - at;
+            if (line->second == item.node) preferred = line->first - at;
         for (int away = 0; away < item.size; ++away)
-            for (const int entry : {wish - away, wish + away}) {
+            for (const int entry : {preferred - away, preferred + away}) {
                 if (entry < corner || entry > item.size - corner || !is_free(at + entry)) continue;
                 item.entry = entry;
                 return true;
@@ -296,7 +297,7 @@ private:
     }
 
     Layers& layers_;
-    std::vector<PreferredPosition> wishes_;
+    std::vector<PreferredPosition> preferred_;
 };
 
 /// The positions of the lines of a net on both sides of its track.
@@ -343,13 +344,13 @@ Extent extent(const Layers& layers, const Net& net) {
 void arrange(Layers& layers) { Arranger(layers).arrange(); }
 
 std::size_t assign_tracks(const Layers& layers, std::vector<Net>& channel) {
-    constexpr int turns = 12, track_room = 6;
+    constexpr int rounds = 12, track_gap = 6;
     const std::vector<Sides> all = places_of_nets(layers, channel);
     std::vector<std::size_t> order(channel.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&all](std::size_t net) { return all[net].extent.low; });
     bool swapped = true;
-    for (int turn = 0; swapped && turn < turns; ++turn) {
+    for (int round = 0; swapped && round < rounds; ++round) {
         swapped = false;
         for (std::size_t k = 0; k + 1 < order.size(); ++k) {
             const Sides &first = all[order[k]], &second = all[order[k + 1]];
@@ -365,7 +366,7 @@ std::size_t assign_tracks(const Layers& layers, std::vector<Net>& channel) {
         track = 0;
         for (std::size_t before = 0; before < k; ++before) {
             const Extent there = all[order[before]].extent;
-            if (there.low < here.high + track_room && here.low < there.high + track_room)
+            if (there.low < here.high + track_gap && here.low < there.high + track_gap)
                 track = std::max(track, channel[order[before]].track + 1);
         }
         count = std::max(count, track + 1);

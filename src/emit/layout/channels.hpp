@@ -25,13 +25,13 @@ struct Item {
     int back_entry = 0;            ///< position of all other incoming lines, relative to `at`
 };
 /// The height of the space above the rows of a node with incoming backward lines.
-inline constexpr int back_room = 14;
+inline constexpr int back_space = 14;
 
 /// An outgoing arrow of a node. All values are distances across: the space before and after its line, and the position
 /// of the line relative to Item::at.
 struct Row {
     std::size_t to = nothing;
-    int before = 0, behind = 0, at = 0;
+    int before = 0, after = 0, at = 0;
 };
 
 /// A point at which a line leaves or enters an item.

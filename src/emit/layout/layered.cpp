@@ -13,8 +13,8 @@ namespace grafverif::layout {
 
 namespace {
 
-constexpr int beside_line = 5;  ///< space between a label and its line, and between a label and the box
-constexpr int loop_depth = 9;   ///< distance between the two lines of a loop
+constexpr int label_margin = 5;  ///< space between a label and its line, and between a label and the box
+constexpr int loop_depth = 9;    ///< distance between the two lines of a loop
 constexpr int before_tracks = 10, track_gap = 9, after_tracks = 18;  ///< distances along a channel
 
 /// Conversion between along/across and x/y, for both directions.
@@ -117,17 +117,17 @@ private:
         const int loop = arrow.from == arrow.to && !arrow.ends ? loop_depth : 0;
         const std::size_t to = arrow.ends ? nothing : arrow.to;
         if (axes_.direction == Direction::Across) return {to, label + 3, 5 + loop};
-        return {to, 8, label + 2 * beside_line + loop};
+        return {to, 8, label + 2 * label_margin + loop};
     }
 
     /// Computes the size of a node from its text and rows.
     void measure(std::size_t node) {
         Item& item = layers_.items[node];
-        item.rows = item.is_reached_back ? back_room : 0;
+        item.rows = item.is_reached_back ? back_space : 0;
         for (const std::size_t arrow : layers_.arrows[node]) {
             const Row& row = layers_.rows[arrow];
             const bool in_middle = layers_.arrows[node].size() == 1 && !item.is_reached_back;
-            item.rows += in_middle ? 2 * std::max(row.before, row.behind) : row.before + row.behind;
+            item.rows += in_middle ? 2 * std::max(row.before, row.after) : row.before + row.after;
         }
         item.size = std::max(axes_.across(states_.nodes[node]), item.rows);
         item.entry = item.size / 2;
@@ -184,7 +184,7 @@ private:
     }
 
     /// Returns the length of a row with its label.
-    int length(std::size_t arrow) const { return axes_.along(states_.arrows[arrow].label) + 3 * beside_line; }
+    int length(std::size_t arrow) const { return axes_.along(states_.arrows[arrow].label) + 3 * label_margin; }
 
     int track(std::size_t channel, const Net& net) const {
         return places_[channel].channel + before_tracks + static_cast<int>(net.track) * track_gap;
@@ -197,9 +197,9 @@ private:
             const Size label = states_.arrows[k].label;
             const int row = at + layers_.rows[k].at;
             const bool across = axes_.direction == Direction::Across;
-            drawing_.arrows[k].label =
-                axes_.box(place.rows + (across ? 2 : 1) * beside_line,
-                          across ? row - 1 - label.height : row + beside_line, axes_.along(label), axes_.across(label));
+            drawing_.arrows[k].label = axes_.box(place.rows + (across ? 2 : 1) * label_margin,
+                                                 across ? row - 1 - label.height : row + label_margin,
+                                                 axes_.along(label), axes_.across(label));
             line_.clear();
             to(place.rows, row);
             draw_line(k, place, row);
@@ -212,7 +212,7 @@ private:
         if (arrow.ends) return to(place.rows + length(k), row);
         if (arrow.from == arrow.to) {
             const bool across = axes_.direction == Direction::Across;
-            const int back = row + (across ? loop_depth : arrow.label.width + 2 * beside_line);
+            const int back = row + (across ? loop_depth : arrow.label.width + 2 * label_margin);
             to(place.rows + length(k), row);
             to(place.rows + length(k), back);
             return to(place.rows, back);
@@ -221,12 +221,12 @@ private:
             const Net& net = layers_.net(channel, arrow.to);
             const bool forward = layers_.depth[arrow.to] > channel;
             const Port& next = forward ? net.far.front() : net.near.front();
-            const int way = static_cast<int>(forward ? far_place(layers_, next) : near_place(layers_, next));
+            const int destination = static_cast<int>(forward ? far_place(layers_, next) : near_place(layers_, next));
             to(track(channel, net), row);
-            to(track(channel, net), way);
-            if (forward) return to(places_[channel + 1].nodes, way);
-            if (!layers_.items[next.item].lane) return to(places_[channel].rows, way);
-            row = way;
+            to(track(channel, net), destination);
+            if (forward) return to(places_[channel + 1].nodes, destination);
+            if (!layers_.items[next.item].lane) return to(places_[channel].rows, destination);
+            row = destination;
         }
     }
 

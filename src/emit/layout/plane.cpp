@@ -19,10 +19,10 @@ std::uint64_t key(int column, int row) {
 bool runs_through(const Segment& segment, const Box& box) {
     const Vector step = segment.to - segment.from;
     double first = 0, last = 1;
-    const auto clip = [&](double slope, double room) {  // keeps the values t with slope * t <= limit
-        if (std::abs(slope) < 1e-9) return room >= 0;
-        if (slope > 0) last = std::min(last, room / slope);
-        else first = std::max(first, room / slope);
+    const auto clip = [&](double slope, double limit) {  // keeps the values t with slope * t <= limit
+        if (std::abs(slope) < 1e-9) return limit >= 0;
+        if (slope > 0) last = std::min(last, limit / slope);
+        else first = std::max(first, limit / slope);
         return first <= last;
     };
     return clip(-step.x, segment.from.x - box.at.x) && clip(step.x, box.at.x + box.size.width - segment.from.x) &&

@@ -116,7 +116,7 @@ Arrangement ring_with_pendants(std::size_t nodes, const std::set<Pair>& pairs) {
         else others.push_back(node);
     }
     std::set<Pair> inner = pairs;
-    for (const auto& [node, beside] : ring.pendants) inner.erase(std::minmax(node, beside));
+    for (const auto& [node, anchor] : ring.pendants) inner.erase(std::minmax(node, anchor));
     ring.order = ring_order(std::move(others), inner);
     return ring;
 }
@@ -163,16 +163,16 @@ void place_pendants(const Graph& graph, const std::vector<Arrangement::Pendant>&
                     std::vector<Vector>& places) {
     constexpr double fan = 0.7;
     std::map<std::size_t, int> placed;
-    for (const auto& [node, beside] : pendants) {
+    for (const auto& [node, anchor] : pendants) {
         Size label = {60, 40};
         for (const Graph::Link& link : graph.links) {
             if (link.from != node && link.to != node) continue;
             label = {std::max(label.width, link.label.width), std::max(label.height, link.label.height)};
         }
-        const Vector at = places[beside];
+        const Vector at = places[anchor];
         const double away = std::abs(at.x) < 1 ? (at.y < 0 ? -pi / 2 : pi / 2) : (at.x < 0 ? pi : 0);
-        const int turn = placed[beside]++;
-        const double angle = away + fan * (turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2);
+        const int ordinal = placed[anchor]++;
+        const double angle = away + fan * (ordinal % 2 == 0 ? ordinal / 2 : -(ordinal + 1) / 2);
         places[node] = at + std::sqrt(scale) * (2 * reach(label, direction(angle)) + 70) * direction(angle);
     }
 }
@@ -187,7 +187,7 @@ std::vector<Vector> places(const Graph& graph, const Arrangement& arrangement, d
 }
 
 /// True if no two nodes are too close together.
-bool is_roomy(const std::vector<Vector>& places) {
+bool has_clearance(const std::vector<Vector>& places) {
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (length(places[i] - places[j]) < 100) return false;
@@ -336,7 +336,7 @@ Arrangement arrangement(const Graph& graph) {
     if (std::vector<std::size_t> line = path_order(nodes, pairs); !line.empty()) return {true, std::move(line), {}};
     if (nodes <= somewhat_ordered) {
         Arrangement ring = ring_with_pendants(nodes, pairs);
-        if (is_roomy(places(graph, ring, 1))) return ring;
+        if (has_clearance(places(graph, ring, 1))) return ring;
     }
     std::vector<std::size_t> order(nodes);
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -14,7 +14,7 @@ struct Arrangement {
     bool line = false;                    ///< true if the nodes are on a horizontal line, false if on an ellipse
     std::vector<std::size_t> order = {};  ///< nodes on the line or ellipse, from first to last
     struct Pendant {
-        std::size_t node = 0, beside = 0;  ///< `node` has links only to `beside` and is placed next to it
+        std::size_t node = 0, anchor = 0;  ///< `node` has links only to `anchor` and is placed next to it
     };
     std::vector<Pendant> pendants = {};
 };

@@ -36,7 +36,7 @@ struct Printer {
     }
 
     /// Returns `term` in parentheses, restricted to quiescent states if the property is `at stable`.
-    std::string judged(const Property& property, Id<Expr> term) const {
+    std::string restricted(const Property& property, Id<Expr> term) const {
         if (!property.at_stable) return bracketed(term);
         return '(' + bracketed(system.settled) + " & " + bracketed(term) + ')';
     }
@@ -62,7 +62,7 @@ struct Specification {
 };
 
 Specification specification(const Printer& printer, const Property& property) {
-    const auto operand = [&](std::size_t k) { return printer.judged(property, property.operands[k]); };
+    const auto operand = [&](std::size_t k) { return printer.restricted(property, property.operands[k]); };
     switch (property.pattern) {
     case Pattern::Always: return {"INVARSPEC", printer.invariant(property, printer.text(property.operands[0]))};
     case Pattern::Never:

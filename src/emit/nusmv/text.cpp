@@ -22,16 +22,16 @@ std::vector<std::string> legal(Names& result, const std::string& scope, const st
 /// Names the symbols of a module; in main, also the instances, which share its scope.
 void name_symbols(Names& result, const System& system, Id<System::Module> id) {
     const System::Module& module = system.modules[id];
-    std::vector<std::string> wishes;
+    std::vector<std::string> preferred_names;
     std::vector<std::size_t> owners;
     for (const Id<System::Symbol> symbol : module.symbols.ids()) {
         if (std::holds_alternative<System::MemberSymbol>(module.symbols[symbol].kind)) continue;
-        wishes.push_back(module.symbols[symbol].name);
+        preferred_names.push_back(module.symbols[symbol].name);
         owners.push_back(symbol.index);
     }
     if (id == system.main)
-        for (const System::Instance& instance : system.instances) wishes.push_back(instance.name);
-    const std::vector<std::string> made = legal(result, "in module " + result.modules[id.index], wishes);
+        for (const System::Instance& instance : system.instances) preferred_names.push_back(instance.name);
+    const std::vector<std::string> made = legal(result, "in module " + result.modules[id.index], preferred_names);
     std::vector<std::string>& symbols = result.symbols[id.index];
     symbols.resize(module.symbols.size());
     for (std::size_t i = 0; i < owners.size(); ++i) symbols[owners[i]] = made[i];
@@ -53,16 +53,17 @@ void name_members(Names& result, const System& system) {
 /// Chooses one name per named value. The name differs from the names of symbols in all modules, because NuSMV's
 /// constants are global.
 void name_values(Names& result, const System& system) {
-    std::vector<std::string> wishes;
+    std::vector<std::string> preferred_names;
     for (const System::Module& module : system.modules)
         for (const System::Symbol& symbol : module.symbols)
             for (const std::string& value : symbol.values)
-                if (result.value_places.try_emplace(value, wishes.size()).second) wishes.push_back(value);
-    if (wishes.empty()) return;
+                if (result.value_places.try_emplace(value, preferred_names.size()).second)
+                    preferred_names.push_back(value);
+    if (preferred_names.empty()) return;
     std::unordered_set<std::string> taken(result.instances.begin(), result.instances.end());
     for (const std::vector<std::string>& symbols : result.symbols) taken.insert(symbols.begin(), symbols.end());
-    result.values = legal_names(Target::Nusmv, wishes, taken);
-    std::vector<Renaming> changes = renamings(wishes, result.values);
+    result.values = legal_names(Target::Nusmv, preferred_names, taken);
+    std::vector<Renaming> changes = renamings(preferred_names, result.values);
     if (!changes.empty()) result.changed.push_back({"of values", std::move(changes)});
 }
 

@@ -38,20 +38,21 @@ struct TestNames {
 
 TestNames test_names(const TestSequence& test) {
     TestNames names;
-    std::vector<std::string> inputs, outputs, wishes;
+    std::vector<std::string> inputs, outputs, preferred_names;
     for (const TestSequence::Variable& input : test.inputs) inputs.push_back(input.name);
     for (const TestSequence::Variable& output : test.outputs) outputs.push_back(output.name);
     names.interface = interface_names(test.chart, inputs, outputs);
-    for (const std::string& input : inputs) wishes.push_back("I_" + input);
-    for (const std::string& output : outputs) wishes.push_back("E_" + output);
-    for (std::size_t k = 0; k < test.sequences.size(); ++k) wishes.push_back(fmt::format("controller_{}", k + 1));
+    for (const std::string& input : inputs) preferred_names.push_back("I_" + input);
+    for (const std::string& output : outputs) preferred_names.push_back("E_" + output);
+    for (std::size_t k = 0; k < test.sequences.size(); ++k)
+        preferred_names.push_back(fmt::format("controller_{}", k + 1));
     std::string* const own[] = {&names.program,  &names.row,        &names.scan,     &names.scans,
                                 &names.sequence, &names.pause,      &names.wait,     &names.done,
                                 &names.passed,   &names.failed_row, &names.failures, &names.wrong};
-    for (const char* wish : {"test", "row", "scan", "scans", "sequence", "pause", "wait", "done", "passed",
-                             "failed_row", "failures", "wrong"})
-        wishes.push_back(*wish == 't' ? "test_" + test.chart : std::string(wish));
-    std::vector<std::string> made = legal_names(Target::StructuredText, wishes, {names.interface.block});
+    for (const char* preferred : {"test", "row", "scan", "scans", "sequence", "pause", "wait", "done", "passed",
+                                  "failed_row", "failures", "wrong"})
+        preferred_names.push_back(*preferred == 't' ? "test_" + test.chart : std::string(preferred));
+    std::vector<std::string> made = legal_names(Target::StructuredText, preferred_names, {names.interface.block});
     auto next = made.begin();
     for (std::size_t k = 0; k < inputs.size(); ++k) names.inputs.push_back(*next++);
     for (std::size_t k = 0; k < outputs.size(); ++k) names.expected.push_back(*next++);
@@ -68,7 +69,7 @@ public:
         rows();
         wait();
         scan();
-        judge();
+        write_check();
         Unit unit{true, names_.program, comment(), {}, {}};
         unit.variables = variables();
         unit.body = std::move(text_);
@@ -139,7 +140,7 @@ private:
         line("{} := {};", names_.wrong, wrong.empty() ? "FALSE" : wrong);
     }
 
-    void judge() {
+    void write_check() {
         line("IF {} THEN", names_.wrong);
         line("    IF {} = 0 THEN {} := {}; END_IF;", names_.failures, names_.failed_row, names_.row);
         line("    {} := {} + 1;", names_.failures, names_.failures);

@@ -228,15 +228,15 @@ private:
 
     void write_queries() {
         const std::vector<Query> list = queries(network_, names_);
-        const auto is_said = [](const Query& query) { return !query.formula.empty(); };
-        const auto last = std::ranges::find_if(list.rbegin(), list.rend(), is_said);
+        const auto has_formula = [](const Query& query) { return !query.formula.empty(); };
+        const auto last = std::ranges::find_if(list.rbegin(), list.rend(), has_formula);
         if (last == list.rend()) return;  // the header lists the omitted properties
         const auto end = last.base();
         xml_ += "\t<queries>\n";
         for (auto query = list.begin(); query != end; ++query) {
             if (query + 1 == end)
                 std::for_each(end, list.end(), [&](const Query& left_out) { write_counterfactuals(left_out); });
-            if (is_said(*query)) write_query(*query);
+            if (has_formula(*query)) write_query(*query);
             else write_counterfactuals(*query);
         }
         xml_ += "\t</queries>\n";

@@ -93,7 +93,7 @@ private:
     Id<Expr> choice(std::vector<Id<Expr>> terms, Op op);
     std::optional<Network::Assignment> assignment(const Network::Assignment& written);
     std::vector<Id<Network::Variable>> free_in(Id<Expr> invariant) const;
-    Id<Expr> known_of_choices(const std::vector<std::size_t>& telling);
+    Id<Expr> known_of_choices(const std::vector<std::size_t>& informative);
     Id<Expr> enabled_by_all(Id<Expr> guard);
 
     const Network& whole_;
@@ -312,9 +312,9 @@ void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool 
 
 void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Network::Template& to) {
     Exprs& exprs = made_.network.exprs;
-    std::vector<std::size_t> telling;
+    std::vector<std::size_t> informative;
     for (std::size_t i = 0; i < invariants_.size(); ++i)
-        if (choices_.report_of(free_in_[i])) telling.push_back(i);
+        if (choices_.report_of(free_in_[i])) informative.push_back(i);
     choices_.begin();
     do {
         if (ablations_.steady && !choices_.as_at_first()) continue;
@@ -332,7 +332,7 @@ void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Networ
             copy.urgent = urgent;
             to.edges.add(copy);
         };
-        const Id<Expr> guard = exprs.conjunction(choices_.chosen(free.guard), known_of_choices(telling));
+        const Id<Expr> guard = exprs.conjunction(choices_.chosen(free.guard), known_of_choices(informative));
         add(exprs.conjunction(always, guard), true);
         if (guard != always) add(guard, false);
     } while (choices_.next());
@@ -348,10 +348,10 @@ std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) con
 
 /// Returns the constraints that the given invariants impose on kept variables before the edge, under the current values
 /// of the choices.
-Id<Expr> LocalBuilder::known_of_choices(const std::vector<std::size_t>& telling) {
+Id<Expr> LocalBuilder::known_of_choices(const std::vector<std::size_t>& informative) {
     Exprs& exprs = made_.network.exprs;
     std::vector<Id<Expr>> all;
-    for (const std::size_t i : telling) {
+    for (const std::size_t i : informative) {
         const std::optional<std::vector<Choices::Values>> possible = choices_.possible_before(free_in_[i]);
         if (!possible) continue;
         std::vector<Id<Expr>> cases;

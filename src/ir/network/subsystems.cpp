@@ -168,7 +168,7 @@ void SubNetworkBuilder::add_controller(const Network::Controller& controller) {
     made_.network.controllers.add(std::move(made));
 }
 
-void SubNetworkBuilder::ask(Property property) {
+void SubNetworkBuilder::add_property(Property property) {
     for (Id<Expr>& operand : property.operands) operand = copy_(operand);
     made_.network.properties.add(std::move(property));
 }

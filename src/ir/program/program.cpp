@@ -64,11 +64,11 @@ void initialise(const Program& program, Id<Program::Type> of, std::int64_t initi
 }  // namespace
 
 ProgramLayout layout_of(const Program& program) {
-    Walk walk{program};
-    walk.frame(program.globals, "", {});
-    walk.layout.main = static_cast<std::uint32_t>(walk.layout.cells.size());
-    if (program.main != program.globals) walk.frame(program.main, "", {});
-    return std::move(walk.layout);
+    Walk traversal{program};
+    traversal.frame(program.globals, "", {});
+    traversal.layout.main = static_cast<std::uint32_t>(traversal.layout.cells.size());
+    if (program.main != program.globals) traversal.frame(program.main, "", {});
+    return std::move(traversal.layout);
 }
 
 std::uint32_t size_of(const Program& program, Id<Program::Type> type) {

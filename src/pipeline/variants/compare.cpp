@@ -184,9 +184,9 @@ public:
 
     void answer() {
         const bool searches = result_.mode == ExecutionMode::StabilitySearch;
-        Answered same = ask({"same", "possible"}, {});
+        Answered same = check_properties({"same", "possible"}, {});
         if (same.outcome == Comparison::Outcome::Equal && searches && !both_stable())
-            same = ask({"a_follows", "b_follows"}, {});
+            same = check_properties({"a_follows", "b_follows"}, {});
         if (same.outcome == Comparison::Outcome::Equal && result_.settles) same = ask_settling();
         result_.outcome = same.outcome;
         result_.reason = same.reason;
@@ -221,7 +221,7 @@ private:
 
     /// If neither of two programs settles, nothing is compared.
     Answered ask_settling() {
-        Answered one = ask({"one_follows"}, {});
+        Answered one = check_properties({"one_follows"}, {});
         if (one.outcome == Comparison::Outcome::Different)
             one = {Comparison::Outcome::Unknown,
                    "with constant inputs, the outputs of neither settle, so they cannot be compared",
@@ -234,7 +234,7 @@ private:
         if (std::ranges::none_of(
                 sides_, [](const CompareSide& side) { return side.is_program() && !side.scan->faults.empty(); }))
             return;
-        const Answered found = ask({"run_time_fault"}, {});
+        const Answered found = check_properties({"run_time_fault"}, {});
         if (found.outcome == Comparison::Outcome::Equal) return;
         result_.outcome = Comparison::Outcome::Unknown;
         result_.reason = found.reason;
@@ -263,7 +263,7 @@ private:
             result_.inputs};
     }
 
-    Answered ask(const std::vector<std::string>& properties, std::optional<std::int64_t> fewer_scans) {
+    Answered check_properties(const std::vector<std::string>& properties, std::optional<std::int64_t> fewer_scans) {
         const ProductMachine both = product(fewer_scans);
         PortfolioOptions engines;
         engines.properties = properties;
@@ -349,7 +349,7 @@ private:
     void shorten() {
         if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
         while (result_.scans.size() > 1) {
-            const Answered shorter = ask({"same"}, static_cast<std::int64_t>(result_.scans.size()));
+            const Answered shorter = check_properties({"same"}, static_cast<std::int64_t>(result_.scans.size()));
             if (shorter.outcome == Comparison::Outcome::Unknown) return;
             if (shorter.outcome == Comparison::Outcome::Equal) break;
             take(shorter.scans);

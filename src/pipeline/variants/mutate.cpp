@@ -104,54 +104,59 @@ std::optional<std::size_t> MutantChecker::test_steps() const {
     return test_ ? std::optional(step_count(*test_)) : std::nullopt;
 }
 
-void MutantChecker::ask(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits,
-                        MutantFate& fate) const {
+void MutantChecker::check_model(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits,
+                                MutantResult& mutant_result) const {
     const auto loop = find_loop(mutated, model_.loops[requested.loop].name);
     Diagnostics diagnostics;
     const auto report =
         loop ? quiet_report(mutated, *loop, mode_, requested.properties, limits, diagnostics) : std::nullopt;
     if (!report) {
-        fate.reason = first_code(diagnostics);
+        mutant_result.reason = first_code(diagnostics);
         return;
     }
     if (requested.whole && !report->error_traces.empty())
-        fate.noticed_by.push_back(shown(requested, report->error_traces.front().code));
+        mutant_result.noticed_by.push_back(shown(requested, report->error_traces.front().code));
     for (const PropertyResult& answer : report->answers) {
         if (std::ranges::find(requested.properties, answer.verdict.property) == requested.properties.end()) continue;
         const std::string name = shown(requested, answer.verdict.property);
-        if (answer.verdict.outcome == Outcome::Unknown) fate.undecided.push_back(name);
-        else if (!as_expected(answer.verdict)) fate.noticed_by.push_back(name);
+        if (answer.verdict.outcome == Outcome::Unknown) mutant_result.undecided.push_back(name);
+        else if (!as_expected(answer.verdict)) mutant_result.noticed_by.push_back(name);
         else if (answer.verdict.vacuous && std::ranges::find(vacuous_, name) == vacuous_.end())
-            fate.vacuous.push_back(name);
+            mutant_result.vacuous.push_back(name);
     }
-    fate.failures.insert(fate.failures.end(), report->failures.begin(), report->failures.end());
+    mutant_result.failures.insert(mutant_result.failures.end(), report->failures.begin(), report->failures.end());
 }
 
-MutantFate MutantChecker::fate_of(const Mutant& mutant, const Limits& limits) const {
-    MutantFate fate;
+MutantResult MutantChecker::result_of(const Mutant& mutant, const Limits& limits) const {
+    MutantResult mutant_result;
     if (!reads_back(mutant.text))
-        fate.failures.push_back("a mutant differs from its text: " + mutant.kind + ", " + mutant.subject);
+        mutant_result.failures.push_back("a mutant differs from its text: " + mutant.kind + ", " + mutant.subject);
     Diagnostics diagnostics;
     const std::optional<Model> mutated = model_of(mutant, diagnostics);
     const auto chart = mutated ? find_chart(*mutated, model_.charts[chart_].name) : std::nullopt;
     if (!chart || !equations_of(*mutated, *chart, diagnostics))
-        return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(diagnostics), fate;
+        return mutant_result.kind = MutantResult::Kind::Refused, mutant_result.reason = first_code(diagnostics),
+               mutant_result;
     const auto compared =
         compare(model_, chart_, *mutated, *chart,
                 {.mode = execution_mode(model_, chart_, mode_), .shortest = false, .limits = limits}, diagnostics);
-    if (!compared) return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(diagnostics), fate;
-    fate.failures = compared->failures;
-    fate.scans = compared->scans.size();
-    if (compared->outcome == Comparison::Outcome::Equal) return fate.kind = MutantFate::Kind::Equivalent, fate;
-    for (const OriginalVerdicts& requested : requested_) ask(*mutated, requested, limits, fate);
-    if (test_) fate.caught = disagreement(mutated->charts[*chart], *test_).has_value();
+    if (!compared)
+        return mutant_result.kind = MutantResult::Kind::Refused, mutant_result.reason = first_code(diagnostics),
+               mutant_result;
+    mutant_result.failures = compared->failures;
+    mutant_result.scans = compared->scans.size();
+    if (compared->outcome == Comparison::Outcome::Equal)
+        return mutant_result.kind = MutantResult::Kind::Equivalent, mutant_result;
+    for (const OriginalVerdicts& requested : requested_) check_model(*mutated, requested, limits, mutant_result);
+    if (test_) mutant_result.caught = disagreement(mutated->charts[*chart], *test_).has_value();
     const bool differs = compared->outcome == Comparison::Outcome::Different;
-    if (!fate.noticed_by.empty()) fate.kind = MutantFate::Kind::Noticed;
-    else if (differs && fate.undecided.empty() && fate.reason.empty()) fate.kind = MutantFate::Kind::Unnoticed;
-    else if (fate.reason.empty())
-        fate.reason = differs ? "the verdict on a property is unknown"
-                              : "it is unknown if it is equivalent (" + compared->reason + ")";
-    return fate;
+    if (!mutant_result.noticed_by.empty()) mutant_result.kind = MutantResult::Kind::Noticed;
+    else if (differs && mutant_result.undecided.empty() && mutant_result.reason.empty())
+        mutant_result.kind = MutantResult::Kind::Unnoticed;
+    else if (mutant_result.reason.empty())
+        mutant_result.reason = differs ? "the verdict on a property is unknown"
+                                       : "it is unknown if it is equivalent (" + compared->reason + ")";
+    return mutant_result;
 }
 
 }  // namespace grafverif

@@ -34,7 +34,7 @@ public:
     std::optional<std::size_t> test_steps() const;
     const std::string& no_test() const { return no_test_; }
 
-    MutantFate fate_of(const Mutant& mutant, const Limits& limits) const;
+    MutantResult result_of(const Mutant& mutant, const Limits& limits) const;
 
     /// Returns the model in which the mutant replaces the file that declares the chart, or nothing after an error.
     std::optional<Model> model_of(const Mutant& mutant, Diagnostics& diagnostics) const;
@@ -48,7 +48,8 @@ private:
         bool whole = true;  ///< true if the original has no model error
     };
     std::string shown(const OriginalVerdicts& requested, const std::string& property) const;
-    void ask(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits, MutantFate& fate) const;
+    void check_model(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits,
+                     MutantResult& mutant_result) const;
 
     const Model& model_;
     Id<Chart> chart_;

@@ -32,11 +32,11 @@ constexpr std::uint64_t most_timed_states = 2'000'000;
 /// The game on one loop, and its result.
 class Supervising {
 public:
-    Supervising(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources, const SuperviseRequest& ask,
-                Diagnostics& diagnostics)
-        : model_(model), loop_(loop), main_(main), sources_(sources), ask_(ask), diagnostics_(diagnostics) {
+    Supervising(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
+                const SuperviseRequest& request, Diagnostics& diagnostics)
+        : model_(model), loop_(loop), main_(main), sources_(sources), request_(request), diagnostics_(diagnostics) {
         made_.loop = model.loops[loop].name;
-        made_.marked = ask.marked;
+        made_.marked = request.marked;
         UniqueNames fresh;
         for (const Property& property : model.loops[loop].properties) fresh.take(property.name);
         marked_ = fresh.fresh("marked_situation");
@@ -48,9 +48,9 @@ public:
         const Model plain = *marked;
         if (!held_back(*marked)) return std::move(made_);
         ClosedLoop& loop = marked->loops[loop_];
-        auto system = transition_system_of(*marked, loop_, untimed(ask_), diagnostics_);
+        auto system = transition_system_of(*marked, loop_, untimed(request_), diagnostics_);
         if (!system) return {};
-        const auto properties = kept(*system, ask_, marked_, diagnostics_);
+        const auto properties = kept(*system, request_, marked_, diagnostics_);
         if (!properties) return {};
         for (const Id<Property> id : *properties) made_.kept.push_back(system->properties[id].name);
         for (const Property& property : model_.loops[loop_].properties) {
@@ -65,9 +65,11 @@ public:
         }
         const Supervision requested = supervision(*system, *marked, loop, *properties);
         SuperviseOptions options;
-        set_limits(options, ask_.limits);
-        if (ask_.limits.progress)
-            options.progress = [this](const std::string& doing) { ask_.limits.progress({[&doing] { return doing; }}); };
+        set_limits(options, request_.limits);
+        if (request_.limits.progress)
+            options.progress = [this](const std::string& doing) {
+                request_.limits.progress({[&doing] { return doing; }});
+            };
         const Supervisor found = supervisor_of(*system, requested, options);
         made_.outcome = found.outcome;
         made_.reason = found.reason;
@@ -78,9 +80,9 @@ public:
         for (const Supervisor::Selection& which : found.disabled)
             (held_[which.controller][which.permission].output ? made_.disabled_outputs : made_.disabled_transitions)
                 .push_back(shown(which.controller, subject(which)));
-        for (const auto& [player, seen] : found.lost)
+        for (const auto& [player, seen] : found.newly_unreachable)
             if (seen >= sights_[player].first_step)
-                made_.lost_steps.push_back(shown(player, sights_[player].names[seen]));
+                made_.never_active_steps.push_back(shown(player, sights_[player].names[seen]));
         if (found.run) report_run(plain, found);
         if (found.outcome == Supervisor::Outcome::Found) write(found);
         if (made_.outcome != Supervisor::Outcome::Unknown) check_timed_without(found.violated);
@@ -89,7 +91,7 @@ public:
 
 private:
     std::string reason_to_ignore(const Property& property) const {
-        if (!ask_.properties.empty()) return "not selected";
+        if (!request_.properties.empty()) return "not selected";
         if (is_about_all_states(property.pattern)) return "expected violated";
         return property.watch.duration_ms > 0 ? "with a duration, which the untimed model omits"
                                               : "not a property of all states";
@@ -110,7 +112,7 @@ private:
         for (std::size_t index = 0; index < violated.size(); ++index)
             if (violated[index]) names.push_back(made_.kept[index]);
         Diagnostics diagnostics;
-        const auto network = network_of(model_, loop_, untimed(ask_), diagnostics);
+        const auto network = network_of(model_, loop_, untimed(request_), diagnostics);
         if (!network || names.empty()) return;
         std::erase_if(names, [known = property_names(*network)](const std::string& name) {
             return std::ranges::find(known, name) == known.end();
@@ -136,11 +138,11 @@ private:
 
     /// Returns the model with the marked situation as a property, if a marked situation was given.
     std::optional<Model> with_marked_situation() {
-        if (ask_.marked.empty()) return model_;
+        if (request_.marked.empty()) return model_;
         const Id<Source> file = model_.loops[loop_].origin.source;
-        auto text = with_marked(file, sources_, made_.loop, marked_, ask_.marked, diagnostics_);
+        auto text = with_marked(file, sources_, made_.loop, marked_, request_.marked, diagnostics_);
         if (!text) return {};
-        return read_again(main_, {{sources_[file].name, std::move(*text)}}, Sources(sources_), sources_, ask_.read,
+        return read_again(main_, {{sources_[file].name, std::move(*text)}}, Sources(sources_), sources_, request_.read,
                           diagnostics_);
     }
 
@@ -162,7 +164,7 @@ private:
         }
         for (const Id<ClosedLoop::Controller> id : loop.controllers.ids())
             held_.push_back(add_permissions(model, loop, id, model_.charts[model_.loops[loop_].controllers[id].chart],
-                                            ask_, names));
+                                            request_, names));
         return true;
     }
 
@@ -211,7 +213,7 @@ private:
     /// Reports a run that violates a property. No permission is refused in the run, so it is also a run of the original
     /// loop.
     void report_run(const Model& plain, const Supervisor& found) {
-        const auto system = transition_system_of(plain, loop_, untimed(ask_), diagnostics_);
+        const auto system = transition_system_of(plain, loop_, untimed(request_), diagnostics_);
         if (!system) return;
         const FlatSystem flat = flattened(*system);
         FlatRun run;
@@ -222,10 +224,10 @@ private:
                 values.push_back(state[static_cast<std::size_t>(same - found.flat.variables.begin())]);
             }
         }
-        ChartRun told = project(*system, system_run(flat, run));
-        if (const auto wrong = disagreement(told, charts_of(plain, plain.loops[loop_])))
+        ChartRun chart_run = project(*system, system_run(flat, run));
+        if (const auto wrong = disagreement(chart_run, charts_of(plain, plain.loops[loop_])))
             made_.failures.push_back(replay_failure("the trace that no conditions prevent", *wrong));
-        else made_.run = with_rows(std::move(told));
+        else made_.run = with_rows(std::move(chart_run));
     }
 
     void write(const Supervisor& found) {
@@ -264,13 +266,13 @@ private:
 
     /// If a marked situation was given, adds it to the loop in `texts`.
     void add_marked(std::map<std::string, std::string>& texts, Diagnostics& diagnostics) const {
-        if (ask_.marked.empty()) return;
+        if (request_.marked.empty()) return;
         const std::string& file = sources_[model_.loops[loop_].origin.source].name;
         const auto changed = texts.find(file);
         Sources sources;
         const Id<Source> source = sources.add(
             {file, changed == texts.end() ? sources_[model_.loops[loop_].origin.source].text : changed->second});
-        if (auto text = with_marked(source, sources, made_.loop, marked_, ask_.marked, diagnostics))
+        if (auto text = with_marked(source, sources, made_.loop, marked_, request_.marked, diagnostics))
             texts[file] = std::move(*text);
     }
 
@@ -282,16 +284,16 @@ private:
             made_.failures.push_back("the chart with conditions: " + why);
         };
         add_marked(texts, diagnostics);
-        const auto model = read_again(main_, texts, sources_, sources, ask_.read, diagnostics);
+        const auto model = read_again(main_, texts, sources_, sources, request_.read, diagnostics);
         const auto loop = model ? find_loop(*model, made_.loop) : std::nullopt;
-        auto system = loop ? transition_system_of(*model, *loop, untimed(ask_), diagnostics) : std::nullopt;
+        auto system = loop ? transition_system_of(*model, *loop, untimed(request_), diagnostics) : std::nullopt;
         if (!system) return fail("it cannot be read");
-        if (ask_.marked.empty()) {
+        if (request_.marked.empty()) {
             Property marked{.name = marked_, .pattern = Pattern::AlwaysPossible};
             marked.operands = {initial_situation(*system, *model, model->loops[*loop])};
             system->properties.add(std::move(marked));
         }
-        const SystemToCheck check = system_to_check(*system, *model, *loop, untimed(ask_));
+        const SystemToCheck check = system_to_check(*system, *model, *loop, untimed(request_));
         std::vector<std::string> names = made_.kept;
         names.push_back(marked_);
         const std::vector<std::string> unproved = left_unproved(grafverif::check(check, options(names)), names);
@@ -302,7 +304,7 @@ private:
         CheckOptions made;
         made.properties = names;
         made.witnesses = false;
-        made.limits = ask_.limits;
+        made.limits = request_.limits;
         return made;
     }
 
@@ -311,7 +313,7 @@ private:
     void prove_again(const Model& model, Id<ClosedLoop> loop, const SystemToCheck& check) {
         Diagnostics diagnostics;
         std::vector<std::string> names = made_.kept;
-        if (const auto network = network_of(model, loop, untimed(ask_), diagnostics)) {
+        if (const auto network = network_of(model, loop, untimed(request_), diagnostics)) {
             const std::vector<std::string> known = property_names(*network);
             CheckOptions timed = in_timed_loop({});
             for (const Property& property : network->properties)
@@ -322,12 +324,12 @@ private:
             const Report report = check_without_causes(loop_to_check(model, loop, *network), timed);
             for (const PropertyResult& answer : report.answers)
                 if (answer.verdict.pattern == Pattern::NoTimelock) made_.timelock = answer.verdict.outcome;
-            Report judged = report;
-            std::erase_if(judged.answers, [](const PropertyResult& answer) {
+            Report selected = report;
+            std::erase_if(selected.answers, [](const PropertyResult& answer) {
                 return answer.verdict.pattern == Pattern::NoTimelock || answer.verdict.outcome == Outcome::Unknown;
             });
-            names = unanswered(judged, names);
-            (void)left_unproved(judged, {});
+            names = unanswered(selected, names);
+            (void)left_unproved(selected, {});
         }
         if (!names.empty()) (void)left_unproved(check_states(check, options(names)), names);
     }
@@ -365,7 +367,7 @@ private:
     Id<ClosedLoop> loop_ = {};
     Id<Source> main_ = {};
     Sources& sources_;
-    const SuperviseRequest& ask_;
+    const SuperviseRequest& request_;
     Diagnostics& diagnostics_;
     std::string marked_ = {};  ///< name of the property that states that marked situations remain reachable
     std::vector<std::vector<PermittedElement>> held_ = {};  ///< permissions per controller
@@ -376,8 +378,8 @@ private:
 }  // namespace
 
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
-                                     const SuperviseRequest& ask, Diagnostics& diagnostics) {
-    return Supervising(model, loop, main, sources, ask, diagnostics).run();
+                                     const SuperviseRequest& request, Diagnostics& diagnostics) {
+    return Supervising(model, loop, main, sources, request, diagnostics).run();
 }
 
 }  // namespace grafverif

@@ -53,7 +53,7 @@ struct Supervised {
     std::vector<std::string> disabled_transitions = {}, disabled_outputs = {};
     /// Variables of steps that are active in some reachable state without the conditions, but in no reachable state
     /// with the conditions.
-    std::vector<std::string> lost_steps = {};
+    std::vector<std::string> never_active_steps = {};
     /// The verdict in the timed loop with grain atomic, without conditions, on a property that the untimed model
     /// violates without conditions. If the property holds in the timed loop, it depends on durations, which the untimed
     /// model omits.
@@ -75,6 +75,6 @@ struct Supervised {
 /// The result is empty after an error: a property does not exist or does not concern single states, or the term is
 /// invalid.
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
-                                     const SuperviseRequest& ask, Diagnostics& diagnostics);
+                                     const SuperviseRequest& request, Diagnostics& diagnostics);
 
 }  // namespace grafverif

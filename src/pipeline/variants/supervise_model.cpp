@@ -17,9 +17,9 @@ using System = TransitionSystem;
 
 }  // namespace
 
-ModelOptions untimed(const SuperviseRequest& ask) {
+ModelOptions untimed(const SuperviseRequest& request) {
     ModelOptions how;
-    how.mode = ask.mode;
+    how.mode = request.mode;
     how.grain = Grain::Atomic;
     how.untimed.plant = PlantApproach::Automata;
     how.untimed.schedule = Schedule::Interleaved;
@@ -42,7 +42,8 @@ std::vector<bool> read_outputs(const Chart& chart) {
 }  // namespace
 
 std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
-                                              const Chart& written, const SuperviseRequest& ask, UniqueNames& names) {
+                                              const Chart& written, const SuperviseRequest& request,
+                                              UniqueNames& names) {
     Chart& chart = model.charts[loop.controllers[controller].chart];
     const std::vector<bool> read = read_outputs(written);
     std::vector<PermittedElement> held;
@@ -54,7 +55,7 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
         return chart.exprs.leaf(Op::Variable, variable.index);
     };
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
-        if (!ask.transitions) break;
+        if (!request.transitions) break;
         Chart::Transition& transition = chart.transitions[id];
         const Id<Expr> may = permission(transition.name, false);
         transition.condition = chart.exprs.conjunction(transition.condition, may);
@@ -64,7 +65,7 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
     // The action, the index of its element in `held`, and its index in `sets` of this element.
     std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;
     for (const Chart::ContinuousAction& action : chart.continuous)
-        if (ask.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
+        if (request.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
     for (auto& [output, may] : of_output) {
         may = permission(chart.variables[{output}].name, true);
         std::size_t conditional = 0;
@@ -127,7 +128,7 @@ Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const C
     return system.exprs.conjunction(terms);
 }
 
-std::optional<std::vector<Id<Property>>> kept(const System& system, const SuperviseRequest& ask,
+std::optional<std::vector<Id<Property>>> kept(const System& system, const SuperviseRequest& request,
                                               const std::string& marked, Diagnostics& diagnostics) {
     std::vector<Id<Property>> found;
     std::vector<std::string> known;
@@ -135,12 +136,12 @@ std::optional<std::vector<Id<Property>>> kept(const System& system, const Superv
         const Property& property = system.properties[id];
         if (!is_about_all_states(property.pattern) || property.name == marked) continue;
         known.push_back(property.name);
-        const bool requested = ask.properties.empty()
+        const bool requested = request.properties.empty()
                                    ? !property.expected_violated
-                                   : std::ranges::find(ask.properties, property.name) != ask.properties.end();
+                                   : std::ranges::find(request.properties, property.name) != request.properties.end();
         if (requested || !property.origin.source.valid()) found.push_back(id);
     }
-    for (const std::string& name : ask.properties)
+    for (const std::string& name : request.properties)
         if (std::ranges::find(known, name) == known.end()) {
             diagnostics.add(messages::no_such_choice("property about states", name, known, nearest_of(name, known)));
             return {};

@@ -12,7 +12,7 @@
 namespace grafverif {
 
 /// Returns the options of the model for the game and for the proof: untimed, interleaved plant automata, grain atomic.
-ModelOptions untimed(const SuperviseRequest& ask);
+ModelOptions untimed(const SuperviseRequest& request);
 
 /// A transition or output of a chart, with its permission.
 struct PermittedElement {
@@ -29,7 +29,8 @@ struct PermittedElement {
 /// clearing or setting. If an output has several actions, an output is also added for each action that sets it only
 /// during part of the activity of its step. `written` is the chart as in the files.
 std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
-                                              const Chart& written, const SuperviseRequest& ask, UniqueNames& names);
+                                              const Chart& written, const SuperviseRequest& request,
+                                              UniqueNames& names);
 
 /// The variables that a controller can observe, with their names in conditions of its chart.
 struct ObservableVariables {
@@ -45,7 +46,7 @@ ObservableVariables sight_of(TransitionSystem& system, const TransitionSystem::C
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop);
 
 /// Returns the properties of the system that are to be enforced, or nothing after an error.
-std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseRequest& ask,
+std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseRequest& request,
                                               const std::string& marked, Diagnostics& diagnostics);
 
 /// Returns the states that violate the property, which must be a property of single states.

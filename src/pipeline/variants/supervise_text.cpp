@@ -106,7 +106,7 @@ tree::File tree_of(Id<Source> source, const Sources& sources) {
     return read_any(source, copy, {true}, known);
 }
 
-bool is_internal_error(Id<Source> source, const Sources& sources) {
+bool is_grafcet_text(Id<Source> source, const Sources& sources) {
     return format_of(sources[source].text) == FileFormat::Grafcet;
 }
 
@@ -122,7 +122,7 @@ std::string with_conditions(Id<Source> source, const Sources& sources,
     tree::File file = tree_of(source, sources);
     for (tree::Declaration& declaration : file.declarations)
         if (auto* chart = std::get_if<tree::Chart>(&declaration)) put(file, chart->items, terms);
-    return formatted(is_internal_error(source, sources) ? file : laid_out(std::move(file)));
+    return formatted(is_grafcet_text(source, sources) ? file : laid_out(std::move(file)));
 }
 
 std::optional<std::string> with_marked(Id<Source> source, Sources& sources, const std::string& loop,

@@ -67,7 +67,7 @@ bool is_enclosing(Kind kind) { return kind == Kind::Enclosing; }
 
 /// Returns the preferred name of a step: `2`, `M2` for a macro-step, `E2` and `S2` for the entry and exit step of an
 /// expansion, according to the numbering of IEC 60848.
-std::string wish_for(const AgrafeEntity& step) {
+std::string preferred_name(const AgrafeEntity& step) {
     const std::string id = attribute(step.node, "id") ? value(step.node, "id") : "0";
     switch (step.kind) {
     case Kind::Macro: return 'M' + id;
@@ -95,14 +95,14 @@ void name_steps(AgrafeReader& reader) {
     for (std::size_t i = 0; i < taken.size(); ++i) {
         AgrafeEntity& step = reader.index[i];
         if (!is_step(step.kind)) continue;
-        const std::string wish = wish_for(step);
-        const auto [first, fresh] = taken[step.partial].try_emplace(wish, i);
+        const std::string preferred = preferred_name(step);
+        const auto [first, fresh] = taken[step.partial].try_emplace(preferred, i);
         if (!fresh)
             reader.diagnostics().add(
-                messages::duplicate_name(reader.xml.where(step.node, "id"), "step", wish,
+                messages::duplicate_name(reader.xml.where(step.node, "id"), "step", preferred,
                                          reader.xml.where(reader.index[first->second].node, "id")));
-        step.name = fresh ? names[step.partial].make(wish, reader.xml.where(step.node, "id"))
-                          : names[step.partial].invent(wish);
+        step.name = fresh ? names[step.partial].make(preferred, reader.xml.where(step.node, "id"))
+                          : names[step.partial].invent(preferred);
         ++reader.namesakes[step.name];
     }
 }
@@ -114,11 +114,11 @@ void name_transitions(AgrafeReader& reader) {
     LegalNames names(LegalNames::Kind::Chart, reader.draft);
     for (AgrafeEntity& one : reader.index.all()) {
         if (one.kind != Kind::Transition || !attribute(one.node, "id")) continue;
-        std::string wish = 't' + value(one.node, "id");
-        const auto [first, fresh] = taken.try_emplace(wish, one.partial);
+        std::string preferred = 't' + value(one.node, "id");
+        const auto [first, fresh] = taken.try_emplace(preferred, one.partial);
         if (!fresh && first->second != one.partial && !reader.index[one.partial].name.empty())
-            wish = reader.index[one.partial].name + '_' + wish;
-        one.name = names.make(wish, reader.xml.where(one.node, "id"));
+            preferred = reader.index[one.partial].name + '_' + preferred;
+        one.name = names.make(preferred, reader.xml.where(one.node, "id"));
     }
 }
 

@@ -69,13 +69,13 @@ public:
     /// Records an action at `where` that assigns `target` and reads `reads`. Returns the new differences.
     std::vector<std::string> differences(Span where, const std::string& target, const std::set<std::string>& reads) {
         std::vector<std::string> found;
-        if (elsewhere(target, where) && told_.insert(target).second)
+        if (elsewhere(target, where) && reported_.insert(target).second)
             found.push_back("several actions assign `" + target +
                             "`: if two of them are executed in one scan, the later one determines the value in the "
                             "Sequential Function Chart, but here they race");
         writers_.try_emplace(target, where.begin);
         for (const std::string& read : reads)
-            if (elsewhere(read, where) && told_.insert(read + "?").second)
+            if (elsewhere(read, where) && reported_.insert(read + "?").second)
                 found.push_back("`" + read +
                                 "` is read by one action and assigned by another: the Sequential Function Chart "
                                 "executes them sequentially, but here both read the previous value");
@@ -91,7 +91,7 @@ private:
 
     std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< position of the first assignment to each
                                                                    ///< variable
-    std::unordered_set<std::string> told_ = {};
+    std::unordered_set<std::string> reported_ = {};
 };
 
 class Blocks {

@@ -32,11 +32,11 @@ bool exclusive(const std::vector<std::string>& one, const std::vector<std::strin
 }  // namespace
 
 void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
-    std::unordered_map<Id<st::Word>, std::vector<std::size_t>> behind;
+    std::unordered_map<Id<st::Word>, std::vector<std::size_t>> following;
     std::vector<Id<st::Word>> order;
     for (std::size_t i = 0; i < branches.size(); ++i)
         for (const st::Name& from : branches[i].written->from) {
-            auto& list = behind[from.word];
+            auto& list = following[from.word];
             if (list.empty()) order.push_back(from.word);
             list.push_back(i);
         }
@@ -48,7 +48,7 @@ void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
     }
     std::unordered_set<std::uint64_t> done;
     for (const Id<st::Word> step : order) {
-        std::vector<std::size_t>& list = behind[step];
+        std::vector<std::size_t>& list = following[step];
         std::ranges::stable_sort(list, {}, [&](std::size_t i) {
             const std::int64_t priority = branches[i].written->priority;
             // Transitions without a priority follow transitions with a priority.

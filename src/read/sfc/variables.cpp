@@ -180,9 +180,9 @@ SfcVariable& variable_of(Sfc& sfc, const std::string& path, Span where, SfcKind 
         return sfc.variables[known->second];
     }
     SfcVariable variable;
-    std::string wish = path;
-    std::ranges::replace(wish, '.', '_');
-    variable.name = sfc.names.invent(wish);
+    std::string preferred = path;
+    std::ranges::replace(preferred, '.', '_');
+    variable.name = sfc.names.invent(preferred);
     variable.where = where;
     variable.kind = expected;
     variable.role = written ? tree::VariableKind::Output : tree::VariableKind::Input;

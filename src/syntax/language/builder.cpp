@@ -20,7 +20,7 @@ void Builder::broken() {
 
 void Builder::lost() {
     take_broken();
-    file_->broken = file_->lost = true;
+    file_->broken = file_->incomplete = true;
 }
 
 bool Builder::take_broken() { return std::exchange(broken_, false); }

@@ -34,7 +34,7 @@ public:
     void line(std::string text);
     /// Writes the comments at the end of the current line that precede `limit`. Later comments belong to the next
     /// element.
-    void behind(std::uint32_t limit);
+    void trailing_comments(std::uint32_t limit);
     /// Writes the comments up to the end of a block or of the file.
     void remaining(std::uint32_t end);
 
@@ -90,14 +90,14 @@ void Page::line(std::string text) {
     fresh_ = false;
 }
 
-void Page::behind(std::uint32_t limit) {
+void Page::trailing_comments(std::uint32_t limit) {
     for (; has_comment_before(limit); ++next_) {
         const tree::Comment& comment = file_->comments[next_];
         if (comment.own_line || comment.text.find('\n') != std::string::npos) return;
-        std::string& behind = lines_.back().comment;
-        if (behind.starts_with("//")) return;
-        if (!behind.empty()) behind += ' ';
-        behind += comment.text;
+        std::string& trailing = lines_.back().comment;
+        if (trailing.starts_with("//")) return;
+        if (!trailing.empty()) trailing += ' ';
+        trailing += comment.text;
     }
 }
 
@@ -163,7 +163,7 @@ public:
                     [&](const tree::ClosedLoop& loop) { block("closed_loop " + text(loop.name), loop.items, where); },
                 },
                 declaration);
-            page_.behind(limit);
+            page_.trailing_comments(limit);
         }
         page_.remaining(end_of_file);
         page_.write(out);
@@ -190,12 +190,12 @@ private:
             return;
         }
         page_.line(line + " {");
-        page_.behind(items.empty() ? where.end : where_of(items.front()).begin);
+        page_.trailing_comments(items.empty() ? where.end : where_of(items.front()).begin);
         page_.indent();
         for (std::size_t i = 0; i < items.size(); ++i) {
             page_.before(where_of(items[i]).begin);
             std::visit([this](const auto& written) { this->item(written); }, items[i]);
-            page_.behind(i + 1 < items.size() ? where_of(items[i + 1]).begin : where.end);
+            page_.trailing_comments(i + 1 < items.size() ? where_of(items[i + 1]).begin : where.end);
         }
         page_.remaining(where.end);
         page_.outdent();

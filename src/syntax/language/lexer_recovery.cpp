@@ -186,7 +186,7 @@ void Lexer::resynchronise() {
     };
     // True if the parser could not resume at this token.
     const bool stuck = last_where_.end == handed_back_ && kind != Symbols::S_YYEOF;
-    const auto hand_back = [&] {
+    const auto push_back_token = [&] {
         handed_back_ = first ? last_where_.end : token.location.end;
         if (!first) pending_.push_back(token);
         else if (declares_in_file(kind) || declares_in_block(kind))
@@ -199,20 +199,20 @@ void Lexer::resynchronise() {
         const Span where = first ? last_where_ : token.location;
         if (kind == Symbols::S_YYEOF || (declares_in_file(kind) && begins_line(where))) {
             resume(blocks_.size());
-            hand_back();
+            push_back_token();
             break;
         }
         if (blocks_.empty()) continue;
         if (kind == Symbols::S_OPEN) ++nested;
         if (nested == 0 && kind == Symbols::S_CLOSE) {
             resume(0);
-            hand_back();
+            push_back_token();
             break;
         }
         if (nested > 0 && kind == Symbols::S_CLOSE && --nested == 0) {
             step();
             resume(0);
-            if (kind != Symbols::S_SEMICOLON) hand_back();
+            if (kind != Symbols::S_SEMICOLON) push_back_token();
             break;
         }
         if (nested > 0) continue;
@@ -224,7 +224,7 @@ void Lexer::resynchronise() {
             const bool in_actions = blocks_.back().kind == BlockKind::Actions;
             if (in_actions && !declares_in_chart(kind)) continue;
             resume(in_actions ? 1 : 0);
-            hand_back();
+            push_back_token();
             break;
         }
     }

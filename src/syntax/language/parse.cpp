@@ -24,11 +24,11 @@ tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& di
         tree::Builder build(file, diagnostics);
         tree::Lexer lexer(sources[source], whole, file, diagnostics, stop);
         tree::Parser parser = made_with_reserve([&] { return tree::Parser(lexer, build); });
-        file.lost = parser.parse() != 0 || file.lost;
+        file.incomplete = parser.parse() != 0 || file.incomplete;
         file.broken = stop != nullptr && *stop;
         if (!file.broken) check_confusables(file, lexer.first_places(), diagnostics);
     } else {
-        file.lost = true;
+        file.incomplete = true;
     }
     file.broken = file.broken || diagnostics.errors() != errors;
     return file;

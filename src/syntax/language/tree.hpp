@@ -296,7 +296,7 @@ struct File {
     std::vector<Comment> comments = {};    ///< comments in order of position
     std::vector<std::uint32_t> gaps = {};  ///< start of the first element after each blank line, increasing
     bool broken = false;                   ///< true if a syntax error is in a declaration or between declarations
-    bool lost = false;                     ///< true if a declaration is missing because of an error in its head
+    bool incomplete = false;               ///< true if a declaration is missing because of an error in its head
 
     std::string_view text(Name name) const { return words[name.word].text; }
     std::string_view text(Id<Word> word) const { return words[word].text; }

@@ -60,8 +60,8 @@ std::vector<std::string> display_names(const Network& network) {
     for (const Network::Controller& controller : network.controllers)
         for (std::size_t k = 0; k < controller.timers.size(); ++k) {
             const Id<Network::Process> process = controller.timers[k].process;
-            const std::string told = time_text(network, controller, k);
-            if (process.valid() && !told.empty()) names[process.index] = told;
+            const std::string timer_text = time_text(network, controller, k);
+            if (process.valid() && !timer_text.empty()) names[process.index] = timer_text;
         }
     return names;
 }

@@ -27,8 +27,8 @@ void Reader::advance() {
     kind_ = Kind::End;
     if (begin_ == text_.size() || fault_) return;
     const std::string_view rest = text_.substr(begin_);
-    const auto ends = [&](const auto& goes_on) {
-        const auto end = std::find_if_not(rest.begin(), rest.end(), goes_on);
+    const auto ends = [&](const auto& belongs) {
+        const auto end = std::find_if_not(rest.begin(), rest.end(), belongs);
         return begin_ + static_cast<std::size_t>(end - rest.begin());
     };
     for (const std::string_view comment : {"--", "//", "/*"})

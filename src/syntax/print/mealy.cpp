@@ -163,10 +163,10 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
 namespace {
 
 /// For each situation: the situations directly before it, or directly after it, in a test.
-using Ways = std::vector<std::set<std::uint32_t>>;
+using Adjacency = std::vector<std::set<std::uint32_t>>;
 
-Ways ways(const TestSequence& test, bool back) {
-    Ways next(test.situations.size());
+Adjacency adjacency(const TestSequence& test, bool back) {
+    Adjacency next(test.situations.size());
     for (const TestSequence::Sequence& sequence : test.sequences)
         for (std::size_t k = 1; k < sequence.steps.size(); ++k) {
             const std::uint32_t from = sequence.steps[k - 1].situation.index, to = sequence.steps[k].situation.index;
@@ -175,7 +175,7 @@ Ways ways(const TestSequence& test, bool back) {
     return next;
 }
 
-std::set<std::uint32_t> led_to(const Ways& next, std::uint32_t from) {
+std::set<std::uint32_t> led_to(const Adjacency& next, std::uint32_t from) {
     std::set<std::uint32_t> found{from};
     for (std::vector<std::uint32_t> open{from}; !open.empty();) {
         const std::uint32_t here = open.back();
@@ -191,7 +191,7 @@ std::set<std::uint32_t> led_to(const Ways& next, std::uint32_t from) {
 /// transition leaves it. Several sequences are necessary only if the machine has such components.
 std::vector<std::string> traps(const TestSequence& test) {
     if (test.sequences.size() < 2 || test.cover == TestCover::Locations) return {};
-    const Ways next = ways(test, false), before = ways(test, true);
+    const Adjacency next = adjacency(test, false), before = adjacency(test, true);
     std::vector<std::string> found;
     std::set<std::uint32_t> known;
     for (const TestSequence::Sequence& sequence : test.sequences) {

@@ -40,9 +40,9 @@ bool is(const LoopScope& scope, Id<Controller> controller, const Expr& leaf, con
 }
 
 /// True if a term of the chart equals a term of the loop.
-bool same(const LoopScope& scope, Id<Controller> controller, Id<Expr> theirs, Id<Expr> ours) {
+bool same(const LoopScope& scope, Id<Controller> controller, Id<Expr> of_controller, Id<Expr> own) {
     const Exprs& of_chart = scope.chart(controller).exprs;
-    const Expr &left = of_chart[theirs], &right = scope.loop.exprs[ours];
+    const Expr &left = of_chart[of_controller], &right = scope.loop.exprs[own];
     if (is_leaf(right.op))
         return is(scope, controller, left, scope.loop.symbols[{static_cast<std::uint32_t>(right.value)}]);
     return left.op == right.op && left.value == right.value &&
@@ -62,10 +62,10 @@ std::vector<Timer> timers_over(const LoopScope& scope, Id<Expr> watched) {
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {
         const Chart& chart = scope.chart(controller);
         const auto add = [&](const ClosedLoop::TimeSymbol& symbol, Times times) {
-            const auto twin = [&](const Timer& one) {
+            const auto is_same = [&](const Timer& one) {
                 return one.symbol.controller == controller && one.times == times;
             };
-            if (std::ranges::none_of(found, twin)) found.push_back({symbol, times});
+            if (std::ranges::none_of(found, is_same)) found.push_back({symbol, times});
         };
         const std::vector<bool> read = read_terms(chart).time_conditions;
         for (const Id<Chart::TimeCondition> id : chart.time_conditions.ids()) {

@@ -441,7 +441,7 @@ constexpr std::string_view two_cells = R"(
     }
 )";
 
-Analysis looked_at(std::string_view text, AnalyseOptions options) {
+Analysis bounded_analysis(std::string_view text, AnalyseOptions options) {
     const Chart subject = chart(text);
     Analysis result = analyse(subject, equations(text), options);
     EXPECT_EQ(verify(result), std::vector<std::string>{}) << text;
@@ -453,7 +453,7 @@ TEST(Analyse, ACounterThatStopsAtItsThresholdIsDecidedWithoutCountingToItsEnd) {
     AnalyseOptions options;
     options.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
     options.first_slice = 4'000'000;
-    const Analysis found = looked_at(two_cells, options);
+    const Analysis found = bounded_analysis(two_cells, options);
     EXPECT_NE(find(found, "step-never-active", "cell1.Xc1"), nullptr) << "k1 stops at 3";
     EXPECT_EQ(find(found, "out-of-range", "k1"), nullptr);
     const auto open = [&](std::string_view code, std::string_view subject) {
@@ -476,7 +476,7 @@ TEST(Analyse, ResultOfOnePartDoesNotWaitForOthers) {
     std::size_t parts = 0;
     options.found = [&](const Finding& finding) { order.push_back(finding.code); };
     options.progress = [&](const AnalyseProgress& now) { parts = std::max(parts, now.parts); };
-    const Analysis found = looked_at(two_cells, options);
+    const Analysis found = bounded_analysis(two_cells, options);
     EXPECT_GE(parts, 4U) << "the supervisor, each cell with it, and all";
     EXPECT_GE(order.size(), 1U) << "findings are told as they are found";
 }

@@ -44,9 +44,9 @@ Analysed analysed(std::string text) {
                               library};
     const auto model =
         read_text(made.sources.add({"two buttons.grafcet", std::move(text)}), made.sources, context, diagnostics);
-    std::ostringstream said;
-    render_text(diagnostics.all(), made.sources, Colour::Plain, said);
-    if (!model) throw std::invalid_argument(said.str());
+    std::ostringstream rendered;
+    render_text(diagnostics.all(), made.sources, Colour::Plain, rendered);
+    if (!model) throw std::invalid_argument(rendered.str());
     made.chart = *model->charts.begin();
     made.analysis = analyse(made.chart, derive(made.chart, diagnostics).value());
     return made;

@@ -82,11 +82,11 @@ Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, cons
     int status = 0;
     rusage used = {};
     bool requested = false;
-    const auto patience = std::chrono::steady_clock::now() + 120s;
+    const auto deadline = std::chrono::steady_clock::now() + 120s;
     while (::wait4(child, &status, WNOHANG, &used) == 0) {
         if (setting.interrupt_after && !requested && processor_seconds(child) >= *setting.interrupt_after)
             requested = ::kill(child, SIGINT) == 0;
-        if (std::chrono::steady_clock::now() > patience) ::kill(child, SIGKILL);
+        if (std::chrono::steady_clock::now() > deadline) ::kill(child, SIGKILL);
         std::this_thread::sleep_for(5ms);
     }
     ::close(silent[0]);

@@ -77,15 +77,15 @@ TEST(Constants, ThatALoopDoesNotHaveCannotBeSet) {
     const std::string two = filling_chart + "closed_loop tank {\n    constant N = 2, UNIT = 1s;\n" + plant + "}\n" +
                             "closed_loop other {\n    constant COUNT = 2, N = 1, UNIT = 1s;\n" + plant + "}\n";
     const std::string file = folder.write("tank.grafcet", two);
-    const auto said = [&](std::vector<std::string> arguments) {
+    const auto output = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"check", file});
         const Result result = grafverif(arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
         return result.err;
     };
-    EXPECT_NE(said({"--loop", "other", "--set", "CONT=3"}).find("did you mean `COUNT`?"), std::string::npos);
-    EXPECT_NE(said({"--loop", "tank", "--set", "COUNT=3"}).find("`tank` has no constant `COUNT`"), std::string::npos);
-    EXPECT_NE(said({"--loop", "tank", "--set", "N=3s"}).find("cannot be set to `3s`; write `--set N=4`"),
+    EXPECT_NE(output({"--loop", "other", "--set", "CONT=3"}).find("did you mean `COUNT`?"), std::string::npos);
+    EXPECT_NE(output({"--loop", "tank", "--set", "COUNT=3"}).find("`tank` has no constant `COUNT`"), std::string::npos);
+    EXPECT_NE(output({"--loop", "tank", "--set", "N=3s"}).find("cannot be set to `3s`; write `--set N=4`"),
               std::string::npos);
     EXPECT_EQ(grafverif({"check", file, "--set", "N"}).code, ExitCode::Input);
     EXPECT_EQ(grafverif({"check", file, "--set", "N=1", "--set", "N=2"}).code, ExitCode::Input);

@@ -245,11 +245,11 @@ TEST(WriteFiles, OfConcurrentRunsOneCompleteSetRemains) {
 TEST(WriteFiles, WritesDirectlyToDevicesAndPipes) {
     const Folder folder;
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
-    std::string heard;
-    std::thread reader([&] { heard = folder.read("pipe"); });
+    std::string received;
+    std::thread reader([&] { received = folder.read("pipe"); });
     write_files({{folder.file("pipe"), std::string(200'000, 'x')}, {"/dev/null", "gone"}});
     reader.join();
-    EXPECT_EQ(heard.size(), 200'000u);
+    EXPECT_EQ(received.size(), 200'000u);
     EXPECT_TRUE(fs::is_fifo(folder.file("pipe")));
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     EXPECT_THROW(write_files({{"/dev/full", "text"}}), std::system_error);

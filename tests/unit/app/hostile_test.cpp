@@ -91,9 +91,9 @@ Result on_a_terminal(const std::vector<std::string>& arguments, const std::strin
 /// Checks that the command does not fail internally and prints no control sequences. Checks the same for a report that
 /// is written into a pipe.
 void expect_clean(const std::vector<std::string>& arguments, const std::string& input = "", bool report = true) {
-    std::string told;
-    for (const std::string& argument : arguments) told += argument + " ";
-    SCOPED_TRACE(Json(told).dump(-1, ' ', true, Json::error_handler_t::replace));
+    std::string command_line;
+    for (const std::string& argument : arguments) command_line += argument + " ";
+    SCOPED_TRACE(Json(command_line).dump(-1, ' ', true, Json::error_handler_t::replace));
     for (const bool terminal : {true, false}) {
         if (!terminal && !report) continue;
         const Result result = terminal ? on_a_terminal(arguments, input) : grafverif(arguments, input);

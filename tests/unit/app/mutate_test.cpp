@@ -31,10 +31,10 @@ nlohmann::json mutated(const std::string& text, std::vector<std::string> options
 
 TEST(Mutate, CreatesAndChecksEachKindOfMutant) {
     const auto json = mutated(gate);
-    std::set<std::string> kinds, fates;
+    std::set<std::string> kinds, results;
     for (const auto& mutant : json["mutants"]) {
         kinds.insert(mutant["kind"]);
-        fates.insert(mutant["fate"]);
+        results.insert(mutant["fate"]);
         EXPECT_NE(mutant["before"], mutant["after"]) << mutant;
         EXPECT_NE(mutant["fate"], "refused") << mutant;
         const bool differs = mutant["fate"] == "unnoticed";
@@ -44,7 +44,7 @@ TEST(Mutate, CreatesAndChecksEachKindOfMutant) {
     for (const char* kind :
          {"term-dropped", "term-negated", "and-or", "wrong-successor", "duration", "action-missing", "output-swapped"})
         EXPECT_TRUE(kinds.contains(kind)) << kind;
-    EXPECT_TRUE(fates.contains("noticed") && fates.contains("unnoticed")) << json["counts"];
+    EXPECT_TRUE(results.contains("noticed") && results.contains("unnoticed")) << json["counts"];
     EXPECT_EQ(json["specification"]["of"],
               json["counts"]["noticed"].get<int>() + json["counts"]["unnoticed"].get<int>());
     EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // the third property is no_timelock

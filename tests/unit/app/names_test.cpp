@@ -91,7 +91,7 @@ Names names_of_trace(const std::vector<std::string>& options) {
     const Tree report = Tree::parse(result.out);
     for (const Tree& property : report.at("properties")) {
         if (property.at("trace").is_null()) continue;
-        const Tree &told = property.at("trace"), &run = told.at("run");
+        const Tree &trace = property.at("trace"), &run = trace.at("run");
         for (const Tree& signal : run.at("signals"))
             if (signal.at("role") != "image") names.values.insert(signal.at("name"));
         for (const Tree& step : run.at("steps")) {
@@ -102,7 +102,7 @@ Names names_of_trace(const std::vector<std::string>& options) {
             for (const Tree& location : instance.at("locations"))
                 if (instance.at("kind") == "plant" || instance.at("kind") == "environment")
                     names.values.insert(instance.at("name").get<std::string>() + "." + location.get<std::string>());
-        for (const Tree& row : told.at("steps")) {
+        for (const Tree& row : trace.at("steps")) {
             for (const Tree& step : row.at("situation")) names.steps.insert(step);
             for (const char* kind : {"inputs", "outputs"})
                 for (const auto& [name, value] : row.at(kind).items()) names.values.insert(name);
@@ -136,8 +136,8 @@ Names names_of_test() {
         grafverif({"testgen", folder.write("both.grafcet", loop("")), "--chart", "upper", "--format", "json"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     Names names;
-    const Tree told = Tree::parse(result.out);
-    for (const Tree& sequence : told.at("sequences"))
+    const Tree parsed = Tree::parse(result.out);
+    for (const Tree& sequence : parsed.at("sequences"))
         for (const Tree& step : sequence) {
             std::string situation = step.at("situation");
             for (situation = situation.substr(1, situation.size() - 2); !situation.empty();) {
@@ -223,13 +223,13 @@ TEST(Names, SimulationListsTheCandidatesOfAnAmbiguousName) {
     const Result result = grafverif({"simulate", file},
                                     "expect X0\nexpect G2.X0\nexpect N = 0\nexpect Gate_H = 0\nexpect upper.X0\n"
                                     "force 0 on\nexpect Gat.H = 0\ndo Gate opne\nH = 2\nGate.H = 9\n");
-    for (const char* told : {"! `X0` is ambiguous between `upper.X0` and `upper.G2.X0`; write the qualified name",
-                             "! `N` is ambiguous between `upper.N` and `lower.N`; write the qualified name",
-                             "! `0` is ambiguous between `upper.0` and `upper.G2.0`; write the qualified name",
-                             "! unknown variable or step `Gat.H`; did you mean `Gate.H`?",
-                             "! unknown `Gate` location `opne`; did you mean `open`?", "! unknown input `H`",
-                             "! `Gate.H` ranges from 0 to 3 and cannot be 9"})
-        EXPECT_NE(result.out.find(told), std::string::npos) << told << '\n' << result.out;
+    for (const char* message : {"! `X0` is ambiguous between `upper.X0` and `upper.G2.X0`; write the qualified name",
+                                "! `N` is ambiguous between `upper.N` and `lower.N`; write the qualified name",
+                                "! `0` is ambiguous between `upper.0` and `upper.G2.0`; write the qualified name",
+                                "! unknown variable or step `Gat.H`; did you mean `Gate.H`?",
+                                "! unknown `Gate` location `opne`; did you mean `open`?", "! unknown input `H`",
+                                "! `Gate.H` ranges from 0 to 3 and cannot be 9"})
+        EXPECT_NE(result.out.find(message), std::string::npos) << message << '\n' << result.out;
     EXPECT_EQ(result.out.find("`G2.X0`"), std::string::npos) << "one alone is called so";
     EXPECT_EQ(result.out.find("Gate_H"), std::string::npos) << "as models call it, and so may anybody";
 }

@@ -329,11 +329,11 @@ TEST(Outputs, RejectNamesOfFormatsThatAreNotWrittenWithRemedy) {
          ".pdf` would contain HTML, not PDF; write `" + x + ".html` and print it: `chromium --headless "},
         {{"report", file, "-o", x + ".svg"}, ".svg` would contain HTML, not SVG; write `" + x + ".html` ["},
         {{"equations", file, "-o", x + ".pdf"}, ".pdf` would contain text, not PDF; choose another name"}};
-    for (const auto& [arguments, said] : cases) {
+    for (const auto& [arguments, message] : cases) {
         SCOPED_TRACE(arguments.back());
         const Result result = grafverif(arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
         EXPECT_NE(result.err.find("[other-format]"), std::string::npos) << result.err;
         EXPECT_EQ(result.out, "");
         EXPECT_EQ(folder.entries(), 1u);

@@ -34,7 +34,7 @@ const std::vector<Words>& models() {
     return all;
 }
 
-std::string told(const Words& words) {
+std::string word_list(const Words& words) {
     std::string text;
     for (const std::string& word : words) text += word + " ";
     return text;
@@ -67,7 +67,7 @@ TEST(PowerOnState, EveryModelHasTheStateInWhichOutputsAreStillFalse) {
         })");
     for (const char* mode : {"every-cycle", "stability-search"})
         for (const Words& model : models()) {
-            SCOPED_TRACE(mode + (" " + told(model)));
+            SCOPED_TRACE(mode + (" " + word_list(model)));
             const Result result = grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model);
             EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
             // The sequenced model contains no state before the controllers have finished.
@@ -99,8 +99,8 @@ TEST(PowerOnState, EveryModelHasTheValuesBeforeTheActionsOfTheInitialSteps) {
             if (model == models().back()) continue;
             const nlohmann::json found =
                 verdicts(grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model));
-            EXPECT_EQ(found["p"], "violated") << mode << " " << told(model);
-            EXPECT_EQ(found["s"], "holds") << mode << " " << told(model);
+            EXPECT_EQ(found["p"], "violated") << mode << " " << word_list(model);
+            EXPECT_EQ(found["s"], "holds") << mode << " " << word_list(model);
         }
 }
 
@@ -118,7 +118,7 @@ TEST(PowerOnState, NoTimeIsOverBeforeTheFirstEvolution) {
             for (const Words& model : models()) {
                 const Result result = grafverif(Words{"check", file, "--mode", mode, "--verbose"} + model);
                 EXPECT_TRUE(result.code == ExitCode::Verdict || result.code == ExitCode::Done)
-                    << action << " " << mode << " " << told(model) << result.err;
+                    << action << " " << mode << " " << word_list(model) << result.err;
             }
     }
 }
@@ -165,7 +165,7 @@ TEST(Mode, OfAChartWithoutItsLoopIsThatOfTheLoopInEveryCommand) {
         {"check", "--chart", "c"},
         {"test", "--against", std::string(GRAFVERIF_PROGRAM) + " plc " + lone + " --mode every-cycle"}};
     for (const Words& verb : verbs) {
-        SCOPED_TRACE(told(verb));
+        SCOPED_TRACE(word_list(verb));
         const auto out = [&](const Words& options) {
             Words words = verb;
             words.insert(words.begin() + 1, file);

@@ -180,7 +180,7 @@ TEST(Report, MarksMomentsThatAreNotStatesOfTheModel) {
         "environment A = push_button(OUT = ON); property DARK: never L && !ON; property OUT: always !Lamp.lit; }\n");
     const nlohmann::json data =
         player_data(grafverif({"report", file, "--untimed", "--plant", "automata", "--schedule", "synchronous"}).out);
-    std::size_t told = 0;
+    std::size_t length = 0;
     for (const auto& run : data["runs"]) {
         if (run["property"].is_null()) {
             EXPECT_TRUE(run["inside"].empty());
@@ -191,9 +191,9 @@ TEST(Report, MarksMomentsThatAreNotStatesOfTheModel) {
         for (std::size_t k = 1; k + 1 < moments.size(); ++k)
             if (moments[k]["time"] == moments[k + 1]["time"]) inside.push_back(k);
         EXPECT_EQ(run["inside"], inside) << run["name"];
-        told += inside.size();
+        length += inside.size();
     }
-    EXPECT_GE(told, 4U);
+    EXPECT_GE(length, 4U);
     const nlohmann::json timed = player_data(grafverif({"report", file}).out);
     for (const auto& run : timed["runs"])
         EXPECT_TRUE(run["inside"].empty()) << "a timed run tells each move of the network";

@@ -101,21 +101,21 @@ TEST(Reports, OfSarifContainTheCounterexampleAsACodeFlow) {
     EXPECT_EQ(results[0]["locations"][0]["physicalLocation"]["region"]["startLine"], 5);
     EXPECT_TRUE(results[0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].get<std::string>().ends_with(
         "a%20lamp.grafcet"));
-    const Json& story = results[0]["codeFlows"][0]["threadFlows"][0]["locations"];
+    const Json& trace_locations = results[0]["codeFlows"][0]["threadFlows"][0]["locations"];
     const auto line = [&](std::size_t step) {
-        return story.at(step)["location"]["physicalLocation"]["region"]["startLine"];
+        return trace_locations.at(step)["location"]["physicalLocation"]["region"]["startLine"];
     };
-    const auto told = [&](std::size_t step) {
-        return story.at(step)["location"]["message"]["text"].get<std::string>();
+    const auto location_text = [&](std::size_t step) {
+        return trace_locations.at(step)["location"]["message"]["text"].get<std::string>();
     };
     EXPECT_EQ(line(0), 2) << "the initial step";
-    EXPECT_TRUE(told(0).starts_with("0 s: cl: power on")) << told(0);
+    EXPECT_TRUE(location_text(0).starts_with("0 s: cl: power on")) << location_text(0);
     std::size_t cleared = 0;
-    for (std::size_t step = 0; step < story.size(); ++step) {
-        if (told(step).find("cleared t") == std::string::npos) continue;
+    for (std::size_t step = 0; step < trace_locations.size(); ++step) {
+        if (location_text(step).find("cleared t") == std::string::npos) continue;
         ++cleared;
         EXPECT_EQ(line(step), 3) << "the transition";
-        EXPECT_EQ(story[step]["importance"], "essential");
+        EXPECT_EQ(trace_locations[step]["importance"], "essential");
     }
     EXPECT_EQ(cleared, 1u);
 }

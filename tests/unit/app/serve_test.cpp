@@ -106,7 +106,7 @@ public:
             [](const Json& state) { return !state["models"].empty() && state["models"].back()["state"] == "done"; });
     }
     Json play(const Json& request) const {
-        return Json::parse(app::play(*bench_->workpiece(), options_, request.dump()));
+        return Json::parse(app::play(*bench_->checked_file(), options_, request.dump()));
     }
 
 private:
@@ -274,10 +274,10 @@ TEST(Play, DrawsMovesThatAScriptAccepts) {
         ASSERT_EQ(drawn["moves"].size(), 40U) << drawn["problem"];
         std::string script;
         for (const std::string move : drawn["moves"]) script += move + "\n";
-        const Result told =
+        const Result result =
             grafverif({"simulate", file, std::string("--") + of, of == std::string("loop") ? "house" : "lamp",
                        "--script", folder.write("script.txt", script)});
-        EXPECT_EQ(told.code, ExitCode::Done) << told.err;
+        EXPECT_EQ(result.code, ExitCode::Done) << result.err;
         EXPECT_EQ(
             bystander.play({{of, std::string(of) == "loop" ? "house" : "lamp"}, {"moves", drawn["moves"]}})["rows"],
             drawn["rows"]);

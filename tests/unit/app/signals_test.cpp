@@ -114,10 +114,10 @@ TEST(Signals, LeaveASlowlyReadReportComplete) {
     fs::permissions(folder.write("verifyta", "#!/bin/sh\n" + endless(folder.file("pids"))), fs::perms::owner_all);
     const Variable path("PATH", folder.file("") + ":/usr/bin:/bin");
     Pipe out = make_pipe();
-    const int room = ::fcntl(out.write.number(), F_SETPIPE_SZ, 4096);
-    ASSERT_GT(room, 0);
-    std::string text(static_cast<std::size_t>(room), ' ');
-    ASSERT_EQ(::write(out.write.number(), text.data(), text.size()), room) << "the pipe is full";
+    const int capacity = ::fcntl(out.write.number(), F_SETPIPE_SZ, 4096);
+    ASSERT_GT(capacity, 0);
+    std::string text(static_cast<std::size_t>(capacity), ' ');
+    ASSERT_EQ(::write(out.write.number(), text.data(), text.size()), capacity) << "the pipe is full";
     const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
     Child program({GRAFVERIF_PROGRAM, "check", station, "--engine", "verifyta", "--format", "json"},
                   {nothing.number(), out.write.number(), nothing.number()});
@@ -214,15 +214,15 @@ TEST(Process, ChildOutsideItsGroupEndsWithItToo) {
 }
 
 TEST(Process, EarlierChildProcessesAreNotAffected) {
-    const pid_t new_state = ::fork();
-    if (new_state == 0) {
+    const pid_t other_child = ::fork();
+    if (other_child == 0) {
         ::pause();
         std::_Exit(0);
     }
     EXPECT_EQ(run_program({"/bin/echo", "hello"}, "", {}).out, "hello\n");
-    EXPECT_EQ(::waitpid(new_state, nullptr, WNOHANG), 0);
-    ::kill(new_state, SIGKILL);
-    ::waitpid(new_state, nullptr, 0);
+    EXPECT_EQ(::waitpid(other_child, nullptr, WNOHANG), 0);
+    ::kill(other_child, SIGKILL);
+    ::waitpid(other_child, nullptr, 0);
 }
 
 TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {

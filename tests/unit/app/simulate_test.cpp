@@ -423,9 +423,9 @@ TEST(SimulateChart, ReportsTheViolatedConstraintAndContinues) {
     const Result result =
         grafverif({"simulate", file, "--script", folder.write("a.txt", "UP = true\nDOWN = true\nN = 1\nUP = false\n")});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
-    const std::string told = "! these inputs violate the constraint `!(UP && DOWN)`\n";
-    ASSERT_NE(result.out.find(told), std::string::npos) << result.out;
-    EXPECT_EQ(result.out.find(told, result.out.find(told) + 1), std::string::npos) << "told once";
+    const std::string warning = "! these inputs violate the constraint `!(UP && DOWN)`\n";
+    ASSERT_NE(result.out.find(warning), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find(warning, result.out.find(warning) + 1), std::string::npos) << "told once";
     const Result talk = grafverif({"simulate", file}, "UP = true\nquit\n");
     EXPECT_EQ(squeezed(talk.out).find("DOWN = true\n", talk.out.rfind("UP")), std::string::npos)
         << "it is not offered: " << talk.out;

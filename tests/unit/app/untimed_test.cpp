@@ -225,7 +225,7 @@ std::string install_nusmv(const Folder& folder, const std::string& answer) {
     return folder.file("");
 }
 
-std::string said(const std::string& text) { return "cat <<'END'\n" + text + "END"; }
+std::string printing(const std::string& text) { return "cat <<'END'\n" + text + "END"; }
 
 TEST(CheckUntimed, WrongResultOfTheProgramIsRejected) {
     const std::string trace =
@@ -238,27 +238,27 @@ TEST(CheckUntimed, WrongResultOfTheProgramIsRejected) {
         std::string answer, why;
     };
     for (const Case& one : {
-             Case{"never L", said("-- invariant !lamp.L  is false\n"),
+             Case{"never L", printing("-- invariant !lamp.L  is false\n"),
                   "engine-disagrees: the program printed no trace for its verdict"},
-             {"reachable L", said("-- invariant !lamp.L  is false\n"),
+             {"reachable L", printing("-- invariant !lamp.L  is false\n"),
               "engine-disagrees: the program printed no trace for its verdict"},
-             {"never L", said("-- invariant !lamp.L  is true\n-- invariant !lamp.L  is false\n"),
+             {"never L", printing("-- invariant !lamp.L  is true\n-- invariant !lamp.L  is false\n"),
               "engine-disagrees: the program printed more than one verdict"},
-             {"never L", said("-- invariant a  is true\ngrafverif: 0\n-- invariant a  is true\n"),
+             {"never L", printing("-- invariant a  is true\ngrafverif: 0\n-- invariant a  is true\n"),
               "engine-disagrees: the program printed more than one verdict"},
-             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_0 = seventeen\n"),
+             {"never L", printing("-- invariant a  is false\n" + trace + "    lamp.X_0 = seventeen\n"),
               "engine-disagrees: the program printed no trace for its verdict"},
-             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_0 = 17\n"),
+             {"never L", printing("-- invariant a  is false\n" + trace + "    lamp.X_0 = 17\n"),
               "engine-disagrees: state 1 of its trace gives `lamp.X_0` a value outside its range"},
-             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_1 = TRUE\n"),
+             {"never L", printing("-- invariant a  is false\n" + trace + "    lamp.X_1 = TRUE\n"),
               "engine-disagrees: state 1 of its trace "},
              {"never X2",
-              said("-- invariant a  is false\n" + trace + initial + "  -> State: 1.2 <-\n    lamp.X_2 = TRUE\n"),
+              printing("-- invariant a  is false\n" + trace + initial + "  -> State: 1.2 <-\n    lamp.X_2 = TRUE\n"),
               "engine-disagrees: state 1 of its trace "},
-             {"inevitable X1", said("-- specification AF lamp.X_1  is false\n" + trace + initial),
+             {"inevitable X1", printing("-- specification AF lamp.X_1  is false\n" + trace + initial),
               "engine-disagrees: "},
              {"never L", "echo 'grafverif: 7'; echo '-- invariant a  is true'", "the program printed no verdict"},
-             {"never L", said("my hovercraft is full of eels\n"), "the program printed no verdict"},
+             {"never L", printing("my hovercraft is full of eels\n"), "the program printed no verdict"},
              {"never L", "exec yes 'my hovercraft is full of eels'", "the output of the program is too large"},
              {"never L", "echo '-- invariant a  is true'; exit 0", "the program printed no verdict"},
              {"never L", "echo '-- invariant a  is true'; echo 'grafverif: end'; kill -SEGV $$",
@@ -278,8 +278,9 @@ TEST(CheckUntimed, WrongResultOfTheProgramIsRejected) {
 
 TEST(CheckUntimed, UnrequestedResultsAreNotReported) {
     const Folder folder;
-    const Path path(install_nusmv(folder, said("-- invariant a  is true\ngrafverif: 1\n-- invariant b  is false\n")) +
-                    ":/usr/bin:/bin");
+    const Path path(
+        install_nusmv(folder, printing("-- invariant a  is true\ngrafverif: 1\n-- invariant b  is false\n")) +
+        ":/usr/bin:/bin");
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L && M;"));
     const Result result = grafverif({"check", file, "--engine", "NuSMV"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;

@@ -25,7 +25,7 @@ struct Pulse {
 };
 
 /// Adds the properties of the lamp that every test checks.
-void ask_of(Sketch& s, const Pulse& lamp) {
+void add_property_of(Sketch& s, const Pulse& lamp) {
     s.property("on", Pattern::LeadsTo, {s.at(lamp.process, 0), s.at(lamp.process, 1)});
     s.property("seen", Pattern::Reachable, {s.at(lamp.process, 1)});
     s.property("dark", Pattern::Always, {s.at(lamp.process, 0)});
@@ -78,7 +78,7 @@ TEST(Decomposition, ScratchAndRaceFlagsDoNotConnectParts) {
 TEST(Decomposition, TimelocksAreNotSearchedIfTheOptionsExcludeThem) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     TimedOptions options;
     options.timelock = false;
     const TimedResult apart = check_timed_by_parts(s.network, options), whole = check_timed(s.network, options);
@@ -90,7 +90,7 @@ TEST(Decomposition, TimelocksAreNotSearchedIfTheOptionsExcludeThem) {
 TEST(Decomposition, EachVerdictNamesItsOmittedParts) {
     Sketch s;
     const Pulse lamp(s), other(s, "other"), third(s, "third");
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     const TimedResult result = agreed_separately(s.network);
     EXPECT_EQ(result.states, 15U);  // the state space is 3 times 5, not 5 times 5 times 5
     const SearchScope& scope = verdict(result, "on").scope;
@@ -107,7 +107,7 @@ TEST(Decomposition, PropertyOfTwoPartsIsDecidedWithoutTheThird) {
     const Pulse left(s, "left"), middle(s, "middle"), right(s, "right");
     s.property("both", Pattern::Never, {s.network.exprs.conjunction(s.at(left.process, 1), s.at(right.process, 1))});
     const TimedResult result = agreed_separately(s.network);
-    EXPECT_EQ(told(result, "both"), "violated");
+    EXPECT_EQ(outcome_text(result, "both"), "violated");
     EXPECT_EQ(verdict(result, "both").scope.searched, (std::vector<std::string>{"left", "right"}));
     EXPECT_EQ(verdict(result, "both").scope.left_out, std::vector<std::string>{"middle"});
 }
@@ -115,11 +115,11 @@ TEST(Decomposition, PropertyOfTwoPartsIsDecidedWithoutTheThird) {
 TEST(Decomposition, InfiniteInstantOfOnePartStarvesOthers) {
     Sketch s;
     const Pulse lamp(s);
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     const auto toggle = s.boolean("toggle");
     s.edge(s.process("free", 1), {.set = {{toggle, s.no(s.is(toggle))}}});
     const TimedResult result = agreed_separately(s.network);
-    EXPECT_EQ(told(result, "on"), "violated");
+    EXPECT_EQ(outcome_text(result, "on"), "violated");
     EXPECT_FALSE(apart(result, "on"));
     EXPECT_EQ(verdict(result, "on").notes,
               std::vector<std::string>{"the complete loop was explored: `free` can move forever within one instant"});
@@ -129,26 +129,26 @@ TEST(Decomposition, InfiniteInstantOfOnePartStarvesOthers) {
 TEST(Decomposition, TimelockOfOnePartBlocksOthers) {
     Sketch s;
     const Pulse lamp(s);
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     const auto stuck = s.process("stuck", 2, 1);
     s.edge(stuck, {.from = 0, .to = 1, .reset = {0}});
     s.invariant(stuck, 1, {0, Op::LessEqual, 1});
     const TimedResult result = agreed_separately(s.network);
-    EXPECT_EQ(told(result, "on"), "violated");
+    EXPECT_EQ(outcome_text(result, "on"), "violated");
     EXPECT_FALSE(apart(result, "on"));
     EXPECT_TRUE(apart(result, "seen")) << "it may stay where it is, so time can pass for ever";
-    EXPECT_EQ(told(result, "no_timelock"), "violated");
+    EXPECT_EQ(outcome_text(result, "no_timelock"), "violated");
 }
 
 TEST(Decomposition, PartThatStopsTimeLimitsTheRunsOfOthers) {
     Sketch s;
     const Pulse lamp(s);
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     const auto brief = s.process("brief", 1, 1);
     s.invariant(brief, 0, {0, Op::LessEqual, 1});
     const TimedResult result = agreed_separately(s.network);
-    EXPECT_EQ(told(result, "seen"), "violated");
-    EXPECT_EQ(told(result, "dark"), "holds");
+    EXPECT_EQ(outcome_text(result, "seen"), "violated");
+    EXPECT_EQ(outcome_text(result, "dark"), "holds");
     EXPECT_FALSE(apart(result, "seen") || apart(result, "dark"));
     EXPECT_TRUE(apart(result, "one"));
 }
@@ -158,9 +158,9 @@ TEST(Decomposition, DeadlocksAreCheckedPerPart) {
     const Pulse lamp(s);
     s.edge(s.process("once", 2), {.from = 0, .to = 1});
     s.property("alive", Pattern::NoDeadlock);
-    EXPECT_EQ(told(check_timed(s.network), "alive"), "holds") << "the lamp goes on";
+    EXPECT_EQ(outcome_text(check_timed(s.network), "alive"), "holds") << "the lamp goes on";
     const TimedResult result = check_timed_by_parts(s.network);
-    EXPECT_EQ(told(result, "alive"), "violated");
+    EXPECT_EQ(outcome_text(result, "alive"), "violated");
     EXPECT_EQ(verdict(result, "alive").scope.searched, std::vector<std::string>{"once"});
     EXPECT_TRUE(replay(s.network, verdict(result, "alive").run.value()));
 }
@@ -168,7 +168,7 @@ TEST(Decomposition, DeadlocksAreCheckedPerPart) {
 TEST(Decomposition, ErrorOfOnePartPreservesVerdictsThatDoNotNeedIt) {
     Sketch s;
     const Pulse lamp(s);
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     const auto count = s.integer("count", 0, 1);
     const auto counter = s.process("counter", 1, 1);
     s.edge(
@@ -180,10 +180,10 @@ TEST(Decomposition, ErrorOfOnePartPreservesVerdictsThatDoNotNeedIt) {
     EXPECT_EQ(result.errors[0].process, counter);
     EXPECT_EQ(result.errors[0].variable, count);
     EXPECT_TRUE(replay(s.network, result.errors[0].run));
-    EXPECT_EQ(told(result, "one"), "holds");
-    EXPECT_EQ(told(result, "dark"), "violated");
-    EXPECT_EQ(told(result, "low"), "violated");
-    EXPECT_EQ(told(result, "on"), "unknown (faulty)");
+    EXPECT_EQ(outcome_text(result, "one"), "holds");
+    EXPECT_EQ(outcome_text(result, "dark"), "violated");
+    EXPECT_EQ(outcome_text(result, "low"), "violated");
+    EXPECT_EQ(outcome_text(result, "on"), "unknown (faulty)");
 }
 
 /// The path to `dark` needs a unit of time in which the faulty part is not quiescent.
@@ -202,7 +202,7 @@ TEST(Decomposition, ErrorOfOnePartInvalidatesVerdictsAboutQuiescentStates) {
     s.network.settled = s.no(s.at(breaking, 1));
     s.property("dark", Pattern::Never, {s.at(brief, 1)}, true);
     const TimedResult result = agreed_separately(s.network);
-    EXPECT_EQ(told(result, "dark"), "unknown (faulty)");
+    EXPECT_EQ(outcome_text(result, "dark"), "unknown (faulty)");
     EXPECT_FALSE(apart(result, "dark"));
 }
 
@@ -216,32 +216,32 @@ TEST(Decomposition, InexactVerdictOfOnePartDoesNotNeedTheCompleteNetwork) {
     s.property("seldom", Pattern::Never, {s.network.exprs.conjunction(s.at(strict, 0), s.at(strict, 1))});
     s.property("alive", Pattern::NoDeadlock);
     TimedResult result = agreed_separately(s.network);
-    EXPECT_EQ(told(result, "seldom"), "unknown (inexact)");
+    EXPECT_EQ(outcome_text(result, "seldom"), "unknown (inexact)");
     EXPECT_TRUE(apart(result, "seldom"));
-    EXPECT_EQ(told(result, "alive"), "unknown (inexact)");
-    EXPECT_EQ(told(result, "no_timelock"), "unknown (inexact)");
+    EXPECT_EQ(outcome_text(result, "alive"), "unknown (inexact)");
+    EXPECT_EQ(outcome_text(result, "no_timelock"), "unknown (inexact)");
     EXPECT_FALSE(apart(result, "again")) << "whether `strict` locks time is not known";
 
     Sketch t;
     const Pulse one(t, "one"), two(t, "two");
     t.property("again", Pattern::AlwaysPossible, {t.at(one.process, 1)});
     result = agreed_separately(t.network);
-    EXPECT_EQ(told(result, "again"), "unknown (inexact)");
+    EXPECT_EQ(outcome_text(result, "again"), "unknown (inexact)");
     EXPECT_EQ(result.states, 10U) << "of 5 and 5";
 }
 
 TEST(Decomposition, PartThatIsTooLargeAloneIsNotSearchedWithOthers) {
     Sketch s;
     const Pulse lamp(s);
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     const auto slow = s.process("slow", 1, 1);
     s.invariant(slow, 0, {0, Op::LessEqual, 50});
     s.edge(slow, {.when = {{0, Op::Equal, 50}}, .reset = {0}});
     s.property("there", Pattern::Always, {s.at(slow, 0)});
     s.property("alive", Pattern::NoDeadlock);
     const TimedResult result = check_timed_by_parts(s.network, {.max_states = 20});
-    EXPECT_EQ(told(result, "one"), "holds");
-    EXPECT_EQ(told(result, "there"), "unknown (bound)");
+    EXPECT_EQ(outcome_text(result, "one"), "holds");
+    EXPECT_EQ(outcome_text(result, "there"), "unknown (bound)");
     EXPECT_TRUE(apart(result, "there"));
     EXPECT_TRUE(verdict(result, "there").notes.empty());
     EXPECT_TRUE(verdict(result, "alive").notes.empty());
@@ -259,7 +259,7 @@ TEST(Decomposition, RunWithAVeryLongPeriodIsNotShown) {
         s.edge(slow, {.when = {{0, Op::Equal, period}}, .reset = {0}});
     }
     const TimedResult result = check_timed_by_parts(s.network);
-    EXPECT_EQ(told(result, "never"), "violated");
+    EXPECT_EQ(outcome_text(result, "never"), "violated");
     EXPECT_FALSE(verdict(result, "never").run);
     EXPECT_EQ(verdict(result, "never").notes.size(), 1U);
 }
@@ -272,7 +272,7 @@ TEST(Decomposition, ARunInWhichOthersMoveTooOftenIsNotShown) {
     s.edge(slow, {.from = 0, .to = 1, .when = {{0, Op::Equal, 200'000}}});
     s.property("never", Pattern::Never, {s.at(slow, 1)});
     const TimedResult result = check_timed_by_parts(s.network);
-    EXPECT_EQ(told(result, "never"), "violated");
+    EXPECT_EQ(outcome_text(result, "never"), "violated");
     EXPECT_FALSE(verdict(result, "never").run);
     EXPECT_EQ(verdict(result, "never").notes,
               std::vector<std::string>{"no trace is given: with the other sub-loops, it has too many moves"});
@@ -293,7 +293,7 @@ TEST(Decomposition, FiniteRunNextToAVeryLongOneIsNotShown) {
                                                           s.op(Op::Less, s.is(high), s.number(400))),
                      .set = {{low, s.number(0)}, {high, more(high)}}});
     const TimedResult result = check_timed_by_parts(s.network);
-    EXPECT_EQ(told(result, "ends"), "violated");
+    EXPECT_EQ(outcome_text(result, "ends"), "violated");
     EXPECT_FALSE(verdict(result, "ends").run);
     EXPECT_EQ(verdict(result, "ends").notes,
               std::vector<std::string>{"no trace is given: with the other sub-loops, it has too many moves"});
@@ -302,12 +302,12 @@ TEST(Decomposition, FiniteRunNextToAVeryLongOneIsNotShown) {
 TEST(Decomposition, BoundOfOneSearchIsReportedAsThatOfTheCompleteSearch) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
-    ask_of(s, lamp);
+    add_property_of(s, lamp);
     const TimedResult result = check_timed_by_parts(s.network, {.max_states = 2});
     EXPECT_FALSE(result.complete);
-    EXPECT_EQ(told(result, "on"), "unknown (bound)");
+    EXPECT_EQ(outcome_text(result, "on"), "unknown (bound)");
     const std::atomic<bool> stop = true;
-    EXPECT_EQ(told(check_timed_by_parts(s.network, {.stop = &stop}), "one"), "unknown (stopped)");
+    EXPECT_EQ(outcome_text(check_timed_by_parts(s.network, {.stop = &stop}), "one"), "unknown (stopped)");
 }
 
 }  // namespace

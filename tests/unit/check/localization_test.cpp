@@ -64,8 +64,8 @@ TEST(Localization, UrgentEdgeStopsTimeOnlyIfEveryFreeValueEnablesIt) {
     const LocalNetwork local = localized(network, cells_of(network), {1}, {});
     for (const Network::Template& automaton : local.network.templates)
         for (const Network::Edge& edge : automaton.edges) EXPECT_FALSE(edge.urgent);
-    EXPECT_EQ(told(by_cells(network), "late"), told(check_timed(network), "late"));
-    EXPECT_EQ(told(by_cells(network), "p"), "holds");
+    EXPECT_EQ(outcome_text(by_cells(network), "late"), outcome_text(check_timed(network), "late"));
+    EXPECT_EQ(outcome_text(by_cells(network), "p"), "holds");
 }
 
 TEST(Localization, PropertyGuaranteedByANeighbourAddsTheNeighbour) {
@@ -121,8 +121,8 @@ TEST(Localization, InvariantOfANeighbourExcludesItsViolation) {
     s.property("as_one", Pattern::Always, {s.op(Op::Equal, s.is(x), s.is(y))});
     s.property("never_z", Pattern::Never, {s.is(z)});
     const TimedResult found = check_timed_by_cells(expand(s.network), {}, {.whole = 2, .local = 100}, {}, check_timed);
-    EXPECT_EQ(told(found, "as_one"), told(check_timed(s.network), "as_one"));
-    EXPECT_EQ(told(found, "never_z"), "holds");
+    EXPECT_EQ(outcome_text(found, "as_one"), outcome_text(check_timed(s.network), "as_one"));
+    EXPECT_EQ(outcome_text(found, "never_z"), "holds");
     const SearchScope scope = verdict(found, "never_z").scope;
     EXPECT_EQ(scope.searched, std::vector<std::string>{"B"});
     EXPECT_EQ(scope.because,
@@ -143,7 +143,7 @@ TEST(Localization, NoVerdictIfAnotherFragmentMayHaveAModelError) {
     s.property("at", Pattern::Always, {s.at(a, 0)});
     EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))), std::set<std::uint32_t>{1});
     const TimedResult found = by_cells(s.network);
-    EXPECT_EQ(told(found, "at"), "unknown (faulty)");
+    EXPECT_EQ(outcome_text(found, "at"), "unknown (faulty)");
     EXPECT_EQ(found.errors.size(), 1U);
 }
 
@@ -201,7 +201,7 @@ TEST(Localization, VerdictsNoteHowFarTimelocksWereSearched) {
     };
     const std::string looked = "timelocks were searched only in the first ";
     TimedResult found = by_cells(line(), {.properties = {"held_2"}});
-    EXPECT_EQ(told(found, "no_timelock"), "unknown (bound)");
+    EXPECT_EQ(outcome_text(found, "no_timelock"), "unknown (bound)");
     EXPECT_EQ(note(found, "held_2"),
               looked + verdict(found, "no_timelock").states + " states; declare `no timelock` to search all states");
     found = by_cells(read_sample("testing_station/testing_station.grafcet").network);
@@ -227,13 +227,13 @@ TEST(Localization, ResultsOfTheFirstSearchRemainIfTheNextIsStopped) {
     };
     const TimedResult found = check_timed_by_cells(s.network, {}, {.whole = 5, .local = 5}, {}, stopped_then);
     EXPECT_EQ(looks, 2);
-    EXPECT_EQ(told(found, "soon"), "violated");
-    EXPECT_EQ(told(found, "in_the_end"), "unknown (stopped)");
+    EXPECT_EQ(outcome_text(found, "soon"), "violated");
+    EXPECT_EQ(outcome_text(found, "in_the_end"), "unknown (stopped)");
 }
 
 TEST(Localization, UnrequestedVerdictDoesNotNeedTheCompleteNetwork) {
     const TimedResult found = by_cells(line(), {.properties = {"held_2"}});
-    EXPECT_EQ(told(found, "held_2"), "holds");
+    EXPECT_EQ(outcome_text(found, "held_2"), "holds");
     EXPECT_FALSE(verdict(found, "no_timelock").declared);
     EXPECT_EQ(verdict(found, "no_timelock").outcome, Outcome::Unknown);
 }

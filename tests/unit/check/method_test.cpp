@@ -24,7 +24,7 @@ Id<Expr> is(Network& network, const std::string& name) {
     return network.exprs.leaf(Op::Variable, static_cast<std::uint32_t>(found - network.variables.begin()));
 }
 
-void ask(Network& network, const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands) {
+void add_property(Network& network, const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands) {
     network.properties.add({.name = name, .pattern = pattern, .operands = std::move(operands)});
 }
 
@@ -35,8 +35,8 @@ Network sample(const std::string& path, const Ablations& ablations = {}, std::op
 TEST(Urgency, ASensorOfTheTestingStationIsNeverLate) {
     const auto late = [](Network network) {  // Fig. 12b: H = 4 while H_IN is still true
         const Id<Expr> four = network.exprs.apply(Op::Equal, is(network, "H"), network.exprs.integer(4));
-        ask(network, "late", Pattern::Reachable, {network.exprs.conjunction(four, is(network, "H_IN"))});
-        return told(checked(network), "late");
+        add_property(network, "late", Pattern::Reachable, {network.exprs.conjunction(four, is(network, "H_IN"))});
+        return outcome_text(checked(network), "late");
     };
     EXPECT_EQ(late(sample(station)), "violated");
     EXPECT_EQ(late(sample(station, {}, Grain::Atomic)), "violated");
@@ -47,11 +47,11 @@ TEST(Flags, WithoutThemTimeNeverPassesAndUppaalSeesNoDeadlock) {
     for (const char* path : {station, oven}) {
         SCOPED_TRACE(path);
         const TimedResult cured = checked(sample(path));
-        EXPECT_EQ(told(cured, "no_timelock"), "holds");
-        EXPECT_EQ(told(cured, "no_deadlock"), "holds");
+        EXPECT_EQ(outcome_text(cured, "no_timelock"), "holds");
+        EXPECT_EQ(outcome_text(cured, "no_deadlock"), "holds");
         const TimedResult bare = checked(sample(path, {.cycle_always = true}));
-        EXPECT_EQ(told(bare, "no_timelock"), "violated");
-        EXPECT_EQ(told(bare, "no_deadlock"), "holds, vacuous");
+        EXPECT_EQ(outcome_text(bare, "no_timelock"), "violated");
+        EXPECT_EQ(outcome_text(bare, "no_deadlock"), "holds, vacuous");
         EXPECT_FALSE(bare.time_passes) << "from the initial state on";
         EXPECT_TRUE(std::ranges::all_of(verdict(bare, "no_timelock").run->moves,
                                         [](const Move& move) { return std::holds_alternative<Fire>(move); }));
@@ -61,9 +61,9 @@ TEST(Flags, WithoutThemTimeNeverPassesAndUppaalSeesNoDeadlock) {
 TEST(Stable, PressInAQuiescentStateAlwaysHasAnEffect) {
     const auto answered = [](Network network) {  // Fig. 26 and 27: START is pressed during step 23
         const Id<Expr> pressed = network.exprs.conjunction(is(network, "X_0"), is(network, "START"));
-        const Id<Expr> gone = network.exprs.negation(pressed);
-        ask(network, "answered", Pattern::LeadsTo, {pressed, gone});
-        return told(checked(network), "answered");
+        const Id<Expr> released = network.exprs.negation(pressed);
+        add_property(network, "answered", Pattern::LeadsTo, {pressed, released});
+        return outcome_text(checked(network), "answered");
     };
     EXPECT_EQ(answered(sample(station)), "holds");
     EXPECT_EQ(answered(sample(station, {.cycle_unless_stable = true})), "violated");
@@ -73,8 +73,8 @@ TEST(Stable, PressInAQuiescentStateAlwaysHasAnEffect) {
 
 TEST(Stable, WithoutItTheStationNeedNotComeBackToRest) {
     const TimedResult bare = checked(sample(station, {.cycle_unless_stable = true}));
-    EXPECT_EQ(told(bare, "P15"), "holds");
-    EXPECT_EQ(told(bare, "no_timelock"), "holds");
+    EXPECT_EQ(outcome_text(bare, "P15"), "holds");
+    EXPECT_EQ(outcome_text(bare, "no_timelock"), "holds");
 }
 
 TEST(Timers, PulseChartLetsTimePassWithCorrectedTimersButNotWithThoseOfFigure33b) {
@@ -100,13 +100,14 @@ TEST(Timers, PulseChartLetsTimePassWithCorrectedTimersButNotWithThoseOfFigure33b
         })";
     for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
         const TimedResult cured = checked(read_loop(pulse, {.grain = grain}).network);
-        EXPECT_EQ(told(cured, "no_timelock"), "holds");
-        EXPECT_EQ(told(cured, "time_goes_on"), "holds");
+        EXPECT_EQ(outcome_text(cured, "no_timelock"), "holds");
+        EXPECT_EQ(outcome_text(cured, "time_goes_on"), "holds");
         const TimedResult bare =
             checked(read_loop(pulse, {.grain = grain, .ablations = {.timers_as_published = true}}).network);
-        EXPECT_EQ(told(bare, "time_goes_on"), "violated");
-        EXPECT_EQ(told(bare, "no_deadlock"), "holds");
-        EXPECT_EQ(told(bare, "no_timelock"), "holds") << "a timer that happens to be quick enough lets time pass";
+        EXPECT_EQ(outcome_text(bare, "time_goes_on"), "violated");
+        EXPECT_EQ(outcome_text(bare, "no_deadlock"), "holds");
+        EXPECT_EQ(outcome_text(bare, "no_timelock"), "holds")
+            << "a timer that happens to be quick enough lets time pass";
         const grafverif::Run& run = *verdict(bare, "time_goes_on").run;
         ASSERT_TRUE(run.loop);
         EXPECT_TRUE(std::all_of(run.moves.begin() + static_cast<std::ptrdiff_t>(*run.loop), run.moves.end(),
@@ -126,18 +127,18 @@ Network faulty(const std::string& seconds) {
 
 TEST(Watchdogs, MissAFaultInTheInstantOfArrivalAndNoOther) {
     const TimedResult result = checked(faulty("12s"));
-    EXPECT_EQ(told(result, "P16"), "violated") << "published as holding; see the sample's README";
+    EXPECT_EQ(outcome_text(result, "P16"), "violated") << "published as holding; see the sample's README";
     for (const char* property :
          {"P15", "P16_settled", "P16_under_way", "P16_or_rest", "no_false_alarm", "no_deadlock", "no_timelock"})
-        EXPECT_EQ(told(result, property), "holds") << property;
+        EXPECT_EQ(outcome_text(result, property), "holds") << property;
     const Verdict escaped = verdict(result, "P16");
     ASSERT_TRUE(escaped.run->loop);
 }
 
 TEST(Watchdogs, ShorterThanAStrokeTheyMakeTheirPropertyHoldByFalseAlarms) {
     const TimedResult result = checked(faulty("5s"));
-    EXPECT_EQ(told(result, "P16"), "holds");
-    EXPECT_EQ(told(result, "no_false_alarm"), "violated");
+    EXPECT_EQ(outcome_text(result, "P16"), "holds");
+    EXPECT_EQ(outcome_text(result, "no_false_alarm"), "violated");
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ const Verdict& verdict(const TimedResult& result, const std::string& property) {
     return *found;
 }
 
-std::string told(const TimedResult& result, const std::string& property) {
+std::string outcome_text(const TimedResult& result, const std::string& property) {
     const Verdict& found = verdict(result, property);
     std::string text(word(found.outcome));
     if (found.obstacle != UnknownReason::None) text += " (" + std::string(word(found.obstacle)) + ")";

@@ -58,7 +58,7 @@ void confirm(const Network& network, const Property& property, const Verdict& ve
 /// Returns the verdict on one property.
 const Verdict& verdict(const TimedResult& result, const std::string& property);
 /// Returns `holds`, `violated` or `unknown (inexact)`, followed by `, vacuous` if the verdict is vacuous.
-std::string told(const TimedResult& result, const std::string& property);
+std::string outcome_text(const TimedResult& result, const std::string& property);
 
 /// Returns the same network with a time unit that is finer by `factor`.
 Network refined(Network network, std::int64_t factor);

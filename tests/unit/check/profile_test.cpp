@@ -83,12 +83,12 @@ TEST(StateProfile, OfManyStatesIsEqualByClassesAndReportsProgress) {
     wheel(s, "one", 128);
     wheel(s, "two", 128);
     wheel(s, "three", 65);
-    std::size_t told = 0;
+    std::size_t reported = 0;
     const TimedResult result = check_timed(s.network, {.keep_links = false, .many = [&](const StateProfile& profile) {
-                                                           ++told;
+                                                           ++reported;
                                                            EXPECT_GE(profile.states, many_states);
                                                        }});
-    EXPECT_EQ(told, 1U);
+    EXPECT_EQ(reported, 1U);
     ASSERT_TRUE(result.profile);
     ASSERT_EQ(result.states, std::uint64_t{128} * 128 * 65);
     ASSERT_EQ(result.profile->sampled, result.states) << "the product is whole";

@@ -13,7 +13,7 @@ TEST(TimedEngineOnSamples, GivesThePublishedVerdictsOfTheTestingStation) {
         const TimedResult result =
             checked(read_sample("testing_station/testing_station.grafcet", {.grain = grain}).network);
         for (const char* property : {"P14", "P15", "no_deadlock", "no_timelock"})
-            EXPECT_EQ(told(result, property), "holds") << property;
+            EXPECT_EQ(outcome_text(result, property), "holds") << property;
         EXPECT_TRUE(result.errors.empty());
     }
 }
@@ -28,7 +28,7 @@ TEST(TimedEngineOnSamples, GivesThePublishedVerdictsOfTheOvenDoor) {
     const TimedResult result = checked(read_sample("oven_door/oven_door.grafcet").network);
     EXPECT_GE(result.verdicts.size(), 5u);
     for (const Verdict& verdict : result.verdicts)
-        EXPECT_EQ(told(result, verdict.property), "holds") << verdict.property << verdict.reason;
+        EXPECT_EQ(outcome_text(result, verdict.property), "holds") << verdict.property << verdict.reason;
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ System empty_system() {
     return system;
 }
 
-void ask(System& system, Pattern pattern, Id<Expr> operand) {
+void add_property(System& system, Pattern pattern, Id<Expr> operand) {
     Property property{.name = "p" + std::to_string(system.properties.size()), .pattern = pattern};
     property.operands = {operand};
     system.properties.add(std::move(property));
@@ -50,10 +50,10 @@ System counter(std::int64_t last) {
                                exprs.apply(Op::Plus, number, exprs.integer(1)), exprs.integer(0)));
     for (const std::int64_t seen : {std::int64_t{3}, last}) {
         const Id<Expr> there = exprs.apply(Op::Equal, number, exprs.integer(seen));
-        ask(system, Pattern::Never, there);
-        ask(system, Pattern::Reachable, there);
+        add_property(system, Pattern::Never, there);
+        add_property(system, Pattern::Reachable, there);
     }
-    ask(system, Pattern::Inevitable, exprs.apply(Op::Equal, number, exprs.integer(3)));
+    add_property(system, Pattern::Inevitable, exprs.apply(Op::Equal, number, exprs.integer(3)));
     return system;
 }
 
@@ -108,7 +108,7 @@ TEST(Symbolic, StoppedSearchIgnoresSuccessorsOfAStepOutOfARange) {
                                exprs.apply(Op::Greater, clock, exprs.integer(3))));
     const Id<Expr> full = exprs.apply(Op::Equal, clock, exprs.integer(63));
     set_next(system, clock, exprs.conditional(full, clock, exprs.apply(Op::Plus, clock, exprs.integer(1))));
-    ask(system, Pattern::Never, behind);
+    add_property(system, Pattern::Never, behind);
     ASSERT_EQ(verify(system), std::vector<std::string>{});
     std::atomic<bool> stop = false;
     std::size_t deepest = 0;
@@ -157,7 +157,7 @@ TEST(Symbolic, ChoicesWithoutEffectDoNotMultiplyEventClusters) {
     }
     set_next(system, lamp,
              exprs.conditional(exprs.apply(Op::Equal, first, exprs.integer(0)), exprs.negation(lamp), lamp));
-    ask(system, Pattern::Reachable, lamp);
+    add_property(system, Pattern::Reachable, lamp);
     ASSERT_EQ(verify(system), std::vector<std::string>{});
     const SymbolicResult result =
         check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10)});

@@ -85,14 +85,14 @@ struct Requested {
     std::map<std::string, std::string> says = {};
     std::vector<std::string> runs = {};  // the formulas for which the stand-in was run
 
-    void ask(const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands, const std::string& formula,
-             const std::string& said) {
+    void add_property(const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands,
+                      const std::string& formula, const std::string& output) {
         s.property(name, pattern, std::move(operands));
         const Id<Property> last{static_cast<std::uint32_t>(s.network.properties.size() - 1)};
         questions.push_back({last, name, formula, formula.empty() ? "cannot be said" : ""});
-        says[formula] = said;
+        says[formula] = output;
     }
-    std::string told(const std::vector<std::string>& properties = {}) {
+    std::string outcome_text(const std::vector<std::string>& properties = {}) {
         ExternalOptions options{properties, [&](const std::string& formula) {
                                     runs.push_back(formula);
                                     return printed(" -- Formula is " + says[formula] + "satisfied.\n");
@@ -107,12 +107,12 @@ struct Requested {
 
 TEST(Verifyta, ChecksOneFormulaAtATime) {
     Requested requested;
-    requested.ask("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
-    requested.ask("b", Pattern::Never, {requested.s.yes()}, "A[] not true", "NOT ");
-    requested.ask("c", Pattern::AlwaysPossible, {requested.s.yes()}, "", "");
-    EXPECT_EQ(requested.told(), "a holds\nb violated\nc unknown\nno_timelock unknown, undeclared\n");
+    requested.add_property("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
+    requested.add_property("b", Pattern::Never, {requested.s.yes()}, "A[] not true", "NOT ");
+    requested.add_property("c", Pattern::AlwaysPossible, {requested.s.yes()}, "", "");
+    EXPECT_EQ(requested.outcome_text(), "a holds\nb violated\nc unknown\nno_timelock unknown, undeclared\n");
     EXPECT_EQ(requested.runs, (std::vector<std::string>{"A[] true", "A[] not true"}));
-    EXPECT_EQ(requested.told({"b"}), "b violated\nno_timelock unknown, undeclared\n");
+    EXPECT_EQ(requested.outcome_text({"b"}), "b violated\nno_timelock unknown, undeclared\n");
 }
 
 TEST(Verifyta, ProvesNothingIfStoredActionsMayRace) {
@@ -121,19 +121,20 @@ TEST(Verifyta, ProvesNothingIfStoredActionsMayRace) {
     const auto add = [&](const std::string& race) {
         requested.questions.clear();
         requested.s.network.properties = {};
-        requested.ask("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
-        requested.ask("no_race", Pattern::Never, {requested.s.is(requested.s.network.race)}, "A[] not race", race);
+        requested.add_property("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
+        requested.add_property("no_race", Pattern::Never, {requested.s.is(requested.s.network.race)}, "A[] not race",
+                               race);
     };
     add("");
-    EXPECT_EQ(requested.told({"a"}), "a holds\nno_race holds\nno_timelock unknown, undeclared\n");
+    EXPECT_EQ(requested.outcome_text({"a"}), "a holds\nno_race holds\nno_timelock unknown, undeclared\n");
     add("NOT ");
-    EXPECT_EQ(requested.told(), "a unknown\nno_race violated\nno_timelock unknown, undeclared\n");
+    EXPECT_EQ(requested.outcome_text(), "a unknown\nno_race violated\nno_timelock unknown, undeclared\n");
 }
 
 TEST(Verifyta, ChecksNoFurtherFormulaAfterAnInterrupt) {
     Requested requested;
-    requested.ask("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
-    requested.ask("b", Pattern::Always, {requested.s.yes()}, "A[] 1", "");
+    requested.add_property("a", Pattern::Always, {requested.s.yes()}, "A[] true", "");
+    requested.add_property("b", Pattern::Always, {requested.s.yes()}, "A[] 1", "");
     int runs = 0;
     const auto verdicts = check_verifyta(requested.s.network, requested.questions,
                                          {{}, [&](const std::string&) {

@@ -55,8 +55,8 @@ struct Explored {
             if (property.name != name) continue;
             const bool never = property.pattern == Pattern::Never;
             return std::ranges::all_of(all.states, [&](const TaddState& state) {
-                const bool judged = !property.at_stable || tadd.settled(state);
-                return !judged || tadd.holds(property.operands[0], state) != never;
+                const bool is_considered = !property.at_stable || tadd.settled(state);
+                return !is_considered || tadd.holds(property.operands[0], state) != never;
             });
         }
         throw std::out_of_range("no property " + name);

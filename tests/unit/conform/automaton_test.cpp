@@ -7,7 +7,7 @@
 namespace grafverif {
 namespace {
 
-std::string told(const LocationAutomaton& automaton) {
+std::string printed(const LocationAutomaton& automaton) {
     std::ostringstream out;
     print_automaton(out, automaton, true);
     std::string text = std::move(out).str();
@@ -69,9 +69,9 @@ TEST(LocationAutomaton, ReportsTheCycleOfATotalInstability) {
 }
 
 TEST(LocationAutomaton, ClearsAllThatCanBeClearedTogether) {
-    EXPECT_EQ(told(automaton("input a, b; output O; initial step 1 { O; } initial step 2; step 3; step 4;"
-                             "transition t0: 1 -> 3 when a; transition t1: 2 -> 4 when a && b;",
-                             every_cycle)),
+    EXPECT_EQ(printed(automaton("input a, b; output O; initial step 1 { O; } initial step 2; step 3; step 4;"
+                                "transition t0: 1 -> 3 when a; transition t1: 2 -> 4 when a && b;",
+                                every_cycle)),
               "0  INIT {1,2}\n"
               "    -> 1 {1,2}  when true\n"
               "\n"
@@ -87,9 +87,9 @@ TEST(LocationAutomaton, ClearsAllThatCanBeClearedTogether) {
 
 TEST(LocationAutomaton, KeepsStoredVariablesInItsLocations) {
     EXPECT_EQ(
-        told(automaton("input a; output L; internal N: int 0..1 = 0; initial step 1 { N := 1 - N on deactivation; }"
-                       "step 2 { L := N == 1 on activation; }"
-                       "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
+        printed(automaton("input a; output L; internal N: int 0..1 = 0; initial step 1 { N := 1 - N on deactivation; }"
+                          "step 2 { L := N == 1 on activation; }"
+                          "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
         "0  INIT {1}  L = 0  N = 0\n"
         "    -> 2 {2}  when a\n"
         "\n"
@@ -110,24 +110,24 @@ TEST(LocationAutomaton, KeepsStoredVariablesInItsLocations) {
 }
 
 TEST(LocationAutomaton, ReadsIntegerInputsByTheirValues) {
-    EXPECT_EQ(
-        told(automaton("input level: int 0..5; output O; initial step 1; step 2 { O if level > 3; }"
-                       "transition t0: 1 -> 2 when level >= 2 && level <= 4; transition t1: 2 -> 1 when level == 0;")),
-        "0  INIT {1}\n"
-        "    -> 2 {2}  when level >= 2 and level <= 4\n"
-        "\n"
-        "1  {1}\n"
-        "    -> 2 {2}  when level >= 2 and level <= 4\n"
-        "\n"
-        "2  {2}  / O if level >= 4\n"
-        "    -> 1 {1}  when level == 0\n");
+    EXPECT_EQ(printed(automaton(
+                  "input level: int 0..5; output O; initial step 1; step 2 { O if level > 3; }"
+                  "transition t0: 1 -> 2 when level >= 2 && level <= 4; transition t1: 2 -> 1 when level == 0;")),
+              "0  INIT {1}\n"
+              "    -> 2 {2}  when level >= 2 and level <= 4\n"
+              "\n"
+              "1  {1}\n"
+              "    -> 2 {2}  when level >= 2 and level <= 4\n"
+              "\n"
+              "2  {2}  / O if level >= 4\n"
+              "    -> 1 {1}  when level == 0\n");
 }
 
 TEST(LocationAutomaton, ATimerIsAnInputThatIsFalseInANewlyActiveStep) {
     const LocationAutomaton found = automaton(
         "input a; output O; initial step 1; step 2 { O; } step 3;"
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 || !a; transition t2: 3 -> 2 when a;");
-    EXPECT_EQ(told(found),
+    EXPECT_EQ(printed(found),
               "0  INIT {1}\n"
               "    -> 2 {2}  when a; starts 3s/X2\n"
               "\n"
@@ -143,8 +143,8 @@ TEST(LocationAutomaton, ATimerIsAnInputThatIsFalseInANewlyActiveStep) {
 }
 
 TEST(LocationAutomaton, DelayedAndLimitedActionsAreOutputsThatReadTimers) {
-    EXPECT_EQ(told(automaton("input a; output O, P; initial step 1; step 2 { O after 2s; P for 5s; }"
-                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
+    EXPECT_EQ(printed(automaton("input a; output O, P; initial step 1; step 2 { O after 2s; P for 5s; }"
+                                "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
               "0  INIT {1}\n"
               "    -> 2 {2}  when a; starts 2s/X2; starts 5s/X2\n"
               "\n"
@@ -156,9 +156,9 @@ TEST(LocationAutomaton, DelayedAndLimitedActionsAreOutputsThatReadTimers) {
 }
 
 TEST(LocationAutomaton, TheLevelThatATimerWatchesIsPartOfTheLocation) {
-    EXPECT_EQ(told(automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a/2s; "
-                             "transition t1: 2 -> 1 when !a;",
-                             every_cycle)),
+    EXPECT_EQ(printed(automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a/2s; "
+                                "transition t1: 2 -> 1 when !a;",
+                                every_cycle)),
               "0  INIT {1}  V_a = 0\n"
               "    -> 1 {1}  when not a and not a/2s\n"
               "    -> 2 {1}  when a and not a/2s; starts a/2s\n"
@@ -188,7 +188,7 @@ TEST(LocationAutomaton, TimersOfOneStepExpireInOrderOfDuration) {
     bool seen = false;  // 5s/X2 is sufficient
     for (const LocationAutomaton::Evolution& evolution : found.evolutions)
         seen = seen || condition_text(found, evolution.condition) == "a and b and 5s/X2";
-    EXPECT_TRUE(seen) << told(found);
+    EXPECT_TRUE(seen) << printed(found);
     const MealyMachine timed = machine(found);
     std::vector<std::int64_t> waits;
     for (const MealyMachine::Transition& transition : timed.transitions)

@@ -401,9 +401,10 @@ TEST(Explain, ChangeWithoutWhichAChartBecomesStableIsNamed) {
 /// Returns the elements that the property needs.
 std::string needing(const ProofExplanation& why, const std::string& property) {
     std::string text;
-    for (const ProofExplanation::ModelElement& thing : why.things)
-        if (std::ranges::find(thing.needed_by, property) != thing.needed_by.end())
-            text += fmt::format("{} {}{}; ", word(thing.kind), thing.name, thing.of.empty() ? "" : " of " + thing.of);
+    for (const ProofExplanation::ModelElement& element : why.things)
+        if (std::ranges::find(element.needed_by, property) != element.needed_by.end())
+            text += fmt::format("{} {}{}; ", word(element.kind), element.name,
+                                element.of.empty() ? "" : " of " + element.of);
     return text;
 }
 
@@ -425,8 +426,8 @@ TEST(Explain, ProofWithoutAssumptionsHasAnEmptyCore) {
     EXPECT_EQ(why.ended, "");
     EXPECT_EQ(needing(why, "apart"), "");
     EXPECT_EQ(needing(why, "on"), "transition t0; step 1; term a of t0; term !a of t1; edge idle -> idle of A; ");
-    EXPECT_TRUE(std::ranges::all_of(why.things,
-                                    [](const ProofExplanation::ModelElement& thing) { return thing.open.empty(); }));
+    EXPECT_TRUE(std::ranges::all_of(
+        why.things, [](const ProofExplanation::ModelElement& element) { return element.open.empty(); }));
 }
 
 /// Returns the explanations for a chart with a button and a lift, whose door is monitored.
@@ -470,8 +471,9 @@ TEST(Explain, UncoveredStepsTermsGuardsAndEdgesAreListed) {
                                              reading);
     ASSERT_EQ(why.grounds.size(), 4U);
     std::string all;
-    for (const ProofExplanation::ModelElement& thing : why.things)
-        all += fmt::format("{} {} {}{}; ", word(thing.kind), thing.name, thing.nth > 1 ? "again " : "", thing.of);
+    for (const ProofExplanation::ModelElement& element : why.things)
+        all +=
+            fmt::format("{} {} {}{}; ", word(element.kind), element.name, element.nth > 1 ? "again " : "", element.of);
     EXPECT_EQ(all,
               "transition t0 ; transition t1 ; transition t2 ; step 1 ; step 2 ; "
               "term a t0; term !top t0; term top t1; term !a t2; term !top t2; "
@@ -532,8 +534,8 @@ closed_loop large {
     const ProofExplanation why = why_it_holds(*reading.model, {0}, {}, options, report.value());
     ASSERT_EQ(why.grounds.size(), 1U);
     EXPECT_EQ(needing(why, "first"), "term A of t0; ");
-    for (const ProofExplanation::ModelElement& thing : why.things)
-        EXPECT_TRUE(thing.open.empty()) << word(thing.kind) << ' ' << thing.name;
+    for (const ProofExplanation::ModelElement& element : why.things)
+        EXPECT_TRUE(element.open.empty()) << word(element.kind) << ' ' << element.name;
 }
 
 TEST(Explain, UntriedElementsAreOmittedAtTheTimeLimit) {
@@ -549,10 +551,11 @@ TEST(Explain, UntriedElementsAreOmittedAtTheTimeLimit) {
     ASSERT_EQ(why.grounds.size(), 1U);
     EXPECT_EQ(why.grounds[0].open, (std::vector<std::string>{"A"}));
     EXPECT_FALSE(why.things.empty());
-    for (const ProofExplanation::ModelElement& thing : why.things) {
+    for (const ProofExplanation::ModelElement& element : why.things) {
         // The removal of an edge that is not forced adds no behaviour, so that no search is needed.
-        if (thing.kind == ProofExplanation::Kind::Edge) EXPECT_EQ(thing.open, std::vector<std::string>{}) << thing.name;
-        else EXPECT_EQ(thing.open, std::vector<std::string>{"apart"}) << thing.name;
+        if (element.kind == ProofExplanation::Kind::Edge)
+            EXPECT_EQ(element.open, std::vector<std::string>{}) << element.name;
+        else EXPECT_EQ(element.open, std::vector<std::string>{"apart"}) << element.name;
     }
     EXPECT_TRUE(why.unneeded_parts.empty());
     EXPECT_EQ(why.searches, 0U);

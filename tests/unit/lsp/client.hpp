@@ -31,7 +31,7 @@ public:
     explicit Client(ServerEnvironment surroundings = {}) : surroundings_(std::move(surroundings)) {
         surroundings_.hang_up = [this] { hang_up(); };
         server_ = std::thread([this] {
-            const Ending ending = converse([this](std::span<char> room) { return give(room); },
+            const Ending ending = converse([this](std::span<char> buffer) { return give(buffer); },
                                            [this](std::string_view bytes) { take(bytes); }, surroundings_);
             const std::lock_guard hold(door_);
             ending_ = ending;
@@ -51,13 +51,13 @@ public:
     }
     void hang_up() {
         const std::lock_guard hold(door_);
-        gone_ = true;
+        disconnected_ = true;
         wake_.notify_all();
     }
     /// Waits until the stream ends.
     Ending ending() {
         std::unique_lock hold(door_);
-        wake_.wait_for(hold, patience, [this] { return ending_.has_value(); });
+        wake_.wait_for(hold, time_limit, [this] { return ending_.has_value(); });
         EXPECT_TRUE(ending_.has_value());
         return ending_.value_or(Ending::Gone);
     }
@@ -67,7 +67,7 @@ public:
     void notify(const std::string& method, const Json& params) {
         send({{"jsonrpc", "2.0"}, {"method", method}, {"params", params}});
     }
-    int ask(const std::string& method, const Json& params) {
+    int send_request(const std::string& method, const Json& params) {
         send({{"jsonrpc", "2.0"}, {"id", ++last_}, {"method", method}, {"params", params}});
         return last_;
     }
@@ -78,7 +78,7 @@ public:
         });
     }
     Json result(const std::string& method, const Json& params) {
-        const Json whole = answer(ask(method, params));
+        const Json whole = answer(send_request(method, params));
         EXPECT_TRUE(whole.contains("result")) << method << ' ' << whole;
         return whole.value("result", Json());
     }
@@ -124,13 +124,13 @@ public:
     }
 
 private:
-    static constexpr std::chrono::seconds patience{60};
+    static constexpr std::chrono::seconds time_limit{60};
 
-    std::size_t give(std::span<char> room) {
+    std::size_t give(std::span<char> buffer) {
         std::unique_lock hold(door_);
-        wake_.wait(hold, [this] { return gone_ || !to_server_.empty(); });
-        const std::size_t count = std::min(room.size(), to_server_.size());
-        std::copy_n(to_server_.begin(), count, room.begin());
+        wake_.wait(hold, [this] { return disconnected_ || !to_server_.empty(); });
+        const std::size_t count = std::min(buffer.size(), to_server_.size());
+        std::copy_n(to_server_.begin(), count, buffer.begin());
         to_server_.erase(0, count);
         return count;
     }
@@ -147,7 +147,7 @@ private:
     Json wait(That that) {
         std::unique_lock hold(door_);
         auto found = arrived_.end();
-        const bool there = wake_.wait_for(hold, patience, [&] {
+        const bool there = wake_.wait_for(hold, time_limit, [&] {
             found = std::ranges::find_if(arrived_, that);
             return found != arrived_.end();
         });
@@ -162,7 +162,7 @@ private:
     std::mutex door_ = {};
     std::condition_variable wake_ = {};
     std::string to_server_ = {};
-    bool gone_ = false;
+    bool disconnected_ = false;
     std::vector<Json> arrived_ = {};
     std::optional<Ending> ending_ = {};
     int last_ = 0;

@@ -73,11 +73,11 @@ TEST(LspDiagnostics, FollowEdits) {
     client.begin();
     client.open(address,
                 "grafcet a {\n    input START;\n    initial step 0;\n    transition t: 0 -> 0 when STRAT;\n}\n");
-    Json told = client.diagnostics(address, 1);
-    ASSERT_EQ(codes(told), Codes{"unknown-variable"});
-    EXPECT_EQ(told[0]["range"], (Json{{"start", at(3, 30)}, {"end", at(3, 35)}}));
-    EXPECT_EQ(told[0]["severity"], 1);
-    EXPECT_EQ(told[0]["message"], "unknown variable `STRAT`; did you mean `START`?");
+    Json diagnostics = client.diagnostics(address, 1);
+    ASSERT_EQ(codes(diagnostics), Codes{"unknown-variable"});
+    EXPECT_EQ(diagnostics[0]["range"], (Json{{"start", at(3, 30)}, {"end", at(3, 35)}}));
+    EXPECT_EQ(diagnostics[0]["severity"], 1);
+    EXPECT_EQ(diagnostics[0]["message"], "unknown variable `STRAT`; did you mean `START`?");
 
     client.notify(
         "textDocument/didChange",
@@ -92,9 +92,9 @@ TEST(LspDiagnostics, NameTheOtherPlace) {
     Client client;
     client.begin();
     client.open(address, "grafcet a {\n    input A;\n    input A;\n    initial step 0;\n}\n");
-    const Json told = client.diagnostics(address);
-    ASSERT_EQ(codes(told), Codes{"duplicate-name"});
-    const Json related = told[0]["relatedInformation"];
+    const Json diagnostics = client.diagnostics(address);
+    ASSERT_EQ(codes(diagnostics), Codes{"duplicate-name"});
+    const Json related = diagnostics[0]["relatedInformation"];
     ASSERT_EQ(related.size(), 1U);
     EXPECT_EQ(related[0]["message"], "the first one is here");
     EXPECT_EQ(related[0]["location"]["uri"], address);
@@ -139,8 +139,8 @@ TEST(LspDiagnostics, IncludeAllFilesThatIncludeAnOpenDocument) {
     Client client;
     client.begin(Json::object(), folder.path());
     client.open(folder.uri("part.grafcet"), "component lever(output NEW) {\n    initial location off;\n}\n");
-    const Json told = client.diagnostics(folder.uri("main.grafcet"));
-    EXPECT_EQ(codes(told), Codes{"unknown-parameter"});
+    const Json diagnostics = client.diagnostics(folder.uri("main.grafcet"));
+    EXPECT_EQ(codes(diagnostics), Codes{"unknown-parameter"});
     EXPECT_EQ(client.diagnostics(folder.uri("part.grafcet")), Json::array());
 
     client.retype(folder.uri("part.grafcet"), 2, "component lever(output OUT) {\n    initial location off;\n}\n");

@@ -40,9 +40,9 @@ TEST(LspFaults, ADocumentThatCannotBeReadKeepsNoOtherFromItsDiagnostics) {
         client.notify("textDocument/didSave", document(uri));
         client.notify("textDocument/didSave", document(other));
         for (const char* each : {"check", "draw", "simulate", "showVerdict"})
-            client.answer(client.ask("workspace/executeCommand", command(each, uri)));
+            client.answer(client.send_request("workspace/executeCommand", command(each, uri)));
         for (const char* each : {"hover", "definition", "references", "completion", "prepareRename"})
-            client.answer(client.ask("textDocument/" + std::string(each), with_position(uri)));
+            client.answer(client.send_request("textDocument/" + std::string(each), with_position(uri)));
         for (const char* each : {"codeLens", "documentSymbol", "semanticTokens/full", "formatting"})
             client.result("textDocument/" + std::string(each), document(uri));
         EXPECT_EQ(client.diagnostics(uri).back()["code"], "unknown-variable") << "its text is what the editor has";

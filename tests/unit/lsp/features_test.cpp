@@ -146,10 +146,10 @@ TEST(LspNames, AreNotRenamedIfTheMeaningWouldChange) {
     const auto obstacle = [&](const std::string& text, const char* name) {
         const Marked here = marked(text);
         editor.open("press.grafcet", here.text);
-        const Json answer = editor.client.answer(
-            editor.client.ask("textDocument/rename", {{"textDocument", {{"uri", editor.folder.uri("press.grafcet")}}},
-                                                      {"position", here.position},
-                                                      {"newName", name}}));
+        const Json answer = editor.client.answer(editor.client.send_request(
+            "textDocument/rename", {{"textDocument", {{"uri", editor.folder.uri("press.grafcet")}}},
+                                    {"position", here.position},
+                                    {"newName", name}}));
         return answer.contains("error") ? answer["error"]["message"].get<std::string>() : "none";
     };
     const std::string start = with(press, "input START", "input STA@RT");
@@ -340,7 +340,8 @@ TEST(LspFeatures, SurviveEveryTruncationOfAText) {
         for (const char* method :
              {"completion", "hover", "definition", "references", "documentSymbol", "foldingRange",
               "semanticTokens/full", "formatting", "documentHighlight", "prepareRename", "rename"}) {
-            const Json answer = editor.client.answer(editor.client.ask(std::string("textDocument/") + method, params));
+            const Json answer =
+                editor.client.answer(editor.client.send_request(std::string("textDocument/") + method, params));
             EXPECT_TRUE(!answer.contains("error") || answer["error"]["code"] == -32803) << method << answer;
         }
     }

@@ -41,16 +41,17 @@ TEST(LspProofs, ReportViolationsWithTheirSteps) {
               (std::vector<std::string>{"check", "draw", "simulate", "check", "simulate", "not checked: check",
                                         "not checked: check", "not checked: check"}));
     client.notify("textDocument/didSave", document);
-    const Json told = client.next("textDocument/publishDiagnostics",
-                                  [](const Json& params) { return !params["diagnostics"].empty(); })["diagnostics"];
-    ASSERT_EQ(told.size(), 1U) << told;
-    EXPECT_EQ(told[0]["message"], "`never_on` is violated: it stays dark");
-    EXPECT_EQ(told[0]["code"], "violated");
-    EXPECT_EQ(told[0]["range"]["start"]["line"], 11);
-    const Json story = told[0]["relatedInformation"];
-    ASSERT_GE(story.size(), 2U);
-    EXPECT_EQ(story.back()["location"]["range"]["start"]["line"], 5) << story;
-    EXPECT_NE(story.back()["message"].get<std::string>().find("clears t0; active: 1"), std::string::npos) << story;
+    const Json published = client.next("textDocument/publishDiagnostics", [](const Json& params) {
+        return !params["diagnostics"].empty();
+    })["diagnostics"];
+    ASSERT_EQ(published.size(), 1U) << published;
+    EXPECT_EQ(published[0]["message"], "`never_on` is violated: it stays dark");
+    EXPECT_EQ(published[0]["code"], "violated");
+    EXPECT_EQ(published[0]["range"]["start"]["line"], 11);
+    const Json related = published[0]["relatedInformation"];
+    ASSERT_GE(related.size(), 2U);
+    EXPECT_EQ(related.back()["location"]["range"]["start"]["line"], 5) << related;
+    EXPECT_NE(related.back()["message"].get<std::string>().find("clears t0; active: 1"), std::string::npos) << related;
 
     EXPECT_EQ(titles(client.result("textDocument/codeLens", document)),
               (std::vector<std::string>{"check", "draw", "simulate", "check", "simulate", "violated", "holds",
@@ -93,11 +94,12 @@ TEST(LspProofs, ReportFindingsOfAnalyse) {
         address,
         "grafcet a {\n    input A;\n    initial step 0;\n    step 1;\n    transition t0: 0 -> 1 when A && !A;\n}\n");
     client.notify("textDocument/didSave", {{"textDocument", {{"uri", address}}}});
-    const Json told = client.next("textDocument/publishDiagnostics",
-                                  [](const Json& params) { return !params["diagnostics"].empty(); })["diagnostics"];
+    const Json published = client.next("textDocument/publishDiagnostics", [](const Json& params) {
+        return !params["diagnostics"].empty();
+    })["diagnostics"];
     std::vector<std::string> codes;
-    for (const Json& each : told) codes.push_back(each["code"]);
-    EXPECT_NE(std::ranges::find(codes, "step-never-active"), codes.end()) << told;
+    for (const Json& each : published) codes.push_back(each["code"]);
+    EXPECT_NE(std::ranges::find(codes, "step-never-active"), codes.end()) << published;
 }
 
 TEST(LspProofs, ReportErrorsOfTheDerivedModels) {
@@ -106,13 +108,14 @@ TEST(LspProofs, ReportErrorsOfTheDerivedModels) {
     client.open(address,
                 "grafcet a {\n    input A;\n    internal N: int 0..3;\n    initial step 0;\n    transition t: 0 -> 0 "
                 "when A do N := 9;\n}\n");
-    const Json told = client.next("textDocument/publishDiagnostics", [](const Json&) { return true; })["diagnostics"];
+    const Json published =
+        client.next("textDocument/publishDiagnostics", [](const Json&) { return true; })["diagnostics"];
     ParseResult reading = read_string(
         "grafcet a {\n    input A;\n    internal N: int 0..3;\n    initial step 0;\n    transition t: 0 -> 0 when A do "
         "N := 9;\n}\n",
         "a");
     if (reading.model) equations_of(*reading.model, Id<Chart>{0}, reading.diagnostics);
-    EXPECT_EQ(told.size(), reading.diagnostics.all().size());
+    EXPECT_EQ(published.size(), reading.diagnostics.all().size());
 }
 
 TEST(LspProofs, AreCancelledByTheNextChange) {
@@ -141,9 +144,10 @@ TEST(LspProofs, AreCancelledByTheNextChange) {
         client.next("$/progress", [](const Json& params) { return params["value"]["kind"] == "end"; })["value"]["kind"],
         "end");
     client.notify("textDocument/didSave", {{"textDocument", {{"uri", address}}}});
-    const Json told = client.next("textDocument/publishDiagnostics",
-                                  [](const Json& params) { return !params["diagnostics"].empty(); })["diagnostics"];
-    EXPECT_EQ(told[0]["message"], "`never_on` is violated: it stays dark");
+    const Json published = client.next("textDocument/publishDiagnostics", [](const Json& params) {
+        return !params["diagnostics"].empty();
+    })["diagnostics"];
+    EXPECT_EQ(published[0]["message"], "`never_on` is violated: it stays dark");
 }
 
 TEST(LspProofs, DrawTheOpenText) {
@@ -153,8 +157,8 @@ TEST(LspProofs, DrawTheOpenText) {
     const Json drawn =
         client.result("workspace/executeCommand", {{"command", "grafverif.draw"}, {"arguments", {address}}});
     EXPECT_TRUE(drawn["svg"].get<std::string>().starts_with("<")) << drawn;
-    const Json refused = client.answer(
-        client.ask("workspace/executeCommand", {{"command", "grafverif.draw"}, {"arguments", {"file:///no"}}}));
+    const Json refused = client.answer(client.send_request(
+        "workspace/executeCommand", {{"command", "grafverif.draw"}, {"arguments", {"file:///no"}}}));
     EXPECT_EQ(refused["error"]["code"], -32803);
 }
 

@@ -18,7 +18,7 @@ TEST(LspServer, ListsItsCapabilitiesAndEndsOnRequest) {
     EXPECT_EQ(answer["serverInfo"]["version"], "1.2");
     EXPECT_EQ(answer["capabilities"]["textDocumentSync"]["change"], 2);
     EXPECT_TRUE(client.result("shutdown", nullptr).is_null());
-    EXPECT_EQ(code_of(client.answer(client.ask("textDocument/hover", Json::object()))), -32600);
+    EXPECT_EQ(code_of(client.answer(client.send_request("textDocument/hover", Json::object()))), -32600);
     client.notify("exit", nullptr);
     EXPECT_EQ(client.ending(), Ending::Requested);
 }
@@ -46,11 +46,11 @@ TEST(LspServer, EndsIfTheClientsProcessIsGone) {
 
 TEST(LspServer, RequiresInitializationFirstAndOnce) {
     Client client;
-    EXPECT_EQ(code_of(client.answer(client.ask("textDocument/hover", Json::object()))), -32002);
+    EXPECT_EQ(code_of(client.answer(client.send_request("textDocument/hover", Json::object()))), -32002);
     client.open(address, "nothing of this is looked at");
     client.begin();
-    EXPECT_EQ(code_of(client.answer(client.ask("initialize", Json::object()))), -32600);
-    EXPECT_EQ(code_of(client.answer(client.ask("no/such", Json::object()))), -32601);
+    EXPECT_EQ(code_of(client.answer(client.send_request("initialize", Json::object()))), -32600);
+    EXPECT_EQ(code_of(client.answer(client.send_request("no/such", Json::object()))), -32601);
     EXPECT_EQ(client.waiting(), 0U);
 }
 
@@ -90,9 +90,9 @@ TEST(LspServer, AnswersInvalidInputAndContinues) {
 TEST(LspServer, SkipsAMessageThatIsTooLarge) {
     std::string stream = "Content-Length: 1000\r\n\r\n" + std::string(1000, ' ') + framed("{}");
     Framing framing(
-        [&](std::span<char> room) {
-            const std::size_t count = std::min<std::size_t>({room.size(), stream.size(), 7});
-            std::copy_n(stream.begin(), count, room.begin());
+        [&](std::span<char> buffer) {
+            const std::size_t count = std::min<std::size_t>({buffer.size(), stream.size(), 7});
+            std::copy_n(stream.begin(), count, buffer.begin());
             stream.erase(0, count);
             return count;
         },

@@ -30,8 +30,8 @@ void check_damaged(const std::string& text, bool lossy) {
     const Id<Source> source = sources.add({"damaged.xml", text});
     const auto model = read_text(source, sources, context, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
-    std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);  // the rendered text contains every location
+    std::ostringstream rendered;
+    render_text(diagnostics.all(), sources, Colour::Plain, rendered);  // the rendered text contains every location
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

@@ -15,7 +15,7 @@ namespace grafverif {
 namespace {
 
 struct Imported {
-    std::string text = {}, said = {};
+    std::string text = {}, rendered = {};
 };
 
 /// Returns the text of an imported chart. Checks that it is read back as the same model.
@@ -29,12 +29,12 @@ Imported imported(const std::string& written, bool lossy = false) {
     ReadContext context;
     context.lossy = lossy;
     const auto model = read_text(source, sources, context, again);
-    std::ostringstream said;
-    render_text(again.all(), sources, Colour::Plain, said);
-    result.said = said.str();
+    std::ostringstream rendered;
+    render_text(again.all(), sources, Colour::Plain, rendered);
+    result.rendered = rendered.str();
     if (file.broken) return result;
     result.text = formatted(laid_out(file));
-    EXPECT_TRUE(model) << result.said;
+    EXPECT_TRUE(model) << result.rendered;
     Diagnostics third;
     const auto back = read_text(sources.add({"back.grafcet", result.text}), sources, {}, third);
     EXPECT_TRUE(back) << result.text;
@@ -77,29 +77,30 @@ TEST(Import, ReadsTextInUtf16AndLatin1AsItsUtf8) {
                 wide = utf16("grafcet g { initial step 0; } // Gr");
     wide += std::string("\xF6\0\xDF\0e\0", 6);
     const Imported expected = imported(text);
-    EXPECT_EQ(expected.said, "");
+    EXPECT_EQ(expected.rendered, "");
     EXPECT_EQ(imported(wide).text, expected.text);
-    EXPECT_EQ(imported(wide).said, "");
+    EXPECT_EQ(imported(wide).rendered, "");
     EXPECT_EQ(imported(latin).text, expected.text);
     Sources sources;
-    Diagnostics said;
-    read_any(sources.add({"g.grafcet", latin}), sources, {}, said);
-    ASSERT_EQ(said.all().size(), 1U);
-    EXPECT_EQ(said.all()[0].code, "read-as-latin");
-    EXPECT_NE(imported(latin + " Größe").said.find("byte 0xF6 is not UTF-8"), std::string::npos) << "mixed: a guess";
+    Diagnostics rendered;
+    read_any(sources.add({"g.grafcet", latin}), sources, {}, rendered);
+    ASSERT_EQ(rendered.all().size(), 1U);
+    EXPECT_EQ(rendered.all()[0].code, "read-as-latin");
+    EXPECT_NE(imported(latin + " Größe").rendered.find("byte 0xF6 is not UTF-8"), std::string::npos)
+        << "mixed: a guess";
 }
 
 TEST(Import, RejectsUtf16WithHalfACharacter) {
     for (const std::string& text : {std::string("grafcet g { initial step 0; }"), std::string("<project/>")}) {
         const Imported result = imported(utf16(text) + "}");
-        EXPECT_NE(result.said.find("UTF-16 and ends within a character"), std::string::npos) << result.said;
+        EXPECT_NE(result.rendered.find("UTF-16 and ends within a character"), std::string::npos) << result.rendered;
     }
-    EXPECT_EQ(imported(utf16("grafcet g { initial step 0; }")).said, "");
+    EXPECT_EQ(imported(utf16("grafcet g { initial step 0; }")).rendered, "");
 }
 
 TEST(Import, ImportsTheCompleteMetaModelOfAgrafe) {
     const Imported result = imported(fixtures::agrafe);
-    EXPECT_EQ(result.text, fixtures::agrafe_text) << result.said;
+    EXPECT_EQ(result.text, fixtures::agrafe_text) << result.rendered;
 }
 
 TEST(Import, ImportsInternalVariablesOfContinuousActionsAsOutputs) {
@@ -114,9 +115,9 @@ TEST(Import, ImportsInternalVariablesOfContinuousActionsAsOutputs) {
     const Imported result = imported(driven);
     std::string wanted = fixtures::agrafe_text;
     wanted.replace(wanted.find("fall(G1.X1)"), 11, "fall(M)");
-    EXPECT_EQ(result.text, wanted) << result.said;
-    EXPECT_NE(result.said.find("`M` becomes an output: it is driven by continuous actions"), std::string::npos)
-        << result.said;
+    EXPECT_EQ(result.text, wanted) << result.rendered;
+    EXPECT_NE(result.rendered.find("`M` becomes an output: it is driven by continuous actions"), std::string::npos)
+        << result.rendered;
 }
 
 TEST(Import, ImportsVariablesWithoutAKindAsOutputsIfActionsDriveThem) {
@@ -139,13 +140,13 @@ TEST(Import, CutsNamesSoThatTheirNumbersAndPrefixesFit) {
         text.replace(text.find(name), std::string(name).size(), "name=\"" + longest + '"');
     for (const char* id : {"id=\"1\" initial", "id=\"2\"/>"})
         text.replace(text.find(id), std::string(id).size(), std::string(id).replace(4, 1, longest + id[4]));
-    EXPECT_NE(imported(text).text, "") << imported(text).said;
+    EXPECT_NE(imported(text).text, "") << imported(text).rendered;
 }
 
 TEST(Import, ImportsPlcopenWithPrioritiesInTheConditions) {
     const Imported result = imported(fixtures::plcopen);
-    EXPECT_EQ(result.text, fixtures::plcopen_text) << result.said;
-    EXPECT_NE(result.said.find("[explicit-priority]"), std::string::npos) << result.said;
+    EXPECT_EQ(result.text, fixtures::plcopen_text) << result.rendered;
+    EXPECT_NE(result.rendered.find("[explicit-priority]"), std::string::npos) << result.rendered;
 }
 
 TEST(Import, ImportsTextualChartsWithTheirActionBlocks) {
@@ -155,8 +156,8 @@ TEST(Import, ImportsTextualChartsWithTheirActionBlocks) {
           "initial step Wait { lamp := false on activation; }", "horn_limited := true on activation;",
           "horn_pulse := false on event rise(horn_pulse);", "horn if horn_limited && !(3s/horn_limited);",
           "transition both: Wait -> Left, Right when go;", "transition Left, Right -> Wait when done != go;"})
-        EXPECT_NE(result.text.find(line), std::string::npos) << line << "\n" << result.text << result.said;
-    EXPECT_NE(result.said.find("R of `lamp`"), std::string::npos) << result.said;
+        EXPECT_NE(result.text.find(line), std::string::npos) << line << "\n" << result.text << result.rendered;
+    EXPECT_NE(result.rendered.find("R of `lamp`"), std::string::npos) << result.rendered;
 }
 
 /// Returns a chart with two steps in PLCopen XML. The condition of its first transition is connected to the element
@@ -208,7 +209,7 @@ TEST(Import, KeepsEveryNegationOfANetwork) {
         SCOPED_TRACE(one.network);
         const Imported result = imported(connected(one.network));
         EXPECT_NE(result.text.find("S1 -> S2 when " + one.condition + ";"), std::string::npos)
-            << result.text << result.said;
+            << result.text << result.rendered;
     }
 }
 
@@ -229,7 +230,7 @@ TEST(Import, RejectsNetworksWithMemoryOrMissingWires) {
         SCOPED_TRACE(one.network);
         const Imported result = imported(connected(one.network));
         EXPECT_EQ(result.text, "");
-        EXPECT_NE(result.said.find(one.message), std::string::npos) << result.said;
+        EXPECT_NE(result.rendered.find(one.message), std::string::npos) << result.rendered;
     }
 }
 
@@ -238,7 +239,8 @@ TEST(Import, OmitsConditionsThatItCannotImportCompletely) {
         R"(<contact localId="8" edge="rising"><connectionPointIn><connection refLocalId="5"/></connectionPointIn><variable>b</variable></contact>)" +
         contact("", "<connection refLocalId=\"8\"/>");
     const Imported result = imported(connected(behind_an_edge), true);
-    EXPECT_NE(result.text.find("S1 -> S2 when unknown_condition;"), std::string::npos) << result.text << result.said;
+    EXPECT_NE(result.text.find("S1 -> S2 when unknown_condition;"), std::string::npos)
+        << result.text << result.rendered;
 }
 
 TEST(Import, RejectsStatementsUnderQualifiersThatOutliveTheirStep) {
@@ -246,7 +248,8 @@ TEST(Import, RejectsStatementsUnderQualifiersThatOutliveTheirStep) {
         std::string text = fixtures::sfc;
         text.replace(text.find("horn(P);"), 8, "work(" + std::string(qualifier) + ");");
         text.replace(text.find("END_PROGRAM"), 0, "ACTION work: lamp := go; END_ACTION\n");
-        EXPECT_NE(imported(text).said.find("a list of statements under the qualifier"), std::string::npos) << qualifier;
+        EXPECT_NE(imported(text).rendered.find("a list of statements under the qualifier"), std::string::npos)
+            << qualifier;
     }
 }
 
@@ -263,9 +266,9 @@ TEST(Import, ReadsOtherEncodings) {
 TEST(Import, OmitsElementsOnlyOnRequest) {
     std::string text = fixtures::sfc;
     text.replace(text.find(":= go;"), 6, ":= go AND LREAL_TO_BOOL(3.5);");
-    EXPECT_NE(imported(text).said.find("[cannot-import]"), std::string::npos);
+    EXPECT_NE(imported(text).rendered.find("[cannot-import]"), std::string::npos);
     const Imported lossy = imported(text, true);
-    EXPECT_NE(lossy.said.find("[left-out]"), std::string::npos);
+    EXPECT_NE(lossy.rendered.find("[left-out]"), std::string::npos);
     EXPECT_NE(lossy.text.find("// omitted: "), std::string::npos);
     EXPECT_NE(lossy.text.find("when unknown_condition"), std::string::npos) << lossy.text;
 }

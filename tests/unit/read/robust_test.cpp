@@ -49,8 +49,8 @@ void check(const std::string& text) {
     Diagnostics diagnostics;
     const auto model = read_text(sources.add({"damaged.grafcet", text}), sources, {}, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
-    std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);  // the rendered text contains every location
+    std::ostringstream rendered;
+    render_text(diagnostics.all(), sources, Colour::Plain, rendered);  // the rendered text contains every location
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

@@ -27,7 +27,7 @@ const std::vector<LibraryEntry> library = {
 
 struct Reading {
     std::optional<Model> model = {};
-    std::string said = {};
+    std::string rendered = {};
     std::vector<std::string> codes = {};
 };
 
@@ -43,9 +43,9 @@ Reading read(const std::string& text, const Files& files = {}) {
                               library};
     Reading reading;
     reading.model = read_text(sources.add({"main.grafcet", text}), sources, context, diagnostics);
-    std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);
-    reading.said = std::move(said).str();
+    std::ostringstream rendered;
+    render_text(diagnostics.all(), sources, Colour::Plain, rendered);
+    reading.rendered = std::move(rendered).str();
     for (const Diagnostic& diagnostic : diagnostics.all()) reading.codes.push_back(diagnostic.code);
     if (reading.model) {
         EXPECT_EQ(verify(*reading.model), std::vector<std::string>{});
@@ -55,7 +55,7 @@ Reading read(const std::string& text, const Files& files = {}) {
 
 Model model(const std::string& text, const Files& files = {}) {
     Reading reading = read(text, files);
-    EXPECT_TRUE(reading.model) << reading.said;
+    EXPECT_TRUE(reading.model) << reading.rendered;
     return reading.model ? *reading.model : Model{};
 }
 
@@ -208,7 +208,7 @@ TEST(ReadErrors, AreReportedTogetherAndOnce) {
         SCOPED_TRACE(text);
         const Reading reading = read(text);
         EXPECT_FALSE(reading.model);
-        EXPECT_EQ(reading.codes, codes) << reading.said;
+        EXPECT_EQ(reading.codes, codes) << reading.rendered;
     }
 }
 
@@ -217,7 +217,7 @@ TEST(ReadErrors, WarnOnceOfAGroupOfStepsThatNothingActivates) {
         "grafcet g {\n initial step 0;\n step 1;\n step 2;\n step 3;\n transition a: 1 -> 2 when true;\n transition "
         "b: 2 -> 3 when true;\n}\n");
     EXPECT_TRUE(reading.model);
-    EXPECT_EQ(reading.codes, std::vector<std::string>{"unreachable-step"}) << reading.said;
+    EXPECT_EQ(reading.codes, std::vector<std::string>{"unreachable-step"}) << reading.rendered;
 }
 
 TEST(ReadErrors, StaySearchableInHugeCharts) {
@@ -317,7 +317,7 @@ TEST(ReadLoop, PrefersComponentsOfTheFileToThoseOfTheLibrary) {
         read(lamp +
              "component button(output OUT) {\n    initial location mine;\n}\n"
              "closed_loop l {\n    controller lamp;\n    environment e = button(OUT = BUTTON);\n}\n");
-    ASSERT_TRUE(reading.model) << reading.said;
+    ASSERT_TRUE(reading.model) << reading.rendered;
     EXPECT_EQ(reading.codes, std::vector<std::string>{"shadows-library"});
     EXPECT_EQ(reading.model->components[{0}].locations[{0}].name, "mine");
 }

@@ -57,12 +57,12 @@ TEST(Json, HasTheMomentsThatTheStepsSummarize) {
     // Values that a row does not list are unchanged.
     std::map<int, int> values;
     Json situation;
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (std::size_t moment = 0; moment < run["moments"].size(); ++moment) {
         const Json& now = run["moments"][moment];
         for (const Json& value : now["values"]) values[value[0]] = value[1];
         if (now.contains("situation")) situation = now["situation"];
-        const Json& step = trace["steps"][told];
+        const Json& step = trace["steps"][reported];
         if (step["moment"] != moment) continue;
         EXPECT_EQ(step["time"], now["time"]);
         for (std::size_t signal = 0; signal < run["signals"].size(); ++signal) {
@@ -72,9 +72,9 @@ TEST(Json, HasTheMomentsThatTheStepsSummarize) {
         }
         for (std::size_t i = 0; i < situation.size(); ++i)
             EXPECT_EQ(step["situation"][i], run["steps"][situation[i].get<std::size_t>()]["full_name"]);
-        ++told;
+        ++reported;
     }
-    EXPECT_EQ(told, trace["steps"].size());
+    EXPECT_EQ(reported, trace["steps"].size());
 }
 
 TEST(Json, GivesVerdictsAsTheyAre) {

@@ -142,9 +142,9 @@ TEST(Svg, DrawsTheRequestedEventsAndNamesThem) {
     EXPECT_NE(foot_of(drawn).find("Events 1 to 3 of 4."), std::string::npos);
     ASSERT_EQ(of_class(drawn, "loop").size(), 1u) << "event 3 is in it";
     EXPECT_EQ(of_class(drawn, "loop")[0].attribute("width").as_int(), 36);
-    Drawn behind;
-    draw(sample_run(), behind, {99, 100});
-    EXPECT_EQ(of_class(behind, "number").size(), 1u) << "the last one";
+    Drawn after_end;
+    draw(sample_run(), after_end, {99, 100});
+    EXPECT_EQ(of_class(after_end, "number").size(), 1u) << "the last one";
 }
 
 TEST(Svg, CutsALongTraceIntoStripsThatNameTheirRows) {

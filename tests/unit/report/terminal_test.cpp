@@ -110,25 +110,25 @@ TEST(Terminal, FitsAHundredColumnsForAllNames) {
 TEST(Terminal, PrintsSharedAssumptionsOnce) {
     Report report = sample_report();
     report.answers.resize(3);
-    const std::string told = text(report);
+    const std::string output = text(report);
+    EXPECT_TRUE(output.starts_with(
+        "station, checked with: timed engine; stability-search, phased grain; time unit 0.5 s, cycle "
+        "time taken as zero; 12 states\n"
+        "\nP2 \"a <dangerous> & \"quoted\" text\": violated\ncounterexample:\n"))
+        << output;
+    EXPECT_EQ(output.find("12 states\n"), output.rfind("12 states\n")) << output;
+    EXPECT_EQ(output.find("P1 \"all"), std::string::npos) << "what holds is told by the table alone";
     EXPECT_TRUE(
-        told.starts_with("station, checked with: timed engine; stability-search, phased grain; time unit 0.5 s, cycle "
-                         "time taken as zero; 12 states\n"
-                         "\nP2 \"a <dangerous> & \"quoted\" text\": violated\ncounterexample:\n"))
-        << told;
-    EXPECT_EQ(told.find("12 states\n"), told.rfind("12 states\n")) << told;
-    EXPECT_EQ(told.find("P1 \"all"), std::string::npos) << "what holds is told by the table alone";
-    EXPECT_TRUE(
-        told.ends_with("\n"
-                       "P3: unknown\n"
-                       "    why: 12 states are not enough\n"
-                       "\n"
-                       "property  verdict   description\n"
-                       "P1        holds     all is well\n"
-                       "P2        violated  a <dangerous> & \"quoted\" text\n"
-                       "P3        unknown\n"
-                       "station: 1 holds, 1 violated, 1 unknown; 1 unexpected\n"))
-        << told;
+        output.ends_with("\n"
+                         "P3: unknown\n"
+                         "    why: 12 states are not enough\n"
+                         "\n"
+                         "property  verdict   description\n"
+                         "P1        holds     all is well\n"
+                         "P2        violated  a <dangerous> & \"quoted\" text\n"
+                         "P3        unknown\n"
+                         "station: 1 holds, 1 violated, 1 unknown; 1 unexpected\n"))
+        << output;
 }
 
 TEST(Terminal, PrintsTheSeparateAssumptionsOfEachGroup) {
@@ -140,12 +140,12 @@ TEST(Terminal, PrintsTheSeparateAssumptionsOfEachGroup) {
     };
     report.answers = {answer("A", "7", alone), answer("S.X1", "9", {}), answer("S.X2", "9", {}),
                       answer("B", "7", alone), answer("T.X1", "9", {}), answer("T.X2", "7", alone)};
-    const std::string told = text(report);
-    EXPECT_TRUE(told.starts_with(
+    const std::string output = text(report);
+    EXPECT_TRUE(output.starts_with(
         "station, checked with: timed engine; every-cycle, atomic grain; time unit 1 s, cycle time taken as zero\n"
         "    A, B, T.X2: 7 states; sub-loop `left` alone; omitted: `right`, which has no say\n"
         "    S, T.X1: 9 states\n"))
-        << told;
+        << output;
 }
 
 TEST(Terminal, UndecidedPropertiesHaveNoImplications) {
@@ -189,11 +189,11 @@ TEST(Terminal, PrintsReachedStepsInOneLineAndTheOthersSeparately) {
 
 TEST(Terminal, PrintsNotesOfHoldingPropertiesWithTheAssumptions) {
     Report report = sample_report();
-    const std::string told = text(report);
-    EXPECT_NE(told.find("    note (P5): time never passes\n\nP2 "), std::string::npos) << told;
-    EXPECT_NE(told.find("P5                          holds, vacuously\n"), std::string::npos) << told;
-    EXPECT_NE(told.find("P4: violated, as expected\ncounterexample:\n"), std::string::npos) << told;
-    EXPECT_NE(told.find("no_timelock (not declared)  unknown\n"), std::string::npos) << told;
+    const std::string output = text(report);
+    EXPECT_NE(output.find("    note (P5): time never passes\n\nP2 "), std::string::npos) << output;
+    EXPECT_NE(output.find("P5                          holds, vacuously\n"), std::string::npos) << output;
+    EXPECT_NE(output.find("P4: violated, as expected\ncounterexample:\n"), std::string::npos) << output;
+    EXPECT_NE(output.find("no_timelock (not declared)  unknown\n"), std::string::npos) << output;
     report.answers[1].verdict.notes = {"of this one"};
     EXPECT_NE(text(report).find("violated\n    note: of this one\ncounterexample:"), std::string::npos) << text(report);
     for (PropertyResult& answer : report.answers) answer.verdict.notes = {"of all"};
@@ -255,14 +255,14 @@ TEST(Terminal, PrintsTheSharedReasonOfUnknownVerdictsOnce) {
                                   {},
                                   "",
                                   ""});
-    const std::string told = text(report);
+    const std::string output = text(report);
     const std::string once =
         "\n"
         "Q1, Q2: unknown\n"
         "    why: state limit reached: 7 states\n";
-    EXPECT_NE(told.find(once), std::string::npos) << told;
-    EXPECT_EQ(told.find("state limit reached"), told.rfind("state limit reached")) << told;
-    EXPECT_NE(told.find("\nP3: unknown\n    why: 12 states are not enough\n"), std::string::npos)
+    EXPECT_NE(output.find(once), std::string::npos) << output;
+    EXPECT_EQ(output.find("state limit reached"), output.rfind("state limit reached")) << output;
+    EXPECT_NE(output.find("\nP3: unknown\n    why: 12 states are not enough\n"), std::string::npos)
         << "a reason of its own stays where it is";
 }
 
@@ -274,17 +274,18 @@ TEST(Terminal, PrintsTheStateProfile) {
     profile.clocks = {{"Start", "t", 12, 13, {30, 10}, {}, ""}};
     profile.finest = StateProfile::Finest{1010, 10, 100, {30, 12}, {}, "a.grafcet:7"};
     report.profile = profile;
-    const std::string told = text(report);
-    EXPECT_NE(told.find("state space factors of the first 30 of 40 states (x N: N times fewer states would remain "
-                        "without this element):\n"
-                        "    x 6.0     controller PLC, 12 or more combinations of its variables (a.grafcet:3)\n"
-                        "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
-                        "    33 % of these states are within a cycle; grain atomic makes each cycle one step and "
-                        "keeps at most 20 of them\n"
-                        "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s (x "
-                        "2.5: with this unit, 2.5 times fewer states would remain)\n"),
-              std::string::npos)
-        << told;
+    const std::string output = text(report);
+    EXPECT_NE(
+        output.find("state space factors of the first 30 of 40 states (x N: N times fewer states would remain "
+                    "without this element):\n"
+                    "    x 6.0     controller PLC, 12 or more combinations of its variables (a.grafcet:3)\n"
+                    "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
+                    "    33 % of these states are within a cycle; grain atomic makes each cycle one step and "
+                    "keeps at most 20 of them\n"
+                    "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s (x "
+                    "2.5: with this unit, 2.5 times fewer states would remain)\n"),
+        std::string::npos)
+        << output;
 }
 
 TEST(Terminal, ShowsWitnessesOnlyOnRequest) {
@@ -314,9 +315,9 @@ TEST(Terminal, WrapsBetweenCharactersAndCountsTheirColumns) {
     for (ChartRun::Signal& signal : run.signals) signal.name = "Ü" + signal.name;
     ChartRun plain = sample_run();
     for (ChartRun::Signal& signal : plain.signals) signal.name = "U" + signal.name;
-    std::string told = table(run);
-    for (std::size_t at = 0; (at = told.find("Ü")) != std::string::npos;) told.replace(at, 2, "U");
-    EXPECT_EQ(told, table(plain));
+    std::string output = table(run);
+    for (std::size_t at = 0; (at = output.find("Ü")) != std::string::npos;) output.replace(at, 2, "U");
+    EXPECT_EQ(output, table(plain));
 }
 
 TEST(Terminal, WritesTimesInSeconds) {

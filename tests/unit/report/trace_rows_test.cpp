@@ -57,7 +57,7 @@ private:
     Run run_ = {};
 };
 
-ChartRun told(const Network& network, const Run& run, Detail detail = Detail::Chart) {
+ChartRun trace_of(const Network& network, const Run& run, Detail detail = Detail::Chart) {
     return with_rows(project(network, run), detail);
 }
 
@@ -90,7 +90,7 @@ TEST(TraceRows, TraceOfTheBlinkerUsesTheNamesOfItsChart) {
     drive.exhaust("T_X1_2s");
     drive.exhaust("T_X2_1s");
     drive.exhaust("PLC");
-    EXPECT_EQ(table(told(loop.network, drive.run())),
+    EXPECT_EQ(table(trace_of(loop.network, drive.run())),
               "  time  event                   inputs  cleared  situation  outputs\n"
               "   0 s  blinker: power on       none             0          none\n"
               "   1 s  Button                  BUTTON\n"
@@ -111,7 +111,7 @@ TEST(TraceRows, ListsTheEvolutionsOfOneSearchInOrder) {
     drive.exhaust("PLC");
     drive.fire("Go");
     drive.exhaust("PLC");
-    const ChartRun trace = told(loop.network, drive.run());
+    const ChartRun trace = trace_of(loop.network, drive.run());
     ASSERT_EQ(trace.rows.size(), 3u);
     const ChartRun::Row& search = trace.rows.back();
     EXPECT_EQ(search.kind, ChartRun::Kind::Controller);
@@ -136,7 +136,7 @@ TEST(TraceRows, SplitsACycleIfThePlantMovesDuringIt) {
     drive.fire("PLC", "P2");
     drive.fire("Go");  // this event is between the evolution and the outputs
     drive.exhaust("PLC");
-    EXPECT_EQ(table(told(loop.network, drive.run())),
+    EXPECT_EQ(table(trace_of(loop.network, drive.run())),
               "  time  event                           inputs  cleared  situation  outputs\n"
               "   0 s  watch: power on                 none             0          none\n"
               "        Go                              GO\n"
@@ -154,7 +154,7 @@ TEST(TraceRows, MarksTheLoop) {
     drive.wait(1);
     drive.loop_from_here();
     drive.wait(1);
-    const ChartRun trace = told(loop.network, drive.run());
+    const ChartRun trace = trace_of(loop.network, drive.run());
     ASSERT_EQ(trace.loop_from, 2u);
     EXPECT_EQ(trace.rows[2].what, "time passes, forever");
 }
@@ -166,7 +166,7 @@ TEST(TraceRows, LoopWithoutVisibleEventsHasARow) {
     for (int i = 0; i < 4; ++i) drive.fire("PLC");
     drive.loop_from_here();
     for (int i = 0; i < 4; ++i) drive.fire("PLC");
-    const ChartRun trace = told(loop.network, drive.run());
+    const ChartRun trace = trace_of(loop.network, drive.run());
     EXPECT_EQ(verify(trace), std::vector<std::string>{});
     ASSERT_EQ(trace.loop_from, trace.rows.size() - 1);
     EXPECT_EQ(trace.rows.back().what, "cycles repeat forever, no time passes, nothing changes");
@@ -176,8 +176,8 @@ TEST(TraceRows, HidesInternalEventsByDefault) {
     const LoopUnderTest loop = read_sample("testing_station/testing_station.grafcet");
     Random random(2);
     const auto run = random_walk(loop.network, random, 300);
-    const ChartRun plain = told(loop.network, run);
-    const ChartRun all = told(loop.network, run, Detail::Everything);
+    const ChartRun plain = trace_of(loop.network, run);
+    const ChartRun all = trace_of(loop.network, run, Detail::Everything);
     const auto hidden = [](const ChartRun::Row& row) { return row.internal; };
     EXPECT_EQ(std::ranges::count_if(plain.rows, hidden), 0);
     EXPECT_GT(std::ranges::count_if(all.rows, hidden), 20);
@@ -194,7 +194,7 @@ TEST(TraceRows, UsesFullStepNamesOnlyIfNeeded) {
             partial G2 { initial step 2; step 3; transition u: 2 -> 3 when !GO; } }
         closed_loop one { controller twins; environment Go = free(OUT = GO); }
     )");
-    const ChartRun trace = told(loop.network, {});
+    const ChartRun trace = trace_of(loop.network, {});
     std::vector<std::string> full, shorter;
     for (const ChartRun::Step& step : trace.steps) {
         full.push_back(step.full_name());
@@ -217,7 +217,7 @@ TEST(RandomizedTraceRows, TracesOfRandomWalksAreWellFormed) {
             const LoopUnderTest loop = composed_loop(model, {.grain = grain});
             const auto run = random_walk(loop.network, random, 80);
             for (const Detail detail : {Detail::Chart, Detail::Everything}) {
-                const ChartRun trace = told(loop.network, run, detail);
+                const ChartRun trace = trace_of(loop.network, run, detail);
                 ASSERT_EQ(verify(trace), std::vector<std::string>{});
                 std::istringstream lines(table(trace));
                 for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u);
@@ -243,7 +243,7 @@ TEST(RandomizedTraceRows, StepsOfATraceEndWithTheRun) {
                 std::int64_t ms = 0;
                 for (const Move& move : run.moves)
                     if (const auto* delay = std::get_if<Delay>(&move)) ms += delay->units * loop.network.time_unit_ms;
-                const ChartRun trace = told(loop.network, run);
+                const ChartRun trace = trace_of(loop.network, run);
                 EXPECT_EQ(verify(trace), std::vector<std::string>{});
                 const ChartRun::State& end = trace.after(trace.rows.back());
                 EXPECT_EQ(end.time_ms, ms);

@@ -59,23 +59,23 @@ TEST(RandomizedNetworkWalk, LeewayIsExactlyTheTimeThatMayPass) {
         NetworkState state = initial_state(network);
         for (const Move& move : run.moves) {
             perform(network, state, move);
-            const Leeway way = leeway(network, state);
-            ASSERT_EQ(way.may_pass, may_delay(network, state));
-            if (!way.may_pass) continue;
+            const Leeway delay = leeway(network, state);
+            ASSERT_EQ(delay.may_pass, may_delay(network, state));
+            if (!delay.may_pass) continue;
             NetworkState later = state;
-            const std::int64_t far = way.limit.value_or(1000);
+            const std::int64_t far = delay.limit.value_or(1000);
             EXPECT_EQ(perform(network, later, Delay{far}).result, Step::Result::Done);
-            EXPECT_TRUE(!way.limit || !may_delay(network, later));
+            EXPECT_TRUE(!delay.limit || !may_delay(network, later));
             // No edge becomes enabled before `change`, and at least one edge becomes enabled then.
             const auto now = enabled(network, state).size();
-            for (std::int64_t units = 1; units < std::min(way.change.value_or(5), far); ++units) {
+            for (std::int64_t units = 1; units < std::min(delay.change.value_or(5), far); ++units) {
                 NetworkState between = state;
                 perform(network, between, Delay{units});
                 EXPECT_LE(enabled(network, between).size(), now);
             }
-            if (!way.change || *way.change > far) continue;
+            if (!delay.change || *delay.change > far) continue;
             NetworkState then = state;
-            ASSERT_EQ(perform(network, then, Delay{*way.change}).result, Step::Result::Done);
+            ASSERT_EQ(perform(network, then, Delay{*delay.change}).result, Step::Result::Done);
             EXPECT_GT(enabled(network, then).size(), 0u);
         }
     }

@@ -20,9 +20,9 @@ std::string formatted_text(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
     const tree::File file = parse_file(sources.add({"test.grafcet", text}), sources, diagnostics);
-    std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);
-    EXPECT_FALSE(file.broken) << said.str() << text;
+    std::ostringstream rendered;
+    render_text(diagnostics.all(), sources, Colour::Plain, rendered);
+    EXPECT_FALSE(file.broken) << rendered.str() << text;
     return file.broken ? "" : formatted(file);
 }
 

@@ -16,7 +16,7 @@ constexpr const char* names[] = {
     "<",     "<=",     ">",     ">=",   "=",     "<>",   "AND",    "XOR",     "OR"};
 
 /// Returns the term in prefix form: `(AND a (NOT b))`.
-std::string told(const File& file, Id<Expr> id) {
+std::string printed(const File& file, Id<Expr> id) {
     const Expr& node = file.exprs[id];
     if (node.op == Op::True || node.op == Op::False) return names[static_cast<int>(node.op)];
     if (node.op == Op::Integer) return std::to_string(node.value);
@@ -24,28 +24,28 @@ std::string told(const File& file, Id<Expr> id) {
     if (node.op == Op::Name || node.op == Op::Address || node.op == Op::Other) return std::string(file.text(node.word));
     std::string text = std::string("(") + names[static_cast<int>(node.op)];
     if (node.word.valid()) text += " ." + std::string(file.text(node.word));
-    for (const Id<Expr> one : operands(file, id)) text += ' ' + told(file, one);
+    for (const Id<Expr> one : operands(file, id)) text += ' ' + printed(file, one);
     return text + ')';
 }
 
-std::string told(const File& file, const Block& block) {
+std::string printed(const File& file, const Block& block) {
     std::string text;
     for (const Id<Statement> id : block) {
         const Statement& statement = file.statements[id];
         text += text.empty() ? "" : " ";
-        if (statement.kind == StatementKind::Assign) text += told(file, statement.target) + ":=";
-        if (statement.value.valid()) text += told(file, statement.value);
+        if (statement.kind == StatementKind::Assign) text += printed(file, statement.target) + ":=";
+        if (statement.value.valid()) text += printed(file, statement.value);
         for (const Branch& branch : statement.branches) {
             text += '[';
-            for (const Id<Expr> condition : branch.conditions) text += told(file, condition) + ' ';
-            text += "? " + told(file, branch.body) + ']';
+            for (const Id<Expr> condition : branch.conditions) text += printed(file, condition) + ' ';
+            text += "? " + printed(file, branch.body) + ']';
         }
         text += ';';
     }
     return text;
 }
 
-std::string said(const Diagnostics& diagnostics, const Sources& sources) {
+std::string rendered(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream out;
     render_text(diagnostics.all(), sources, Colour::Plain, out);
     return std::move(out).str();
@@ -65,14 +65,14 @@ std::string expression(const std::string& written, bool escaped = false) {
     Read read;
     const Text text = read.text(written, escaped);
     const auto id = parse_expression(text, read.file, read.sources, read.diagnostics);
-    return id ? told(read.file, *id) : said(read.diagnostics, read.sources);
+    return id ? printed(read.file, *id) : rendered(read.diagnostics, read.sources);
 }
 
 std::string statements(const std::string& written) {
     Read read;
     const Text text = read.text(written);
     const auto block = parse_statements(text, read.file, read.sources, read.diagnostics);
-    return block ? told(read.file, *block) : said(read.diagnostics, read.sources);
+    return block ? printed(read.file, *block) : rendered(read.diagnostics, read.sources);
 }
 
 TEST(ParseSt, ExpressionsBindAsInTheStandard) {
@@ -150,25 +150,26 @@ END_PROGRAM
 TEST(ParseSt, TextualChartsAreUnitsWithVariablesStepsAndTransitions) {
     Read read;
     const Text text = read.text(chart);
-    ASSERT_TRUE(parse_units(text, read.file, read.sources, read.diagnostics)) << said(read.diagnostics, read.sources);
+    ASSERT_TRUE(parse_units(text, read.file, read.sources, read.diagnostics))
+        << rendered(read.diagnostics, read.sources);
     ASSERT_EQ(read.file.units.size(), 1u);
     const Unit& unit = read.file.units.front();
     EXPECT_EQ(read.file.text(unit.name), "press");
     ASSERT_EQ(unit.variables.size(), 6u);
     EXPECT_EQ(unit.variables[0].address, "%IX0.0");
-    EXPECT_EQ(told(read.file, unit.variables[1].type.high), "10");
+    EXPECT_EQ(printed(read.file, unit.variables[1].type.high), "10");
     EXPECT_TRUE(unit.variables[2].constant);
     EXPECT_TRUE(unit.variables[5].type.composite);
     ASSERT_EQ(unit.networks.size(), 1u);
     ASSERT_EQ(unit.networks[0].steps.size(), 2u);
     EXPECT_TRUE(unit.networks[0].steps[0].initial);
     EXPECT_EQ(unit.networks[0].steps[1].actions[1].qualifier, "D");
-    EXPECT_EQ(told(read.file, unit.networks[0].steps[1].actions[1].time), "2000ms");
+    EXPECT_EQ(printed(read.file, unit.networks[0].steps[1].actions[1].time), "2000ms");
     const Transition& back = unit.networks[0].transitions[1];
     EXPECT_EQ(back.priority, 2);
     EXPECT_EQ(back.from.size() + back.to.size(), 4u);
-    EXPECT_EQ(told(read.file, back.condition), "(> (member .T S1) limit)");
-    EXPECT_EQ(told(read.file, unit.actions[0].body), "n:=(+ n 1);");
+    EXPECT_EQ(printed(read.file, back.condition), "(> (member .T S1) limit)");
+    EXPECT_EQ(printed(read.file, unit.actions[0].body), "n:=(+ n 1);");
     EXPECT_EQ(read.file.comments[0].text, "(* the press *)");
 }
 

@@ -71,8 +71,8 @@ TEST(ParseFile, EndsAtTheNextTokenOnceItIsStopped) {
     const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics, &stop);
     EXPECT_TRUE(file.broken);
     EXPECT_TRUE(file.declarations.empty());
-    const std::atomic<bool> going_on = false;
-    EXPECT_EQ(parse_file(Id<Source>{0}, sources, diagnostics, &going_on).declarations.size(), 1u);
+    const std::atomic<bool> not_stopped = false;
+    EXPECT_EQ(parse_file(Id<Source>{0}, sources, diagnostics, &not_stopped).declarations.size(), 1u);
 }
 
 TEST(ParseCondition, BindsOperatorsAsInTheLanguage) {
@@ -216,7 +216,7 @@ TEST(ParseFile, MarksTheDeclarationsThatAreBroken) {
     ASSERT_EQ(file.declarations.size(), 2u);
     EXPECT_TRUE(std::get<tree::Chart>(file.declarations[0]).broken);
     EXPECT_FALSE(std::get<tree::Chart>(file.declarations[1]).broken);
-    EXPECT_FALSE(file.lost);
+    EXPECT_FALSE(file.incomplete);
 }
 
 TEST(ParseFile, StopsAtFiftyErrors) {

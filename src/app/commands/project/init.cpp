@@ -148,7 +148,7 @@ ExitCode init(CommandContext& job, const Streams& streams) {
                                             "keyword); pass a project name: `grafverif init NAME`",
                                             name, here ? ", the name of the directory," : ""));
     std::vector<OutputFile> files;
-    std::string told = "wrote\n";
+    std::string summary = "wrote\n";
     for (const ProjectFile& part : parts()) {
         const fs::path path = (here ? fs::path() : fs::path(name)) / named(part.path, name);
         if (fs::exists(fs::symlink_status(path, failure)))
@@ -157,13 +157,13 @@ ExitCode init(CommandContext& job, const Streams& streams) {
                 fmt::format("`{}` already exists, so nothing was written; remove it or choose another directory",
                             path.string()));
         files.push_back({path, named(part.text, name)});
-        told += fmt::format("  {}\n{}", path.string(), part.use.empty() ? "" : "      " + part.use + "\n");
+        summary += fmt::format("  {}\n{}", path.string(), part.use.empty() ? "" : "      " + part.use + "\n");
     }
     work_is_done();
     write_files(files);
     if (!job.options.quiet)
         job.closing =
-            told + fmt::format("try `{}grafverif check {}.grafcet`\n", here ? "" : "cd " + name + " && ", name);
+            summary + fmt::format("try `{}grafverif check {}.grafcet`\n", here ? "" : "cd " + name + " && ", name);
     return ExitCode::Done;
 }
 

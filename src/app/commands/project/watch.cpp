@@ -88,11 +88,11 @@ std::optional<ChildEnd> run_once(const Command& command, const FileWatcher& seen
     std::vector<std::string> words = {"/proc/self/exe"};
     words.insert(words.end(), command.words.begin(), command.words.end());
     Child child(words, {nothing.number(), STDOUT_FILENO, STDERR_FILENO});
-    auto looked = steady_clock::now();
+    auto last_poll = steady_clock::now();
     while (!child.ended() && !end_requested) {
         std::this_thread::sleep_for(5ms);
-        if (steady_clock::now() - looked < poll_interval) continue;
-        looked = steady_clock::now();
+        if (steady_clock::now() - last_poll < poll_interval) continue;
+        last_poll = steady_clock::now();
         if (seen.changed()) break;
     }
     if (child.ended()) return child.ended();

@@ -39,7 +39,7 @@ namespace grafverif::app {
 
 namespace {
 
-using Kind = MutantFate::Kind;
+using Kind = MutantResult::Kind;
 
 // -- results of a previous run --
 
@@ -61,41 +61,44 @@ std::uint64_t hash_of_query(const CommandContext& job) {
     return hash;
 }
 
-nlohmann::ordered_json stored(const std::string& key, const std::string& bounds, const MutantFate& fate) {
+nlohmann::ordered_json stored(const std::string& key, const std::string& bounds, const MutantResult& mutant_result) {
     return {{"key", key},
             {"bounds", bounds},
-            {"fate", word(fate.kind)},
-            {"reason", fate.reason},
-            {"noticed_by", fate.noticed_by},
-            {"undecided", fate.undecided},
-            {"vacuous", fate.vacuous},
-            {"caught", fate.caught ? nlohmann::ordered_json(*fate.caught) : nlohmann::ordered_json(nullptr)},
-            {"scans", fate.scans}};
+            {"fate", word(mutant_result.kind)},
+            {"reason", mutant_result.reason},
+            {"noticed_by", mutant_result.noticed_by},
+            {"undecided", mutant_result.undecided},
+            {"vacuous", mutant_result.vacuous},
+            {"caught",
+             mutant_result.caught ? nlohmann::ordered_json(*mutant_result.caught) : nlohmann::ordered_json(nullptr)},
+            {"scans", mutant_result.scans}};
 }
 
 /// True if other limits may lead to another result.
-bool depends_on_bounds(const MutantFate& fate) { return fate.kind == Kind::Unknown || !fate.undecided.empty(); }
+bool depends_on_bounds(const MutantResult& mutant_result) {
+    return mutant_result.kind == Kind::Unknown || !mutant_result.undecided.empty();
+}
 
 /// Reads a stored result; empty if the line does not contain one, or if the result depends on limits other than
 /// `bounds`.
-std::optional<std::pair<std::string, MutantFate>> restored(const std::string& line, const std::string& bounds) {
+std::optional<std::pair<std::string, MutantResult>> restored(const std::string& line, const std::string& bounds) {
     const auto json = nlohmann::json::parse(line, nullptr, false);
     if (!json.is_object()) return {};
     try {
-        MutantFate fate;
+        MutantResult mutant_result;
         const auto kinds = {Kind::Refused, Kind::Equivalent, Kind::Noticed, Kind::Unnoticed, Kind::Unknown};
         const auto kind =
             std::ranges::find(kinds, json.at("fate").get<std::string>(), [](Kind each) { return word(each); });
         if (kind == kinds.end()) return {};
-        fate.kind = *kind;
-        fate.reason = json.at("reason");
-        fate.noticed_by = json.at("noticed_by");
-        fate.undecided = json.at("undecided");
-        fate.vacuous = json.at("vacuous");
-        if (!json.at("caught").is_null()) fate.caught = json.at("caught").get<bool>();
-        fate.scans = json.at("scans");
-        if (depends_on_bounds(fate) && json.at("bounds") != bounds) return {};
-        return std::pair(json.at("key").get<std::string>(), std::move(fate));
+        mutant_result.kind = *kind;
+        mutant_result.reason = json.at("reason");
+        mutant_result.noticed_by = json.at("noticed_by");
+        mutant_result.undecided = json.at("undecided");
+        mutant_result.vacuous = json.at("vacuous");
+        if (!json.at("caught").is_null()) mutant_result.caught = json.at("caught").get<bool>();
+        mutant_result.scans = json.at("scans");
+        if (depends_on_bounds(mutant_result) && json.at("bounds") != bounds) return {};
+        return std::pair(json.at("key").get<std::string>(), std::move(mutant_result));
     } catch (const nlohmann::json::exception&) {
         return {};
     }
@@ -132,13 +135,13 @@ public:
         save();
         return true;
     }
-    std::optional<MutantFate> known(const std::string& key) const {
+    std::optional<MutantResult> known(const std::string& key) const {
         const auto found = known_.find(key);
         return found == known_.end() ? std::nullopt : std::optional(found->second);
     }
-    void add(const std::string& key, const MutantFate& fate) {
+    void add(const std::string& key, const MutantResult& mutant_result) {
         if (!path_) return;
-        text_ += json_text(stored(key, bounds_, fate), -1) + '\n';
+        text_ += json_text(stored(key, bounds_, mutant_result), -1) + '\n';
         saved_ = false;
         if (std::chrono::steady_clock::now() < next_save_) return;
         try {
@@ -162,7 +165,7 @@ private:
 
     std::optional<std::string> path_;
     std::string bounds_;  ///< limits for the work on each mutant
-    std::map<std::string, MutantFate> known_ = {};
+    std::map<std::string, MutantResult> known_ = {};
     std::string text_ = {};
     bool saved_ = false;
     std::chrono::steady_clock::time_point next_save_ = {};
@@ -210,8 +213,8 @@ public:
         next_ = 0;
         left_ = provisional_.size();
         if (left_ > 0) run_once();
-        for (auto& [index, fate] : provisional_)
-            if (!mutation_.fates[index]) mutation_.fates[index] = std::move(fate);
+        for (auto& [index, mutant_result] : provisional_)
+            if (!mutation_.results[index]) mutation_.results[index] = std::move(mutant_result);
     }
 
 private:
@@ -240,7 +243,7 @@ private:
     void work() {
         try {
             for (std::size_t k = next_++; k < mutation_.mutants.size() && !stopped(); k = next_++)
-                if (!mutation_.fates[k]) judge(k);
+                if (!mutation_.results[k]) check_mutant(k);
         } catch (...) {
             const std::lock_guard lock(mutex_);
             failure_ = std::current_exception();
@@ -248,27 +251,27 @@ private:
         }
     }
 
-    void judge(std::size_t index) {
+    void check_mutant(std::size_t index) {
         const std::string key = fmt::format("{:016x}", hashed(question_, mutation_.mutants[index].text));
-        std::optional<MutantFate> fate = state_.known(key);
-        if (!fate) {
+        std::optional<MutantResult> mutant_result = state_.known(key);
+        if (!mutant_result) {
             Limits limits = limits_;
             limits.progress = {};
             const auto end = std::chrono::steady_clock::now() + each_of(options_);
             const std::size_t left = left_ > 0 ? left_-- : 1;
             const Deadline share = share_of(limits_.deadline, (left + most_shares * jobs_ - 1) / (most_shares * jobs_));
             limits.deadline = share ? std::min(*share, end) : end;
-            fate = bench_.fate_of(mutation_.mutants[index], limits);
-            if (fate->kind == Kind::Unknown && stopped()) return;
+            mutant_result = bench_.result_of(mutation_.mutants[index], limits);
+            if (mutant_result->kind == Kind::Unknown && stopped()) return;
             const std::lock_guard lock(mutex_);
-            if (fate->kind == Kind::Unknown && share && *share < end) {
-                if (!is_last_) provisional_.emplace(index, std::move(*fate));
+            if (mutant_result->kind == Kind::Unknown && share && *share < end) {
+                if (!is_last_) provisional_.emplace(index, std::move(*mutant_result));
                 return;
             }
-            if (fate->failures.empty()) state_.add(key, *fate);
+            if (mutant_result->failures.empty()) state_.add(key, *mutant_result);
         }
         const std::lock_guard lock(mutex_);
-        mutation_.fates[index] = std::move(*fate);
+        mutation_.results[index] = std::move(*mutant_result);
         ++done_;
         if (limits_.progress)
             limits_.progress(
@@ -288,7 +291,7 @@ private:
     unsigned jobs_ = 1;
     bool is_last_ = false;
     /// Results of mutants that are undecided at the end of their share of the time.
-    std::map<std::size_t, MutantFate> provisional_ = {};
+    std::map<std::size_t, MutantResult> provisional_ = {};
     std::size_t done_ = 0;
 };
 
@@ -301,7 +304,7 @@ bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const
     const Drawing drawn = drawing_of(model, chart);
     std::vector<OutputFile> files{{folder + "original.grafcet", original}, {folder + "original.svg", svg_of(drawn)}};
     for (std::size_t k = 0; k < mutation.mutants.size(); ++k) {
-        if (!mutation.fates[k] || mutation.fates[k]->kind != Kind::Unnoticed) continue;
+        if (!mutation.results[k] || mutation.results[k]->kind != Kind::Unnoticed) continue;
         const std::string name = fmt::format("{}{:03}-{}", folder, k + 1, mutation.mutants[k].kind);
         Diagnostics none;  // has no errors, because the model was read before
         const std::optional<Model> reading = bench.model_of(mutation.mutants[k], none);
@@ -319,10 +322,10 @@ bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const
 
 ExitCode exit_code(const Mutation& mutation, bool stopped) {
     bool open = stopped, survives = false;
-    for (const auto& fate : mutation.fates) {
-        if (fate && !fate->failures.empty()) return ExitCode::Failure;
-        open = open || !fate || fate->kind == Kind::Unknown;
-        survives = survives || (fate && fate->kind == Kind::Unnoticed);
+    for (const auto& mutant_result : mutation.results) {
+        if (mutant_result && !mutant_result->failures.empty()) return ExitCode::Failure;
+        open = open || !mutant_result || mutant_result->kind == Kind::Unknown;
+        survives = survives || (mutant_result && mutant_result->kind == Kind::Unnoticed);
     }
     return survives ? ExitCode::Verdict : open ? ExitCode::Unknown : ExitCode::Done;
 }
@@ -336,16 +339,16 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
     const Id<Source> main = *job.sources.ids().begin(), source = model->charts[*chart].origin.source;
     const FileFormat format = format_of(job.sources[source].text);
-    const bool ours = format == FileFormat::Grafcet || format == FileFormat::Unknown;
-    const tree::File file = ours ? parse_file(source, job.sources, job.diagnostics)
-                                 : laid_out(read_any(source, job.sources, {job.options.lossy}, job.diagnostics));
+    const bool is_native = format == FileFormat::Grafcet || format == FileFormat::Unknown;
+    const tree::File file = is_native ? parse_file(source, job.sources, job.diagnostics)
+                                      : laid_out(read_any(source, job.sources, {job.options.lossy}, job.diagnostics));
     const std::string original = job.sources[source].text;
     Mutation mutation{.chart = model->charts[*chart].name};
     if (source != main) mutation.file = job.sources[source].name;
     mutation.mutants = mutants(file, mutation.chart);
     mutation.possible = mutation.mutants.size();
     sample(mutation.mutants, job.options.limit.value_or(mutation.possible), job.options.seed);
-    mutation.fates.resize(mutation.mutants.size());
+    mutation.results.resize(mutation.mutants.size());
     const ReadOptions read{
         .include_folders = job.options.include_folders, .lossy = job.options.lossy, .constants = job.options.constants};
     MutantChecker bench(*model, *chart, main, job.sources, read, job.options.mode);
@@ -371,8 +374,8 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     if (job.options.format == Format::Json) out << mutation_json(mutation, job.sources) << '\n';
     else print_mutation(mutation, job.sources, out);
     deliver(std::move(out).str(), job, streams);
-    for (const auto& fate : mutation.fates)
-        for (const std::string& failure : fate ? fate->failures : std::vector<std::string>{})
+    for (const auto& mutant_result : mutation.results)
+        for (const std::string& failure : mutant_result ? mutant_result->failures : std::vector<std::string>{})
             streams.err << "grafverif: internal error: " << failure << '\n';
     return exit_code(mutation, stopped);
 }

@@ -85,7 +85,7 @@ void print_disabled(const Supervised& found, std::ostream& out) {
     };
     line("never cleared", found.disabled_transitions);
     line("never set", found.disabled_outputs);
-    line("never active", found.lost_steps);
+    line("never active", found.never_active_steps);
     if (found.claim != Supervisor::Permissiveness::Least) out << permissiveness_text(found) << '\n';
 }
 
@@ -154,9 +154,9 @@ void print_conditions(const Supervised& found, std::ostream& out) {
                            condition.sum               ? "(" + condition.term + ")"
                            : condition.term == "false" ? "false, so this action never sets the output"
                                                        : condition.term);
-    if (!found.lost_steps.empty())
+    if (!found.never_active_steps.empty())
         out << fmt::format("Some steps are active without the conditions, but never active with them: {}.\n",
-                           listed(found.lost_steps));
+                           listed(found.never_active_steps));
     out << permissiveness_text(found) << '\n';
 }
 
@@ -232,7 +232,7 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
         timed.push_back({{"property", property}, {"verdict", std::string(grafverif::word(outcome))}});
     json["disabled_transitions"] = found.disabled_transitions;
     json["disabled_outputs"] = found.disabled_outputs;
-    json["lost_steps"] = found.lost_steps;
+    json["lost_steps"] = found.never_active_steps;
     json["timed"] = std::move(timed);
     json["blocked"] = found.blocked;
     json["trace"] = found.run ? trace_json(*found.run) : nlohmann::ordered_json(nullptr);
@@ -256,7 +256,7 @@ ExitCode supervise(CommandContext& job, const Streams& streams) {
     if (!loop) return ExitCode::Input;
     const ResourceLimits bounds(job.options, streams);
     const Options& options = job.options;
-    const SuperviseRequest ask{
+    const SuperviseRequest request{
         .properties = options.properties,
         .marked = options.marked,
         .transitions = options.held != Held::Outputs,
@@ -264,7 +264,7 @@ ExitCode supervise(CommandContext& job, const Streams& streams) {
         .mode = options.mode,
         .read = {.include_folders = options.include_folders, .lossy = options.lossy, .constants = options.constants},
         .limits = bounds.limits()};
-    auto found = supervised(*model, *loop, *job.sources.ids().begin(), job.sources, ask, job.diagnostics);
+    auto found = supervised(*model, *loop, *job.sources.ids().begin(), job.sources, request, job.diagnostics);
     if (!found) return ExitCode::Input;
     found->reason = with_remedy(with_who_stopped(std::move(found->reason), bounds.interrupted(), options), options);
     for (const std::string& failure : found->failures)

@@ -32,7 +32,7 @@ Box rectangle(pugi::xml_node node) {
 }
 
 /// Returns the box of a text in a font whose characters have equal width.
-Box room_of(pugi::xml_node text) {
+Box text_box(pugi::xml_node text) {
     std::size_t characters = 0;
     for (const char c : std::string_view(text.text().get())) characters += (c & 0xC0) != 0x80 ? 1 : 0;
     return {{text.attribute("x").as_int(), text.attribute("y").as_int() - 10}, {static_cast<int>(7 * characters), 14}};
@@ -66,11 +66,11 @@ Shown shown(const Diagram& diagram) {
         const std::string kind = node.attribute("class").value();
         if (kind == "node") found.nodes.push_back(rectangle(node));
         if (kind == "name") {
-            EXPECT_TRUE(is_within(room_of(node), found.nodes.back())) << node.text().get();
+            EXPECT_TRUE(is_within(text_box(node), found.nodes.back())) << node.text().get();
             found.names += std::string(node.text().get()) + ' ';
         }
         if (kind == "label") {
-            found.scene.boxes.push_back(room_of(node));
+            found.scene.boxes.push_back(text_box(node));
             found.labels += std::string(node.text().get()) + ' ';
         }
         if (std::string_view(node.name()) == "path") add_lines(node.attribute("d").value(), node.hash_value(), found);

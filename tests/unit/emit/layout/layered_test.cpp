@@ -40,9 +40,9 @@ States random_states(std::mt19937& random) {
 bool is_on_rim(const Box& box, Point at) {
     const bool x = at.x == box.at.x || at.x == box.at.x + box.size.width;
     const bool y = at.y == box.at.y || at.y == box.at.y + box.size.height;
-    const bool beside =
+    const bool is_outside =
         at.x >= box.at.x && at.x <= box.at.x + box.size.width && at.y >= box.at.y && at.y <= box.at.y + box.size.height;
-    return beside && x != y;
+    return is_outside && x != y;
 }
 
 Scene scene_of(const States& states, const Layered& drawing) {

@@ -48,7 +48,7 @@ struct Small {
     Id<Expr> b() { return system.exprs.leaf(Op::Variable, 1); }
     Id<Expr> c() { return system.exprs.leaf(Op::Variable, 2); }
 
-    void ask(Pattern pattern, std::vector<Id<Expr>> operands, bool at_stable = false, std::string raw = {}) {
+    void add_property(Pattern pattern, std::vector<Id<Expr>> operands, bool at_stable = false, std::string raw = {}) {
         Property property;
         property.name = "P";
         property.pattern = pattern;
@@ -74,7 +74,7 @@ void expect_lines(const std::string& text, const std::string& expected) {
 TEST(EmitNusmv, WritesMainFirstAndThenTheController) {
     Small small;
     small.system.scope = "Inputs are free.";
-    small.ask(Pattern::Always, {small.a()});
+    small.add_property(Pattern::Always, {small.a()});
     EXPECT_EQ(emitted(small.system),
               "-- press: NuSMV model written by grafverif\n"
               "-- to check it: NuSMV -dynamic FILE (dynamic variable reordering: much faster on large models)\n"
@@ -123,30 +123,30 @@ TEST(EmitNusmv, WritesEachPatternWithItsBrackets) {
     for (const Case& one : cases) {
         SCOPED_TRACE(one.formula);
         Small small;
-        small.ask(one.pattern, {small.system.exprs.disjunction(small.a(), small.b())}, one.at_stable);
+        small.add_property(one.pattern, {small.system.exprs.disjunction(small.a(), small.b())}, one.at_stable);
         expect_lines(emitted(small.system), std::string(one.formula) + "\n");
     }
 }
 
 TEST(EmitNusmv, WritesPatternsOfSeveralOperands) {
     Small leads;
-    leads.ask(Pattern::LeadsTo, {leads.system.exprs.negation(leads.a()), leads.b()});
+    leads.add_property(Pattern::LeadsTo, {leads.system.exprs.negation(leads.a()), leads.b()});
     expect_lines(emitted(leads.system), "SPEC NAME P := AG ((!a) -> AF b);\n");
     Small settled;
-    settled.ask(Pattern::LeadsTo, {settled.a(), settled.b()}, true);
+    settled.add_property(Pattern::LeadsTo, {settled.a(), settled.b()}, true);
     expect_lines(emitted(settled.system), "SPEC NAME P := AG ((press.X_1 & a) -> AF (press.X_1 & b));\n");
     Small one;
-    one.ask(Pattern::ExactlyOneOf, {one.a(), one.system.exprs.disjunction(one.b(), one.c())});
+    one.add_property(Pattern::ExactlyOneOf, {one.a(), one.system.exprs.disjunction(one.b(), one.c())});
     expect_lines(emitted(one.system), "INVARSPEC NAME P := count(a, b | c) = 1;\n");
     Small alone;
-    alone.ask(Pattern::ExactlyOneOf, {alone.a()}, true);
+    alone.add_property(Pattern::ExactlyOneOf, {alone.a()}, true);
     expect_lines(emitted(alone.system), "INVARSPEC NAME P := press.X_1 -> (a);\n");
 }
 
 TEST(EmitNusmv, PassesItsNativeFormulasThrough) {
     Small small;
-    small.ask(Pattern::RawCtl, {}, false, "AG EF press.X_1");
-    small.ask(Pattern::RawLtl, {}, false, "G F press.X_1");
+    small.add_property(Pattern::RawCtl, {}, false, "AG EF press.X_1");
+    small.add_property(Pattern::RawLtl, {}, false, "G F press.X_1");
     const std::string text = emitted(small.system);
     expect_lines(text, "SPEC NAME P := AG EF press.X_1;\n");
     expect_lines(text, "LTLSPEC NAME P_ := G F press.X_1;\n");
@@ -157,29 +157,29 @@ TEST(EmitNusmv, FormulasThatTheModelCannotExpressAreOmittedInTheirPlaces) {
     small.main().symbols.add({"move", {}, System::ChoiceSymbol{}, "", {}});
     Property before{.name = "before", .pattern = Pattern::NoDeadlock};
     small.system.omitted.push_back({before, "nothing is dead", 1});
-    small.ask(Pattern::RawCtl, {}, false, "AG press.X_7");
-    small.ask(Pattern::RawCtl, {}, false, "AG press.a");
-    small.ask(Pattern::RawLtl, {}, false, "G F move");
-    small.ask(Pattern::RawCtl, {}, false, "EF move");
-    small.ask(Pattern::Always, {small.a()});
+    small.add_property(Pattern::RawCtl, {}, false, "AG press.X_7");
+    small.add_property(Pattern::RawCtl, {}, false, "AG press.a");
+    small.add_property(Pattern::RawLtl, {}, false, "G F move");
+    small.add_property(Pattern::RawCtl, {}, false, "EF move");
+    small.add_property(Pattern::Always, {small.a()});
     for (const Id<Property> id : small.system.properties.ids())
         small.system.properties[id].name = "P" + std::to_string(id.index);
-    const System said = nusmv::sayable(small.system);
-    ASSERT_EQ(said.properties.size(), 3u);
-    EXPECT_EQ(said.properties[{0}].name, "P1");
-    EXPECT_EQ(said.properties[{1}].name, "P2");
-    ASSERT_EQ(said.omitted.size(), 3u);
-    EXPECT_EQ(said.omitted[0].reason, "the model does not declare `press.X_7`");
-    EXPECT_EQ(said.omitted[0].before, 0u);
-    EXPECT_EQ(said.omitted[1].property.name, "before");
-    EXPECT_EQ(said.omitted[1].before, 0u) << "still before P1";
-    EXPECT_EQ(said.omitted[2].property.name, "P3");
-    EXPECT_EQ(said.omitted[2].before, 2u);
+    const System expressible = nusmv::sayable(small.system);
+    ASSERT_EQ(expressible.properties.size(), 3u);
+    EXPECT_EQ(expressible.properties[{0}].name, "P1");
+    EXPECT_EQ(expressible.properties[{1}].name, "P2");
+    ASSERT_EQ(expressible.omitted.size(), 3u);
+    EXPECT_EQ(expressible.omitted[0].reason, "the model does not declare `press.X_7`");
+    EXPECT_EQ(expressible.omitted[0].before, 0u);
+    EXPECT_EQ(expressible.omitted[1].property.name, "before");
+    EXPECT_EQ(expressible.omitted[1].before, 0u) << "still before P1";
+    EXPECT_EQ(expressible.omitted[2].property.name, "P3");
+    EXPECT_EQ(expressible.omitted[2].before, 2u);
 }
 
 TEST(EmitNusmv, PutsTextAndExpectationAboveASpecification) {
     Small small;
-    small.ask(Pattern::Always, {small.a()});
+    small.add_property(Pattern::Always, {small.a()});
     small.system.properties[{0}].text = "the press is safe";
     small.system.properties[{0}].expected_violated = true;
     expect_lines(emitted(small.system), "-- P: the press is safe (expected: violated)\nINVARSPEC NAME P := a;\n");
@@ -187,7 +187,7 @@ TEST(EmitNusmv, PutsTextAndExpectationAboveASpecification) {
 
 TEST(EmitNusmv, MarksNegatedReachableProperties) {
     Small small;
-    small.ask(Pattern::Reachable, {small.a()});
+    small.add_property(Pattern::Reachable, {small.a()});
     small.system.properties[{0}].text = "the press can close";
     const std::string text = emitted(small.system);
     expect_lines(text,
@@ -195,14 +195,14 @@ TEST(EmitNusmv, MarksNegatedReachableProperties) {
                  "INVARSPEC NAME never_P := !a;\n");
     EXPECT_NE(text.substr(0, text.find("MODULE")).find("P holds if never_P is false"), std::string::npos) << text;
     Small without;
-    without.ask(Pattern::Always, {without.a()});
+    without.add_property(Pattern::Always, {without.a()});
     EXPECT_EQ(emitted(without.system).find("opposite"), std::string::npos);
 }
 
 TEST(EmitNusmv, AnotherPropertyMayHaveTheNameOfTheOpposite) {
     Small small;
-    small.ask(Pattern::Reachable, {small.a()});
-    small.ask(Pattern::Always, {small.b()});
+    small.add_property(Pattern::Reachable, {small.a()});
+    small.add_property(Pattern::Always, {small.b()});
     small.system.properties[{1}].name = "never_P";
     expect_lines(emitted(small.system),
                  "-- P; holds if never_P is false\n"
@@ -214,8 +214,8 @@ TEST(EmitNusmv, AnotherPropertyMayHaveTheNameOfTheOpposite) {
 
 TEST(EmitNusmv, LeavesACommentInThePlaceOfAnOmittedProperty) {
     Small small;
-    small.ask(Pattern::Always, {small.a()});
-    small.ask(Pattern::Always, {small.b()});
+    small.add_property(Pattern::Always, {small.a()});
+    small.add_property(Pattern::Always, {small.b()});
     small.system.properties[{0}].name = "P1";
     small.system.properties[{1}].name = "P3";
     Property omitted;
@@ -242,7 +242,7 @@ TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
     small.main().symbols[{0}].name = "S";
     small.inner().symbols[small.parameter].name = "S";
     small.system.instances[{0}].name = "next";
-    small.ask(Pattern::Reachable, {small.system.settled});
+    small.add_property(Pattern::Reachable, {small.system.settled});
     small.system.properties[{0}].name = "all.X1";
     const std::string text = emitted(small.system);
     expect_lines(text,
@@ -291,7 +291,7 @@ TEST(EmitNusmv, BreaksLongLinesBetweenTokens) {
     std::vector<Id<Expr>> terms;
     for (int k = 0; k < 60; ++k) terms.push_back(small.leaf(small.input("an_input_" + std::to_string(k))));
     const Id<Expr> all = small.system.exprs.conjunction(terms);
-    small.ask(Pattern::Always, {all});
+    small.add_property(Pattern::Always, {all});
     const std::string text = emitted(small.system);
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 118U) << line;
