@@ -269,7 +269,7 @@ TEST(FirstUse, ALoopWithAScheduleIsSentToItsUntimedModel) {
 
 TEST(FirstUse, AConstraintThatIsProvedIsShown) {
     const Result result = grafverif({"check", pick_and_place, "--property", "VC_constraint_1"});
-    EXPECT_NE(result.out.find("VC_constraint_1             holds    <library>/cylinder_5_2.grafcet:29  !(vc_in && "
+    EXPECT_NE(result.out.find("VC_constraint_1             holds    <library>/cylinder_5_2.grafcet:33  !(vc_in && "
                               "vc_out) holds for this plant\n"),
               std::string::npos)
         << result.out;
