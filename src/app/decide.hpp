@@ -15,8 +15,8 @@ namespace grafverif::app {
 struct Decided {
     Report report = {};
     std::vector<Trial> trials = {};  ///< trials of remedies, if a limit ended the check
-    Id<ClosedLoop> loop = {};  ///< the loop; invalid for a chart without a loop
-    Id<Chart> chart = {};      ///< the chart, if it was checked without a loop; otherwise invalid
+    Id<ClosedLoop> loop = {};        ///< the loop; invalid for a chart without a loop
+    Id<Chart> chart = {};            ///< the chart, if it was checked without a loop; otherwise invalid
     bool timed = false;
     std::optional<ProofExplanation> why = {};  ///< proof explanation of a loop, if requested
 };
