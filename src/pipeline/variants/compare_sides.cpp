@@ -48,6 +48,19 @@ bool is_unsupported(const Program& program, Id<Program::Type> id) {
     return type.kind == Program::Type::Kind::Unsupported;
 }
 
+/// Adds the outputs of a unit and of its instances whose types are not supported. The prefix is the name of the instance.
+void add_unsupported_outputs(CompareSide& side, Id<Program::Unit> unit, const std::string& prefix) {
+    const Program& program = side.program();
+    for (const Program::Variable& variable : program.units[unit].variables) {
+        if (variable.output && is_unsupported(program, variable.type))
+            side.unsupported.push_back({prefix + variable.name, {}, nullptr, 0, {}, variable.origin});
+        Id<Program::Type> type = variable.type;
+        while (program.types[type].kind == Program::Type::Kind::Array) type = program.types[type].element;
+        if (program.types[type].kind == Program::Type::Kind::Block)
+            add_unsupported_outputs(side, program.types[type].unit, prefix + variable.name + ".");
+    }
+}
+
 /// True if the values of both can be compared exactly. A chart and a program may have different ranges, but an input of
 /// the program must accept each value of the chart's input.
 bool comparable(const Plug& a, const Plug& b, bool input) {
@@ -292,18 +305,24 @@ std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, 
     if (!side.scan) return {};
     side.name = side.scan->equations.name;
     side.origin = side.scan->equations.origin;
+    bool rejected = false;
     for (std::size_t i = 0; i < side.scan->layout.cells.size(); ++i) {
         const ProgramCell& cell = side.scan->layout.cells[i];
         const Id<Equations::Variable> id = side.scan->variables[i];
+        if (cell.output && !id.valid()) {
+            diagnostics.add(messages::not_comparable(
+                cell.origin, fmt::format("the output `{}` is a constant, which is not compared", cell.name),
+                "remove CONSTANT"));
+            rejected = true;
+        }
         if (!id.valid() || (!cell.input && !cell.output)) continue;
         const Equations::Variable& variable = side.scan->equations.variables[id];
         (cell.input ? side.inputs : side.outputs)
             .push_back({variable.name, variable.type, &side.program().types[cell.type], i, id, cell.origin});
     }
+    if (rejected) return {};
     for (const Id<Program::Unit> unit : {side.program().globals, side.program().main})
-        for (const Program::Variable& variable : side.program().units[unit].variables)
-            if (variable.output && is_unsupported(side.program(), variable.type))
-                side.unsupported.push_back({variable.name, {}, nullptr, 0, {}, variable.origin});
+        add_unsupported_outputs(side, unit, "");
     return side;
 }
 

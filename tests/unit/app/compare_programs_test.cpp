@@ -311,5 +311,24 @@ TEST(ComparePrograms, StoppedComparisonIsUnknown) {
     EXPECT_NE(result.out.find("inconclusive: "), std::string::npos) << result.out;
 }
 
+TEST(ComparePrograms, OutputsThatCannotBeComparedAreRejected) {
+    const std::string block =
+        "FUNCTION_BLOCK F\nVAR_INPUT x : BOOL; END_VAR\nVAR y AT %Q* : BOOL; r AT %Q* : REAL; END_VAR\n"
+        "y := x; r := 1.0;\nEND_FUNCTION_BLOCK\nPROGRAM Main\nVAR_INPUT x : BOOL; END_VAR VAR_OUTPUT q : BOOL; "
+        "END_VAR\n"
+        "VAR f : F; END_VAR\nq := x; f(x := x);\nEND_PROGRAM\n";
+    const Result real = compared(block, with(block, "r := 1.0", "r := 2.0"));
+    EXPECT_EQ(real.code, ExitCode::Input) << real.out;
+    EXPECT_NE(real.err.find("`--ignore F.r`"), std::string::npos) << real.err;
+    EXPECT_EQ(compared(block, with(block, "r := 1.0", "r := 2.0"), {"--ignore", "f.r"}).code, ExitCode::Done);
+    const std::string constant =
+        "PROGRAM Main\nVAR_INPUT x : BOOL; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\n"
+        "VAR_OUTPUT CONSTANT k : INT := 1; END_VAR\nq := x;\nEND_PROGRAM\n";
+    const Result other = compared(constant, with(constant, "k : INT := 1", "k : INT := 2"));
+    EXPECT_EQ(other.code, ExitCode::Input) << other.out;
+    EXPECT_NE(other.err.find("the output `k` is a constant, which is not compared; remove CONSTANT"), std::string::npos)
+        << other.err;
+}
+
 }  // namespace
 }  // namespace grafverif::app
