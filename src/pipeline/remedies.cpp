@@ -140,6 +140,8 @@ private:
             if (check_.timed && remedy.timed && found->settings.grain != report_.settings.grain)
                 answer.preservation = grain_text(answer);
             if (!remedy.timed && !answer.preservation.starts_with("valid ")) continue;
+            if (!check_.timed && found->settings.grain != report_.settings.grain)
+                answer.preservation = "for grain atomic: " + answer.preservation;
             answer.trace.reset();
             trial.decided.push_back(std::move(answer));
         }

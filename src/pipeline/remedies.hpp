@@ -2,9 +2,10 @@
 // Trials of remedies: if a limit ended a check, other options of `check` are tried for the properties that it left open.
 //
 // A remedy is one of: more states if their number was limited; the default engine if another one was selected; the
-// untimed model with plant automata; grain atomic; a single property, in the grain of the check or atomic. A trial is a check with these options and less time. So a
-// user who repeats the check with the options of a successful trial gets its verdicts. A verdict on an untimed model
-// counts only if it is preserved for the timed loop, or for every plant.
+// untimed model with plant automata; grain atomic; a single property, in the grain of the check or atomic. A trial is a
+// check with these options and less time. Therefore, a user who repeats the check with the options of a successful
+// trial gets its verdicts. A verdict on an untimed model counts only if it is preserved for the timed loop, or for
+// every plant. A verdict for grain atomic of an untimed check is preserved only for grain atomic.
 #pragma once
 
 #include <vector>

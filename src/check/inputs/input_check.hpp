@@ -97,6 +97,7 @@ private:
     std::optional<bool> prove_response(std::size_t verdict, const FollowLimits& limits);
     Task passing_task() const;
     Levels levels_of_resting() const;
+    void limit_choices(Levels& levels) const;
     bool each_part_is_lively() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
                          const Task& task);

@@ -124,6 +124,12 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
         else levels.push_back(is_stored ? InputLevel::Untimed : InputLevel::Chosen);
     }
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
+    limit_choices(levels);
+    return levels;
+}
+
+/// Lowers chosen instances to untimed ones if a machine cannot represent the choices of all (timed::Choices).
+void InputAbstractionCheck::limit_choices(Levels& levels) const {
     std::size_t splits = 0;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         if (levels[i] != InputLevel::Chosen) continue;
@@ -133,7 +139,6 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
         else levels[i] = InputLevel::Untimed;
     }
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
-    return levels;
 }
 
 /// Raises the levels to those of the known abstraction.

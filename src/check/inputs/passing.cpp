@@ -24,6 +24,7 @@ InputAbstractionCheck::Levels InputAbstractionCheck::levels_of_resting() const {
         levels.push_back(chosen ? InputLevel::Chosen : abstracted ? InputLevel::Untimed : InputLevel::Complete);
     }
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
+    limit_choices(levels);
     return levels;
 }
 

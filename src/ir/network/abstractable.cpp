@@ -160,7 +160,7 @@ private:
         std::set<State> seen{initial};
         std::vector<State> open{initial};
         std::vector<std::pair<State, State>> waiting;  // moves that only wait
-        made.lively = true;
+        bool is_lively = true;
         while (!open.empty()) {
             const State now = std::move(open.back());
             open.pop_back();
@@ -200,8 +200,9 @@ private:
                 if (seen.size() > most_states) return false;
                 open.push_back(std::move(next));
             }
-            made.lively = made.lively && moves;
+            is_lively = is_lively && moves;
         }
+        made.lively = is_lively;  // known only after all states have been explored
         made.returns = all_return(waiting, initial, seen.size());
         std::set<std::vector<std::int64_t>> valuations;
         for (const State& state : seen) valuations.insert(state.values);

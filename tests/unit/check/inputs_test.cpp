@@ -122,6 +122,25 @@ TEST(InputAbstraction, KnowsWhatEachProcessWritesAndWhichProcessesReadIt) {
     EXPECT_TRUE(named(network, "T_X0_1s").valuations.empty()) << "the PLC shares its variables";
 }
 
+TEST(InputAbstraction, LivelinessIsKnownOnlyIfAllStatesOfAnInstanceAreExplored) {
+    const auto counter_to = [](const std::string& last) {
+        return expand(
+            read_loop("component counter(output V: int 0..5000 = 0) { clock t; initial location any; timed any -> any "
+                      "when V < " +
+                      last +
+                      " && t >= 1s do V := V + 1, t := 0; }\n"
+                      "component lamp(output L) { clock t; initial location any; timed any -> any when t >= 1s "
+                      "do L := !L, t := 0; }\n"
+                      "grafcet c { input N: int 0..5000; input L; output Q; initial step 0; step 1 { Q; } transition "
+                      "t0: 0 -> 1 when N > 100 && L; }\n"
+                      "closed_loop l { controller c; environment E = counter(V = N); environment F = lamp(L = L); }\n")
+                .network);
+    };
+    EXPECT_FALSE(named(counter_to("20"), "E").lively) << "it stops at the last value";
+    EXPECT_FALSE(named(counter_to("5000"), "E").lively) << "the last value is beyond the bound of the exploration";
+    EXPECT_TRUE(named(counter_to("20"), "F").lively);
+}
+
 TEST(InputAbstraction, StoresAnInstanceThatMayLeaveItsRange) {
     const auto valuations = [](const std::string& guard) {
         const Network network =
