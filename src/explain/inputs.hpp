@@ -52,7 +52,7 @@ struct InputChange {
 InputChange fewest_input_changes(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                  std::size_t effort = 20'000, const StopRequested& stopped = {});
 
-/// Records the omitted events in `told`, the projection of the same run.
+/// Records the omitted events in `chart_run`, the projection of the same run.
 void mark(const TransitionSystem& system, const std::vector<InputChange::ChoiceEvent>& left_out, ChartRun& chart_run);
 
 }  // namespace grafverif

@@ -11,13 +11,6 @@
 
 namespace grafverif {
 
-std::vector<Comparison::Variable> plugs(const Chart& chart, Chart::VariableKind kind) {
-    std::vector<Comparison::Variable> found;
-    for (const Id<Chart::Variable> id : variables_of_kind(chart, kind))
-        found.push_back({chart.variables[id].name, chart.variables[id].type});
-    return found;
-}
-
 namespace {
 
 constexpr std::size_t most_repetitions = 100'000;  ///< maximum number of repetitions of a scan of a program

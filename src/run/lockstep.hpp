@@ -15,9 +15,6 @@
 
 namespace grafverif {
 
-/// Returns the inputs or outputs of a chart, in order.
-std::vector<Comparison::Variable> plugs(const Chart& chart, Chart::VariableKind kind);
-
 /// One of the controllers. The chart or program must outlive the execution.
 struct LockstepSide {
     const Chart* chart = nullptr;

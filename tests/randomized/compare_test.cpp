@@ -19,6 +19,7 @@
 #include "grafverif/grafverif.hpp"
 #include "report/charts/comparison.hpp"
 #include "run/interpreter.hpp"
+#include "run/scanner.hpp"
 #include "support/random_chart.hpp"
 #include "support/test_size.hpp"
 #include "syntax/language/format.hpp"
@@ -290,7 +291,8 @@ std::optional<Comparison> with_controller(const Chart& chart, const Chart& other
                                           std::string& error) {
     const auto text = controller_text(other, mode);
     Diagnostics diagnostics;
-    if (!text || !derive(chart, diagnostics) || plugs(chart, Chart::VariableKind::Output).empty()) return {};
+    if (!text || !derive(chart, diagnostics) || variables_of_kind(chart, Chart::VariableKind::Output).empty())
+        return {};
     Sources sources;
     const Model model = model_of(chart);
     const CompareOperand of_chart{&model, *model.charts.ids().begin(), {}};
