@@ -258,8 +258,8 @@ std::vector<Option> options_for_checks() {
         renamed(
             "whole",
             toggle(OptionGroup::Search, "monolithic", &Options::whole,
-                   "explore the complete loop for every property, without sub-loops (independent subsystems) and cells "
-                   "(localization)")),
+                   "explore the complete loop for every property, without sub-loops (independent subsystems), cells "
+                   "(localization), input abstraction and covering")),
         {OptionGroup::Search, "jobs", "N", "number of threads (default: one per core; two at most for untimed models)",
          take_jobs},
         number(OptionGroup::Search, "max-states", "N", {}, &Options::max_states,

@@ -20,16 +20,27 @@ std::int64_t cap_of(const ClockInterval& interval) {
     return std::max<std::int64_t>(interval.high + 1, 0);
 }
 
-/// Raises the caps of `location` to cover the constants in `constraints`.
-void compare(const Network& network, const std::vector<Network::ClockConstraint>& constraints,
-             std::vector<std::int64_t>& cap) {
+/// Sets `greatest` to `value` if that is greater. Returns true if this changes `greatest`.
+bool raise(std::int64_t& greatest, std::int64_t value) {
+    if (value <= greatest) return false;
+    greatest = value;
+    return true;
+}
+
+/// Raises the caps and the greatest constants of `location` to cover `constraints`.
+void compare(const Network& network, const std::vector<Network::ClockConstraint>& constraints, std::uint32_t location,
+             ProcessClocks& clocks) {
     for (const Network::ClockConstraint& constraint : constraints) {
-        std::int64_t& known = cap[constraint.clock.index];
-        known = std::max(known, cap_of(admitted(network, constraint)));
+        const ClockInterval interval = admitted(network, constraint);
+        const std::uint32_t clock = constraint.clock.index;
+        raise(clocks.cap[location][clock], cap_of(interval));
+        raise(clocks.lower[location][clock], interval.low);
+        if (interval.high < ClockInterval::unbounded)
+            raise(clocks.upper[location][clock], std::max<std::int64_t>(interval.high, 0));
     }
 }
 
-/// Propagates the caps and bounds at the target of each edge to its source, for each clock that the edge does not
+/// Propagates the constants and bounds at the target of each edge to its source, for each clock that the edge does not
 /// reset. This is repeated until a fixed point is reached.
 ProcessClocks analyse(const Network& network, const Network::Template& automaton) {
     const std::size_t clocks = automaton.clocks.size();
@@ -37,6 +48,8 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
     result.cap.assign(automaton.locations.size(), std::vector<std::int64_t>(clocks, ProcessClocks::dead));
     result.bounded.assign(automaton.locations.size(), std::vector<bool>(clocks, false));
     result.greatest.assign(clocks, 0);
+    result.lower.assign(automaton.locations.size(), std::vector<std::int64_t>(clocks, 0));
+    result.upper.assign(automaton.locations.size(), std::vector<std::int64_t>(clocks, ProcessClocks::no_upper));
     if (clocks == 0) return result;
     std::vector<std::vector<std::uint32_t>> entering(automaton.locations.size());
     for (const Id<Network::Edge> edge : automaton.edges.ids())
@@ -44,12 +57,12 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
 
     std::vector<std::uint32_t> changed;
     for (const Id<Network::Location> location : automaton.locations.ids()) {
-        compare(network, automaton.locations[location].invariant, result.cap[location.index]);
+        compare(network, automaton.locations[location].invariant, location.index, result);
         for (const Network::ClockConstraint& bound : automaton.locations[location].invariant)
             result.bounded[location.index][bound.clock.index] = true;
         changed.push_back(location.index);
     }
-    for (const Network::Edge& edge : automaton.edges) compare(network, edge.constraint, result.cap[edge.from.index]);
+    for (const Network::Edge& edge : automaton.edges) compare(network, edge.constraint, edge.from.index, result);
     while (!changed.empty()) {
         const std::uint32_t target = changed.back();
         changed.pop_back();
@@ -58,11 +71,12 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
             bool grew = false;
             for (std::uint32_t clock = 0; clock < clocks; ++clock) {
                 if (resets(edge, {clock})) continue;
-                std::int64_t& cap = result.cap[edge.from.index][clock];
-                grew = grew || cap < result.cap[target][clock] ||
-                       (result.bounded[target][clock] && !result.bounded[edge.from.index][clock]);
-                cap = std::max(cap, result.cap[target][clock]);
-                if (result.bounded[target][clock]) result.bounded[edge.from.index][clock] = true;
+                const std::uint32_t source = edge.from.index;
+                for (auto* constants : {&result.cap, &result.lower, &result.upper})
+                    grew = raise((*constants)[source][clock], (*constants)[target][clock]) || grew;
+                if (!result.bounded[target][clock] || result.bounded[source][clock]) continue;
+                result.bounded[source][clock] = true;
+                grew = true;
             }
             if (grew) changed.push_back(edge.from.index);
         }

@@ -8,6 +8,9 @@
 // including delays, and these moves lead to states that are also merged.
 //
 // A clock is bounded at l if an invariant can limit it before its next reset.
+//
+// The constants of lower and of upper bounds are also computed separately. They define which clock values simulate
+// others (check/timed/covering.hpp).
 #pragma once
 
 #include <cstdint>
@@ -39,6 +42,13 @@ struct ProcessClocks {
     std::vector<std::vector<std::int64_t>> cap = {};  ///< cap per location and clock; a `dead` clock is kept at 0
     std::vector<std::vector<bool>> bounded = {};      ///< true if the clock is bounded, per location and clock
     std::vector<std::int64_t> greatest = {};          ///< maximum cap per clock over all locations
+    /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is
+    /// none. `clock == d` is a comparison of both kinds.
+    std::vector<std::vector<std::int64_t>> lower = {};
+    /// Greatest constant d of a comparison `clock <= d` before the next reset, per location and clock; `no_upper` if
+    /// there is none.
+    std::vector<std::vector<std::int64_t>> upper = {};
+    static constexpr std::int64_t no_upper = -1;
 };
 
 bool resets(const Network::Edge& edge, Id<Network::Clock> clock);

@@ -208,12 +208,14 @@ private:
         }
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
-            if ((target & SuccessorBatch::new_state) != 0 && slice.new_states[target & SuccessorBatch::number].first)
-                resolve(slice, target, state);  // also sets the number for all equal new states
+            if ((target & SuccessorBatch::new_state) == 0) continue;
+            // The number is set for all equal new states, except for a state that another one simulates.
+            if (graph_.covered || slice.new_states[target & SuccessorBatch::number].first)
+                resolve(slice, target, state, By::Edge);
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        // The function `lead` sets the targets of edges.
+        // The function `lead` sets the targets of edges, unless states may have been omitted.
         if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -227,6 +229,7 @@ private:
         next_slice_ = 0;
         share(std::max<std::size_t>(found, graph_.explored - slices_[0].begin), [&](unsigned member) {
             if (member < new_states_.parts()) new_states_.index(member, graph_.store.roots());
+            if (graph_.covered) return;
             for (std::size_t i = 0; (i = next_slice_.fetch_add(1)) < filled_;) lead(slices_[i]);
         });
         try {
@@ -266,14 +269,35 @@ private:
         return (target & SuccessorBatch::new_state) == 0 ? number : new_states_.number(slice.new_states[number].entry);
     }
 
-    /// Returns the number of a target. A new state gets the next number when the search first reaches it.
-    std::uint32_t resolve(const SuccessorBatch& slice, std::uint32_t target, std::uint32_t parent) {
+    /// How the search has reached a state.
+    enum class By : std::uint8_t { Edge, Delay };
+
+    /// Returns a state that simulates the new state in `words`, or Store::none. A further delay after a delay belongs to
+    /// the same move. Therefore, a state reached by a delay needs a state whose delay is known, or that belongs to an
+    /// earlier level.
+    std::uint32_t simulating(const Word* words, By by) {
+        if (graph_.covering && !graph_.covering->is_useful()) graph_.covering.reset();
+        if (!graph_.covering) return Store::none;
+        const std::uint32_t state = graph_.covering->find(words, [&](std::uint32_t other) {
+            return by == By::Edge || limits_.ignores_depth() || other < level_end_ ||
+                   graph_.kind(other) != StateKind::Unknown;
+        });
+        simulated_ = state != Store::none;
+        return state;
+    }
+
+    /// Returns the number of a target, or of a state that simulates it. A new state that no other simulates gets the
+    /// next number when the search first reaches it.
+    std::uint32_t resolve(const SuccessorBatch& slice, std::uint32_t target, std::uint32_t parent, By by) {
         const std::uint32_t index = target & SuccessorBatch::number;
         if ((target & SuccessorBatch::new_state) == 0) return index;
         const SuccessorBatch::NewState& new_state = slice.new_states[index];
         NewStates::Entry& entry = new_states_[new_state.entry];
         if (entry.number != Store::none) return entry.number;
+        if (graph_.covering)
+            if (const std::uint32_t other = simulating(words_of(slice, index), by); other != Store::none) return other;
         entry.number = discover(entry.root, parent);
+        if (graph_.covering) graph_.covering->add(entry.number);
         if (new_state.needed) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
         return entry.number;
     }
@@ -289,28 +313,33 @@ private:
         return state;
     }
 
-    /// Returns the number of the state in `now_.words`. A new state is added.
+    /// Returns the number of the state in `now_.words`, or of a state that simulates it. A new state that no other
+    /// simulates is added.
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
         NewStates::Entry& entry =
             new_states_[new_states_.meet(new_states_.part_of(graph_.store.roots().shard_of(root)), root).entry];
         if (entry.number != Store::none) return entry.number;
+        if (const std::uint32_t other = simulating(now_.words.data(), By::Delay); other != Store::none) return other;
         entry.number = discover(root, parent);
+        if (graph_.covering) graph_.covering->add(entry.number);
         if (watch_.needs(graph_.machine, now_.words.data(), registers_))
             watch_.look(graph_.machine, entry.number, now_.words.data(), registers_);
         return entry.number;
     }
 
-    /// Returns the successor of the state after one unit of time, or Store::none if time does not pass. The successor
-    /// is read from the slice of the state if the state is in this block; otherwise it is computed.
+    /// Returns the successor of the state after one unit of time or a state that simulates it, or Store::none if time
+    /// does not pass. The successor is read from the slice of the state if the state is in this block; otherwise it is
+    /// computed.
     std::uint32_t later(std::uint32_t state) {
+        simulated_ = false;
         const std::size_t index = (state - slices_[0].begin) / limits_.slice();
         if (state >= slices_[0].begin && index < filled_) {
             const SuccessorBatch& slice = slices_[index];
             if (state < slice.end && slice.states[state - slice.begin].timed) {
                 const SuccessorBatch::State& at = slice.states[state - slice.begin];
-                return at.passes ? resolve(slice, slice.targets[at.first + at.edges], state) : Store::none;
+                return at.passes ? resolve(slice, slice.targets[at.first + at.edges], state, By::Delay) : Store::none;
             }
         }
         graph_.store.load(state, now_);
@@ -329,7 +358,7 @@ private:
             graph_.set_kind(now, StateKind::Passes, next);
             ++graph_.transitions;
             graph_.time_passes = true;
-            if (graph_.kind(next) == StateKind::Unknown && next >= level_end_) graph_.parent[next] = now;
+            if (graph_.kind(next) == StateKind::Unknown && next >= level_end_ && !simulated_) graph_.parent[next] = now;
             now = next;
         }
     }
@@ -374,6 +403,7 @@ private:
     std::size_t filled_ = 0;  // number of slices in the current block
     std::atomic<std::size_t> next_slice_ = 0;
     std::uint32_t level_end_ = 0;
+    bool simulated_ = false;  // true if the last result of `later` is not the successor but simulates it
     Unfolded now_ = {}, next_ = {};
     PropertyMonitor::Registers registers_ = {};
 };

@@ -59,6 +59,7 @@ public:
     void explain(Graph& graph);
     bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
     bool until_decided() const { return options_.until_decided; }
+    bool ignores_depth() const { return options_.covering_without.depth; }
     std::uint64_t max_memory() const { return options_.max_memory; }
     /// True if the search ended at the memory limit, false if an allocation failed.
     bool allowed_used() const { return allowed_used_; }

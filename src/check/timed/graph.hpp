@@ -11,10 +11,12 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "check/timed/column.hpp"
+#include "check/timed/covering.hpp"
 #include "check/timed/machine.hpp"
 #include "check/timed/store.hpp"
 #include "check/timed/timed.hpp"
@@ -133,6 +135,10 @@ public:
     Column<std::uint32_t> kinds = {};  // kind and target of each state
     Links links = {};                  // lists of the expanded states
     bool linked = true;
+    /// Omits states that other states simulate; null if it is not used, or no longer used because it omits few states.
+    std::unique_ptr<Covering> covering = {};
+    /// True if states may have been omitted: a target may be missing, so only properties about single states are decided.
+    bool covered = false;
     std::uint32_t explored = 0;              // number of expanded states; they have `kinds` and `links`
     std::vector<std::uint32_t> levels = {};  // first state of each depth
     std::uint64_t transitions = 0;
@@ -152,7 +158,9 @@ public:
     void set_kind(std::uint32_t state, StateKind kind, std::uint32_t target) {
         kinds[state] = (static_cast<std::uint32_t>(kind) << kind_shift) | (target & target_mask);
     }
-    std::size_t bytes() const { return store.bytes() + parent.bytes() + kinds.bytes() + links.bytes(); }
+    std::size_t bytes() const {
+        return store.bytes() + parent.bytes() + kinds.bytes() + links.bytes() + (covering ? covering->bytes() : 0);
+    }
 
     /// Calls `visit(state)` for each successor of `state` by an edge.
     template <class Visit>

@@ -58,6 +58,7 @@ public:
 
     const Network& network() const { return network_; }
     const Layout& layout() const { return layout_; }
+    const std::vector<ProcessClocks>& clocks() const { return clocks_; }
     Program& program() { return program_; }
     Compiler& compiler() { return compiler_; }
 

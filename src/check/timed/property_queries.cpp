@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "ir/patterns.hpp"
 #include "ir/step_names.hpp"
 #include "support/overloaded.hpp"
 
@@ -97,6 +98,13 @@ bool PropertyQueries::follow_edges() const {
     return std::ranges::any_of(questions_, [](const PropertyQuery& question) {
         const Pattern pattern = question.property->pattern;
         return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
+    });
+}
+
+bool PropertyQueries::are_about_single_states() const {
+    return std::ranges::all_of(questions_, [](const PropertyQuery& question) {
+        const Pattern pattern = question.property->pattern;
+        return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
     });
 }
 

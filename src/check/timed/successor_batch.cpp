@@ -100,7 +100,7 @@ void Slicer::look_up() {
         const Word* const at = words_.data() + i * words;
         new_state.needed = watch_.needs(graph_.machine, at, moves_.registers);
         if (new_state.folded) new_state.shard = roots.shard_of(new_state.root);
-        if (new_state.needed || !new_state.folded) {
+        if (new_state.needed || !new_state.folded || graph_.covering) {
             slice.kept.push_back(kept);
             slice.words.insert(slice.words.end(), at, at + words);
         }

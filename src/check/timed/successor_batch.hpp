@@ -46,7 +46,7 @@ struct alignas(own_lines) SuccessorBatch {
     /// Numbers of states or of new states, with flags; the flag `urgent` marks the target of an urgent edge.
     std::vector<std::uint32_t> targets = {};
     std::vector<NewState> new_states = {};
-    /// Indices of the new states that are not folded or that a property monitor needs.
+    /// Indices of the new states that are not folded or that a property monitor or the covering needs.
     std::vector<std::uint32_t> kept = {};
     std::vector<Word> words = {};  ///< words of the states in `kept`, Layout::words for each state
     Links::Chunk links = {};       ///< valid after all targets have numbers

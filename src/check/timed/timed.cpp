@@ -3,6 +3,7 @@
 #include "check/timed/timed.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 
 #include "check/timed/premises.hpp"
@@ -75,6 +76,12 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
 
     timed::Graph graph(machine);
     graph.linked = options.keep_links && (options.premises || questions.follow_edges());
+    if (options.covering && !options.premises && questions.are_about_single_states()) {
+        auto covering =
+            std::make_unique<timed::Covering>(flat, machine.layout(), machine.clocks(), options.covering_without);
+        graph.covered = covering->applies();
+        if (graph.covered) graph.covering = std::move(covering);
+    }
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
     const UnknownReason ended =

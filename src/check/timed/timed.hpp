@@ -41,6 +41,14 @@ struct TimedProgress {
     double seconds = 0;
 };
 
+/// Premises of the covering (covering.hpp) that tests omit on purpose.
+struct CoveringAblations {
+    bool lower = false;  ///< lower bounds of clocks are ignored
+    bool upper = false;  ///< upper bounds of clocks are ignored
+    bool depth = false;  ///< a state is omitted although the run to the state that simulates it may be longer
+    bool operator==(const CoveringAblations&) const = default;
+};
+
 struct TimedOptions {
     std::vector<std::string> properties = {};  ///< names of the properties to check; all if empty. See `timelock`
     std::uint64_t max_states = 500'000'000;
@@ -58,6 +66,9 @@ struct TimedOptions {
     /// The network is an input abstraction, with or without choices: `no timelock` holds only if no sequence of urgent
     /// edges is infinite.
     bool abstracted = false;
+    /// Omit states that other states simulate (covering.hpp), if all properties are about single states.
+    bool covering = true;
+    CoveringAblations covering_without = {};
     bool until_decided = false;  ///< end the search when each property is decided by a state
     bool paths = false;          ///< report TimedResult::paths
     std::function<void(const TimedProgress&)> progress = {};  ///< function that is called a few times per second
