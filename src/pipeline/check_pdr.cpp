@@ -83,7 +83,7 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options, s
         own.limits.memory = options.limits.memory.value_or(all.max_memory) / 4;
         own.limits.stop = stop;
         own.limits.progress = {};
-        return decided_by_cells(check, own);
+        return decided_by_abstractions(check, own);
     };
     const bool has_queries =
         options.properties.empty() || !all.properties.empty();  // an empty list selects all properties

@@ -42,6 +42,7 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
             options.limits.progress({[&now] { return progress_text(now); }});
         };
     timed.jobs = options.jobs;
+    timed.covering = !options.whole;
     timed.profile = options.profile;
     timed.many = options.many;
     return timed;

@@ -203,7 +203,8 @@ TEST(RandomizedLocalization, LocalizationOfLoopsGivesTheVerdictsOfTheCompleteNet
 /// Compares the verdicts of localization on an untimed model with those of the symbolic engine. A minimal search of the
 /// complete model precedes localization.
 void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& seen) {
-    const std::vector<Verdict> decided = decided_by_cells(check, {.jobs = 1}, {.whole = 50, .local = complete_limit});
+    const std::vector<Verdict> decided =
+        decided_by_abstractions(check, {.jobs = 1}, {.whole = 50, .local = complete_limit});
     if (decided.empty()) return;
     SymbolicOptions options;
     for (const Verdict& verdict : decided) options.properties.push_back(verdict.property);
@@ -211,12 +212,13 @@ void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& see
     EXPECT_FALSE(whole.fault);
     EXPECT_EQ(whole.verdicts.size(), decided.size());
     for (const Verdict& here : decided) {
-        EXPECT_TRUE(here.scope.cells);
+        EXPECT_NE(here.scope.cells, here.abstraction.has_value());
         const Verdict& there = *std::ranges::find(whole.verdicts, here.property, &Verdict::property);
         EXPECT_EQ(here.about, there.about);
         EXPECT_EQ(here.outcome, there.outcome) << here.property << ' ' << there.reason;
         EXPECT_EQ(here.vacuous, there.vacuous) << here.property;
-        ++seen[std::string(check.system.ticks.valid() ? "discrete: " : "abstract: ") + std::string(word(here.outcome))];
+        ++seen[std::string(check.system.ticks.valid() ? "discrete: " : "abstract: ") + std::string(word(here.outcome)) +
+               (here.abstraction ? " (inputs)" : "")];
     }
 }
 
@@ -278,6 +280,7 @@ TEST(RandomizedLocalization, LocalizationOfUntimedLoopsGivesTheVerdictsOfTheSymb
     print_counts(seen);
     EXPECT_GT(seen["abstract: holds"], test_size(20));
     EXPECT_GT(seen["discrete: holds"], test_size(20));
+    EXPECT_GT(seen["abstract: holds (inputs)"] + seen["discrete: holds (inputs)"], test_size(10));
 }
 
 struct Premise {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Localization for untimed models.
+// Localization and input abstraction for untimed models.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <utility>
 
+#include "check/inputs/inputs.hpp"
 #include "explain/moves.hpp"
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
@@ -16,18 +18,31 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the time at which localization must end: after a third of the remaining time, and at most 20 s. The
+/// Returns the time at which the abstractions must end: after a third of the remaining time, and at most 20 s. The
 /// remaining time is for other engines.
-std::chrono::steady_clock::time_point end_of_cells(std::optional<std::chrono::steady_clock::time_point> deadline) {
+std::chrono::steady_clock::time_point end_of_abstractions(std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
     const auto now = std::chrono::steady_clock::now();
     return deadline ? std::min(now + most, now + (*deadline - now) / 3) : now + most;
 }
 
+/// Decides properties that `result` leaves open by input abstraction. Runs of abstractions are not followed far,
+/// because only verdicts without runs are used.
+void decide_by_inputs(const Network& network, const TimedOptions& options, TimedResult& result) {
+    constexpr std::size_t followed = 1000;
+    const Observe nothing = std::identity{};
+    TimedOptions own = options;
+    own.max_states = TimedOptions{}.max_states;
+    InputSearch search(network, nothing, own, result,
+                       {.followed = followed, .followed_coarse = followed, .explored = 0});
+    for (const std::uint64_t states : input_rounds)
+        if (!search.run(states, own.deadline)) return;
+}
+
 }  // namespace
 
-std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
-                                      const LocalizationLimits& limits) {
+std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const CheckOptions& options,
+                                             const LocalizationLimits& limits) {
     if (options.whole || !check.network || !check.network()) return {};
     const Network network = check.system.ticks.valid() ? *check.network() : without_clocks(*check.network());
     const auto is_observer = [](const Network::Process& process) {
@@ -36,10 +51,10 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
     if (std::ranges::any_of(network.processes, is_observer)) return {};  // an observer reads the complete network
     TimedOptions timed;
     set_limits(timed, options.limits);
-    timed.deadline = end_of_cells(options.limits.deadline);
+    timed.deadline = end_of_abstractions(options.limits.deadline);
     if (options.limits.progress)
         timed.progress = [&options](const TimedProgress& now) {
-            options.limits.progress({[&now] { return fmt::format("cells: {} states", now.states); }});
+            options.limits.progress({[&now] { return fmt::format("abstractions: {} states", now.states); }});
         };
     timed.max_states = limits.local;
     timed.jobs = options.jobs;
@@ -61,9 +76,12 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
         look.max_states = std::min(look.max_states, limits.whole);
         return check_timed_by_parts(whole, look);
     };
+    TimedResult result = check_timed_by_cells(network, timed, limits, {}, first_look);
+    decide_by_inputs(network, timed, result);
     std::vector<Verdict> decided;
-    for (Verdict& found : check_timed_by_cells(network, timed, limits, {}, first_look).verdicts) {
-        if (!found.scope.cells || found.outcome == Outcome::Unknown) continue;
+    for (Verdict& found : result.verdicts) {
+        const bool is_proof = found.scope.cells || (found.abstraction && !found.run);
+        if (!is_proof || found.outcome == Outcome::Unknown) continue;
         const Id<Property> id = requested.at(found.property);
         Verdict& verdict = decided.emplace_back(verdict_on(id, check.system.properties[id]));
         verdict.outcome = found.outcome;
@@ -72,7 +90,8 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
         verdict.transitions = found.transitions;
         verdict.seconds = found.seconds;
         verdict.scope = std::move(found.scope);
-        verdict.notes.emplace_back("decided by cells");
+        verdict.abstraction = std::move(found.abstraction);
+        verdict.notes.emplace_back(verdict.abstraction ? "decided by input abstraction" : "decided by cells");
     }
     return decided;
 }
