@@ -61,6 +61,7 @@ struct InputAblations {
     bool need_not_diverge = false;  ///< time need not diverge
     // Premises of prove_response (check/inputs/response.hpp):
     bool need_not_take_time = false;  ///< infinitely many moves may need bounded time
+    bool round_inward = false;        ///< rounded bounds of observers become stronger instead of weaker
 };
 
 /// A process that can be abstracted: an instance of the plant or the environment, or a timer of a controller.
@@ -126,9 +127,12 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
 
 /// Converts `network` to the longest time unit in which all clock bounds are integers. Bounds of Paced instances are
 /// not considered: they become 1, or 0 if they are shorter than the unit. As for any unit that divides the bounds,
-/// integer time is exact in this unit. If `paced` is empty, the result is the same network in that unit. Requires that
-/// `network` is expanded.
-Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {});
+/// integer time is exact in this unit. Bounds of `rounded` processes are not considered either: they become multiples of
+/// the unit, lower bounds by rounding down and upper bounds by rounding up, so that each run remains possible. Rounded
+/// processes have no constraint `clock == bound`. If both lists are empty, the result is the same network in that unit.
+/// Requires that `network` is expanded.
+Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {},
+                        const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
 
 /// Replaces each lower bound in `automaton` by `unit`, or by 0 if the bound is shorter than `unit`. Removes upper
 /// bounds and makes all edges non-urgent.

@@ -142,8 +142,11 @@ std::string panel_loop(Random& random, const std::vector<std::string>& plants) {
             term() + when + ";\nproperty g2: always possible " + atom() + ";\nproperty g3: (" + atom() +
             ") leads to (" + term() + ");\nproperty g4: inevitable " + term() +
             ";\nproperty p6: never c.X1 && L && !Q" + when + ";\n";
+    const std::string half = chance(random, 25) ? "1500ms" : "";  // not a multiple of the other durations
     text += "property w1: " +
-            one_of(random, {"(" + atom() + ") leads to (" + term() + ") within 2s", "(" + atom() + ") holds for 1s",
+            one_of(random, {"(" + atom() + ") leads to (" + term() + ") within " + (half.empty() ? "2s" : half),
+                            "(" + atom() + ") holds for " + (half.empty() ? "1s" : half),
+                            "(" + atom() + ") holds at most " + (half.empty() ? "2s" : half),
                             "never " + atom() + " between (" + atom() + ") and (" + atom() + ")",
                             "(" + atom() + ") at most 2 times", "(" + atom() + ") precedes (" + atom() + ")"}) +
             ";\nproperty w2: " +
@@ -197,6 +200,9 @@ struct Compared {
             if (*here.abstraction == InputsAbstracted{}) ++seen["with a run of the novelty search"];
             if (here.property == "no_timelock" || here.property == "d") ++seen[here.property];
             if (!here.abstraction->untimed.empty()) ++seen["with untimed instances"];
+            if (std::ranges::any_of(here.notes,
+                                    [](const std::string& note) { return note.find("rounded") != note.npos; }))
+                ++seen["rounded"];
             const auto& chosen = here.abstraction->chosen;
             if (std::ranges::find(chosen, "Fol") != chosen.end()) ++seen["with a chosen plant"];
             const bool differs = faulty ? !here.run : here.outcome != there.outcome;
@@ -268,6 +274,7 @@ TEST(InputAbstraction, PanelLoopsGetTheVerdictsOfTheCompleteLoop) {
     EXPECT_GT(seen["with a chosen plant"], test_size(5));
     EXPECT_GT(seen["no_timelock"], test_size(5));
     EXPECT_GT(seen["d"], test_size(5));
+    EXPECT_GT(seen["rounded"], 0);
     EXPECT_GT(seen["always possible in finer time"], test_size(10));
     EXPECT_GT(seen["leads to in finer time"], test_size(10));
 }
@@ -322,6 +329,7 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
           Premise{"evolutions end", &InputAblations::ignore_evolutions},
           Premise{"each bound may be the first", &InputAblations::one_bound, {"race"}, 1036},
           Premise{"moves depend on no clock", &InputAblations::any_edge, {"early"}, 1036},
+          Premise{"bounds of observers become weaker", &InputAblations::round_inward},
           Premise{"time diverges", &InputAblations::need_not_diverge, {"stuck"}, 1131},
           Premise{"moves take time", &InputAblations::need_not_take_time, {"follower"}, 1076},
           Premise{"the panel returns", &InputAblations::need_not_return, {"follower"}, 1081}}) {

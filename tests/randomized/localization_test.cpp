@@ -14,6 +14,7 @@
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "support/random_panel.hpp"
 #include "support/random_subsystems.hpp"
 #include "support/read_loop.hpp"
 #include "support/row_counts.hpp"
@@ -280,7 +281,26 @@ TEST(RandomizedLocalization, LocalizationOfUntimedLoopsGivesTheVerdictsOfTheSymb
     print_counts(seen);
     EXPECT_GT(seen["abstract: holds"], test_size(20));
     EXPECT_GT(seen["discrete: holds"], test_size(20));
-    EXPECT_GT(seen["abstract: holds (inputs)"] + seen["discrete: holds (inputs)"], test_size(10));
+}
+
+TEST(RandomizedLocalization, InputAbstractionOfUntimedPanelsGivesTheVerdictsOfTheSymbolicEngine) {
+    std::map<std::string, int> seen;
+    for (int seed = 1; seed <= test_size(30) && !testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const ParseResult reading = read_string(random_panel(random, {.elements = 2, .observed = false}), "panel");
+        ASSERT_TRUE(reading.model) << reading.diagnostics_text();
+        ModelOptions how{.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
+        how.untimed = {.plant = PlantApproach::Automata,
+                       .time = seed % 3 == 0 ? TimeModel::Discrete : TimeModel::Abstract};
+        Diagnostics diagnostics;
+        const auto system = transition_system_of(*reading.model, Id<ClosedLoop>{0}, how, diagnostics);
+        ASSERT_TRUE(system);
+        compare_untimed(system_to_check(*system, *reading.model, Id<ClosedLoop>{0}, how), seen);
+    }
+    print_counts(seen);
+    EXPECT_GT(seen["abstract: holds (inputs)"], test_size(2));
+    EXPECT_GT(seen["discrete: holds (inputs)"], test_size(2));
 }
 
 struct Premise {

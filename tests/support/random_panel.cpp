@@ -184,7 +184,10 @@ private:
     }
     std::string term() { return atom() + one_of({" && ", " || ", " && !"}) + "(" + atom() + ")"; }
     std::string sentence() {
-        return one_of({"(" + atom() + ") leads to (" + term() + ") within 2s", "(" + atom() + ") holds for 1s",
+        const bool half = chance(random_, 25);  // the duration is not a multiple of the other durations
+        return one_of({"(" + atom() + ") leads to (" + term() + ") within " + (half ? "1500ms" : "2s"),
+                       "(" + atom() + ") holds for " + (half ? "1500ms" : "1s"),
+                       "(" + atom() + ") holds at most " + (half ? "1500ms" : "2s"),
                        "never " + atom() + " between (" + atom() + ") and (" + atom() + ")",
                        "(" + atom() + ") at most 2 times", "(" + atom() + ") precedes (" + atom() + ")"});
     }

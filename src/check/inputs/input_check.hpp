@@ -70,6 +70,7 @@ private:
         std::size_t rounds = 0;
         bool coarse = false;  // true if instances that read the loop, and timers, are also abstracted
         Kind kind = Kind::SingleStates;
+        bool rounded = false;  // true if bounds of observers are rounded to the time unit of all others
     };
 
     bool stopped() const { return is_over(deadline_, options_.stop); }
@@ -89,7 +90,9 @@ private:
     bool search_for_runs(std::uint64_t states);
     Levels first_levels(const Property& property, bool coarse) const;
     void begin_with_known(const Property& property, Levels& levels) const;
-    void refine(std::size_t verdict, const Task& task, const Levels& levels, std::vector<Task>& tasks) const;
+    /// How the search of a task has ended. RoundedRun: a spurious run, in a network whose bounds rounding has changed.
+    enum class End : std::uint8_t { Limit, SpuriousRun, RoundedRun };
+    void refine(std::size_t verdict, const Task& task, End end, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
     void search_passing(const Task& task);
     void search_progress(const Task& task);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "check/inputs/inputs.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "check/inputs/input_check.hpp"
 #include "check/timed/program.hpp"
+#include "grafverif/ir/chart_run.hpp"
 #include "ir/patterns.hpp"
 
 namespace grafverif {
@@ -44,6 +47,7 @@ void InputAbstractionCheck::collect() {
         Task& task = groups[{!coarse, levels}];
         task.levels = std::move(levels);
         task.coarse = coarse;
+        task.rounded = observed_.processes.size() != loop_.processes.size();
         task.verdicts.push_back(k);
     }
     for (auto& [order, task] : groups) tasks_.push_back(std::move(task));
@@ -114,6 +118,7 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
         const std::set<std::uint32_t>& writers = writers_[variable];
         if (writers.size() == 1) processes.insert(*writers.begin());
     }
+    const bool has_observer = observed_.processes.size() != loop_.processes.size();
     Levels levels;
     for (const AbstractableProcess& process : instances_) {
         bool is_stored = process.valuations.empty() || processes.contains(process.process.index);
@@ -121,7 +126,9 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
             is_stored = is_stored || variables.contains(output.index);
         const bool by_itself = process.autonomous && !process.valuations.empty();
         if (!by_itself && !coarse) levels.push_back(InputLevel::Complete);
-        else levels.push_back(is_stored ? InputLevel::Untimed : InputLevel::Chosen);
+        else if (!is_stored) levels.push_back(InputLevel::Chosen);
+        // An observer reads each state, and the PLC need not sample a value that lasts no time.
+        else levels.push_back(has_observer && process.autonomous ? InputLevel::Paced : InputLevel::Untimed);
     }
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
     limit_choices(levels);
@@ -159,18 +166,24 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
-/// Adds the verdict to the task of its next search. If `levels` differ from those of `task`, they are used; otherwise
-/// all processes that read the loop are complete. All properties for which
-/// the engine searches for a state or a run share one next search.
-void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, const Levels& levels,
+/// Adds the verdict to the task of its next search. If `levels` differ from those of `task`, they are used. Otherwise,
+/// a spurious run may be due to rounded bounds, so the exact bounds are used; after that, all processes that read the
+/// loop are complete. All properties for which the engine searches for a state or a run share one next search.
+void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End end, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];
-    Task next{levels, {verdict}, task.rounds + 1, task.coarse, Kind::SingleStates};
-    const bool ends = levels == task.levels || next.rounds == (task.coarse ? limits_.coarse_rounds : limits_.rounds);
-    if (ends && !task.coarse) return;
-    if (ends) next = {first_levels(property, false), {verdict}, 0, false, Kind::SingleStates};
+    Task next{levels, {verdict}, task.rounds + 1, task.coarse, Kind::SingleStates, task.rounded};
+    const bool is_repeated = levels == task.levels;
+    const bool ends = next.rounds == (task.coarse ? limits_.coarse_rounds : limits_.rounds);
+    if (end == End::RoundedRun && (is_repeated || (ends && !task.coarse))) {
+        next.rounds = is_repeated ? task.rounds : 0;
+        next.rounded = false;
+    } else if (is_repeated || ends) {
+        if (!task.coarse) return;
+        next = {first_levels(property, false), {verdict}, 0, false, Kind::SingleStates, task.rounded};
+    }
     const auto joins = [&](const Task& other) {
-        if (other.coarse != next.coarse) return false;
+        if (other.coarse != next.coarse || other.rounded != next.rounded) return false;
         const Pattern first = observed_.properties[result_.verdicts[other.verdicts.front()].about].pattern;
         const bool both_look = !is_about_all_states(property.pattern) && !is_about_all_states(first);
         return other.levels == next.levels || both_look;
@@ -200,7 +213,13 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
 
 void InputAbstractionCheck::search(const Task& task) {
     const InputAbstraction abstraction = abstract_inputs(loop_, instances_, task.levels, ablations_);
-    const Network network = in_longest_unit(expand(observe_(abstraction.network)), abstraction.paced);
+    Network observed = expand(observe_(abstraction.network));
+    std::vector<Id<Network::Process>> rounded;
+    for (const Id<Network::Process> id : observed.processes.ids())
+        if (task.rounded && observed.processes[id].kind == Network::ProcessKind::Observer) rounded.push_back(id);
+    const Network network = in_longest_unit(observed, abstraction.paced, rounded, ablations_);
+    const bool is_stronger =
+        network.time_unit_ms != in_longest_unit(std::move(observed), abstraction.paced).time_unit_ms;
     TimedOptions options = options_;
     options.properties.clear();
     for (const std::size_t k : task.verdicts) {
@@ -231,16 +250,20 @@ void InputAbstractionCheck::search(const Task& task) {
             } else if (stopped()) {
                 open.push_back(k);
             } else {
-                refine(k, task, levels, next);
+                refine(k, task, is_stronger ? End::RoundedRun : End::SpuriousRun, levels, next);
             }
         } else if (found.complete && at->outcome != Outcome::Unknown) {
             Verdict verdict = *at;
             verdict.run.reset();
+            if (is_stronger)
+                verdict.notes.push_back(
+                    fmt::format("a stronger property was proved: its duration is rounded to a multiple of {}",
+                                seconds_text(network.time_unit_ms)));
             conclude(k, verdict, task.levels);
         } else if (ends || stopped()) {
             open.push_back(k);
         } else {
-            refine(k, task, task.levels, next);
+            refine(k, task, End::Limit, task.levels, next);
         }
     }
     if (!open.empty()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <numeric>
 #include <set>
@@ -299,13 +300,16 @@ void pace(const Network& network, const Network::Process& process, Network::Temp
     }
 }
 
-Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced) {
-    const auto is_paced = [&](Id<Network::Process> id) { return std::ranges::find(paced, id) != paced.end(); };
+Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced,
+                        const std::vector<Id<Network::Process>>& rounded, const InputAblations& ablations) {
+    const auto is_in = [](const std::vector<Id<Network::Process>>& list, Id<Network::Process> id) {
+        return std::ranges::find(list, id) != list.end();
+    };
     std::int64_t others = 0, all = 0;
     each_constraint(network, [&](Id<Network::Process> id, const Network::ClockConstraint& constraint) {
         const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
         all = std::gcd(all, bound);
-        if (!is_paced(id)) others = std::gcd(others, bound);
+        if (!is_in(paced, id) && !is_in(rounded, id)) others = std::gcd(others, bound);
     });
     const std::int64_t unit = std::max<std::int64_t>(others != 0 ? others : all, 1);
     for (const Id<Network::Process> id : paced) {
@@ -316,7 +320,11 @@ Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>
     }
     if (unit == 1) return network;
     each_constraint(network, [&](Id<Network::Process> id, Network::ClockConstraint& constraint) {
-        constraint.bound = network.exprs.integer(bound_value(network, network.processes[id], constraint.bound) / unit);
+        const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
+        const bool upper = constraint.relation == Op::Less || constraint.relation == Op::LessEqual;
+        assert(bound % unit == 0 || (is_in(rounded, id) && constraint.relation != Op::Equal));
+        constraint.bound =
+            network.exprs.integer(upper == ablations.round_inward ? bound / unit : (bound + unit - 1) / unit);
     });
     network.time_unit_ms *= unit;
     return network;
