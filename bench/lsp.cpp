@@ -49,7 +49,7 @@ std::string quoted(const std::string& text) {
     return json + "\"";
 }
 
-/// The two ends of the input and output streams of a server.
+/// The input and output streams of a server in this process, with functions for the client.
 class Wire {
 public:
     void say(const std::string& body) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Measures the symbolic engine.
 //
-// bench_symbolic stations N: N independent assembly stations (DESDES06) in one chart with free inputs. It shows how the
-// cost grows with the number of steps and inputs.
+// bench_symbolic stations N: N independent assembly stations (DESDES06) in one chart with free inputs. The time shows
+// how the cost grows with the number of steps and inputs.
 //
 // bench_symbolic PATH|cylinders N|line N|two APPROACH [SCHEDULE] [discrete] [atomic]: a closed loop with all
 // properties. The loop is samples/PATH, a loop with N cylinders, a transfer line of N cells, or two testing stations
-// that share only time (with the properties of one). APPROACH: none, constraints or automata. SCHEDULE: interleaved,
-// synchronous or sequenced. `discrete` models time by counting clocks; `atomic` selects the grain atomic. If the last
-// argument is `whole`, independent subsystems are explored together; if it is `nusmv`, the model is printed and not
-// checked.
+// that share only time (with the properties of one station). APPROACH: none, constraints or automata. SCHEDULE:
+// interleaved, synchronous or sequenced. `discrete` models time by counting clocks; `atomic` selects the grain atomic.
+// If the last argument is `whole`, independent subsystems are explored together; if it is `nusmv`, the model is printed
+// and not checked.
 #include "check/symbolic/symbolic.hpp"
 
 #include <fmt/core.h>

@@ -22,7 +22,7 @@ endfunction()
 
 file(READ "${STYLE}" style)
 set(script "")
-set(modules "")  # one literal per module: a single one may exceed the limit of compilers
+set(modules "")  # one literal per module, because one literal for all modules may exceed the limit of compilers
 foreach(file IN LISTS SCRIPTS)
     file(READ "${file}" module)
     string(REGEX REPLACE "\nimport [^\n]*" "" module "${module}")

@@ -5,7 +5,7 @@
 # sources given to grafverif_compile_alone.
 # Large units take less time in total, because headers and templates are compiled once per unit; small units take less
 # time after a change of one source.
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 12 CACHE STRING "How many sources are compiled at once at most")
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 12 CACHE STRING "Maximum number of sources in a unit")
 
 # grafverif_group_units(TARGET): compiles the sources of one module together, at most one batch per unit.
 function(grafverif_group_units target)

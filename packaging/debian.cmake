@@ -4,7 +4,7 @@
 # specify the maintainer. SOURCE_DATE_EPOCH specifies the time.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME grafverif)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own summary
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -21,7 +21,7 @@ endforeach()
 file(GLOB pages "${place}/share/man/man1/grafverif*.1")
 execute_process(COMMAND gzip -9 -n -f ${pages})
 
-set(zsh site-functions)  # elsewhere; system packages use another folder for Debian's zsh
+set(zsh site-functions)  # for zsh built from source; Debian's zsh reads another folder for packages
 if(PREFIX STREQUAL "/usr")
     set(zsh vendor-completions)
 endif()

@@ -54,7 +54,7 @@ export class Decision {
         if (this.earlier === null) return null;
         const {moment} = this.earlier, several = this.run.evolutionsIn(this.number, moment) > 1;
         if (several && this.earlier.act.fired.length > 0) return null;
-        // If there were several evolutions, the last one changed nothing: the values before and after it are equal.
+        // If there were several evolutions, the last evolution changed nothing: values before and after it are equal.
         this.past ??= new Decision(this.run, this.chart, this.number, moment, !several);
         return this.past;
     }

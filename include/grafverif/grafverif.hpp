@@ -172,8 +172,9 @@ std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::op
 
 struct CompareOptions {
     std::optional<ExecutionMode> mode = {};
-    /// The time between scans is a multiple of this value. If empty, a common divisor of all durations is selected. It
-    /// is small enough to start each timer in a different scan, unless this requires fractions of a millisecond.
+    /// The time between scans is a multiple of this value. If empty, a common divisor of all durations is selected.
+    /// This divisor is so small that each timer can start in a different scan, unless this requires fractions of a
+    /// millisecond.
     std::optional<std::int64_t> resolution_ms = {};
     /// Initial situation of each chart, instead of its initial steps. Both situations must be given, or both are empty.
     std::array<std::vector<Id<Chart::Step>>, 2> from = {};
@@ -231,8 +232,9 @@ std::string svg_of(const MealyMachine& machine);
 
 // Simulation
 
-/// Simulates a closed loop, or a chart without one. It is controlled by the commands of `grafverif simulate` and has
-/// the same semantics as the checks. A simulator contains copies of all data of the model that it needs.
+/// Simulates a closed loop, or a chart without a closed loop. The simulator is controlled by the commands of
+/// `grafverif simulate` and has the same semantics as the checks. It contains copies of all data of the model that it
+/// needs.
 class Simulator {
 public:
     struct Inside;

@@ -131,7 +131,7 @@ private:
     }
 
     /// Decides further queries after all parts are complete, if the parts together contain the complete chart. In this
-    /// case, every instant that does not end also does not end in one of the parts.
+    /// case, an instant that never ends in the chart also never ends in at least one of the parts.
     void add_up() {
         for (const ConeSearch& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// analyse: determines the Analysis of a Chart and its Equations. It decides, for all input sequences together, which
+// analyse: determines the Analysis of a Chart and its Equations. It considers all input sequences, and decides which
 // events are possible in the chart and which are impossible (codes: ir/finding.hpp).
 //
 // All evolutions are computed exactly, as sets of points. A point is a situation with the relevant stored variables,
@@ -7,7 +7,7 @@
 // search, an instant consists of the evolutions with constant inputs, until an evolution changes nothing (IEC 60848:
 // input events occur only in stable situations). In every_cycle mode, an instant is one evolution. If an instant does
 // not end, the points that repeat forever are the total instability. Since evolutions are functions, these are the
-// points with an infinite sequence of predecessors.
+// points with an infinite sequence of predecessors in the instant.
 //
 // The parts of the chart are analysed separately. A part does not depend on the rest of the chart (analyse/cones.hpp).
 // Therefore, an event that is impossible in the part is impossible in the chart. If an event is possible in the part, a

@@ -129,7 +129,7 @@ void ChartAnalyzer::dead_transitions() {
 }
 
 /// Returns the first conjunct of the condition that is false whenever the transition is enabled, or an empty string if
-/// there is none with a name.
+/// no such conjunct has a name.
 std::string ChartAnalyzer::false_part(Transition id) {
     const Exprs& exprs = equations_.exprs;
     const Id<Expr> condition = equations_.firings[id.index].condition;

@@ -87,7 +87,7 @@ void ChartAnalyzer::mark_live(Query& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }
 
-/// True if the event is possible at some point, and impossible after another one.
+/// True if the event occurs at some point, and is impossible after another point.
 bool ChartAnalyzer::has_dead_points(Passing& each, const TerminalRegions& terminal, const Bdd& sound,
                                     const std::vector<Bdd>& regions) const {
     each.comes &= terminal.reached();
@@ -146,7 +146,7 @@ void ChartAnalyzer::report_trap(const std::vector<const Passing*>& dead, const B
             for (const Passing* each : left) {
                 const Bdd both = first & each->dead_points;
                 const bool nested = both == first || both == (each->dead_points & within);
-                // Two elements that become dead with the first element need not become dead together.
+                // Two elements that can each be dead together with the first one need not be dead at a common point.
                 if ((!shown && !nested) || (goal & each->dead_points).is_false()) continue;
                 goal &= each->dead_points;
                 group.insert(each);

@@ -14,8 +14,9 @@ using Variable = Equations::Variable;
 
 constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
 
-/// Tests, in one pass over all terms, if one variable is a counter. A term whose value is the variable, or the variable
-/// plus a constant, may occur only in terms whose values depend only on its order relative to constants.
+/// Tests, in one pass over all terms, if one variable is a counter. Terms whose value is the variable, or the variable
+/// plus a constant, may occur only in certain terms: the values of these terms depend only on the order of the variable
+/// relative to constants.
 class Reader {
 public:
     Reader(const Equations& equations, const Equations::Stored& stored)

@@ -105,7 +105,8 @@ private:
 /// Shortens the distances in `order` (FORCE). Each variable, together with all variables that its next value reads, is
 /// a hyperedge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
-    // The maximum number of variables. For more variables, this computation would take longer than a search.
+    // Maximum number of variables for which the order is improved. For more variables, this computation would take
+    // longer than a search.
     constexpr std::size_t most_variables = 5000;
     if (order.size() > most_variables) return order;
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -141,7 +142,8 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
         while (first[variable] != variable) variable = first[variable] = first[first[variable]];
         return variable;
     };
-    // For each term: one integer variable on which its value depends, or none.
+    // For each integer term: one integer variable on which its value depends; none for all other terms, or if there is
+    // no such variable.
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {

@@ -13,9 +13,9 @@
 
 namespace grafverif::analysis {
 
-/// One instant of all runs together. It consists of the new points, in rings by the number of evolutions before them,
-/// and of the new rests at the end of the instant. In every_cycle mode, the first instant has no points, because it
-/// consists only of the first evolution.
+/// The instant with the same number in all runs. It consists of the new points, in rings by the number of evolutions
+/// before them, and of the new rests at the end of the instant. In every_cycle mode, the first instant has no points,
+/// because it consists only of the first evolution.
 struct Instant {
     std::size_t first = 0, end = 0;  ///< range [first, end) of the rings of this instant
     Bdd rest = {};

@@ -70,9 +70,9 @@ std::vector<Bdd> TerminalRegions::rings_from(const Bdd& points) const {
     return rings;
 }
 
-/// A single region is frequent, because most charts return to their initial situation. If each rest of the first
-/// instant leads to every other one, and all points lead to one of them, all points after this instant form one region.
-/// Then no forward search is necessary.
+/// A single region is frequent, because most charts return to their initial situation. Assume that each rest of the
+/// first instant leads to every other rest of this instant, and that all points lead to one of these rests. Then all
+/// points after this instant form one region. In this case, no forward search is necessary.
 std::optional<Bdd> TerminalRegions::single_region(const Bdd& among) const {
     Bdd starts = first_ & ends_;
     if (mode_ == ExecutionMode::EveryCycle || starts.is_false()) return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Forward and backward reachability between sets of points, over all points that a search has found, and terminal
 // regions. A terminal region is a set of points that no run leaves and in which each point is reachable from every
-// other one.
+// other point.
 //
 // An evolution that aborts has no successor, so that its point would be a separate region. Therefore, regions are
 // determined only among the points from which no run aborts.

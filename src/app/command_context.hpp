@@ -54,8 +54,8 @@ struct CommandContext {
 /// Returns the colour mode of output to `screen`, according to `--color`.
 Colour colour_on(const Screen& screen, const Options& options);
 
-/// Applies the limits of time and memory, and Ctrl-C, to the command while the object exists. Also shows a progress
-/// line on the terminal.
+/// While an object exists, the limits of time and memory and Ctrl-C apply to the command, and a progress line is shown
+/// on the terminal.
 class ResourceLimits {
 public:
     ResourceLimits(const Options& options, const Streams& streams);
@@ -77,7 +77,7 @@ std::optional<Id<Source>> read_source(const std::string& path, CommandContext& j
 
 /// Reads and parses the file at `path`, and returns its Model.
 std::optional<Model> read_model(const std::string& path, CommandContext& job);
-/// Reads `file`, which read_source has returned for `path`, to a Model.
+/// Parses `file`, which read_source returned for `path`, and returns its Model.
 std::optional<Model> read_model(Id<Source> file, const std::string& path, CommandContext& job);
 
 /// True if the options select a chart without a loop, or `model` has no loop.

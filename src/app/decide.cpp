@@ -100,7 +100,7 @@ bool keep_requested(const std::vector<std::string>& requested, Report& report, D
     return true;
 }
 
-/// Tries remedies for a check of a loop that a limit ended.
+/// Tries remedies (other options) if a limit ended the check of a loop.
 void try_remedies(const Model& model, CommandContext& job, const ResourceLimits& bounds, CheckOptions options,
                   Deadline end, Decided& decided) {
     if (!decided.loop.valid() || bounds.interrupted() || !job.options.disabled_corrections.empty()) return;

@@ -39,8 +39,8 @@ enum class Engine {
     Hwmcc,
     Nusmv,
     Nuxmv
-};  ///< Embedded, Auto: Timed for timed models; for untimed models, Symbolic or several engines in parallel
-/// Elements that `supervise` may disable.
+};  ///< Embedded and Auto select Timed for timed models, and check_together for untimed models
+/// Elements to which `supervise` adds conditions.
 enum class Held { Both, Transitions, Outputs };
 /// Program that reads a depfile.
 enum class DepfileReader { Make, Ninja, CMake };

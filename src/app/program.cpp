@@ -120,8 +120,7 @@ WatchdogOptions orders(const CommandContext& job, const Streams& streams) {
     return orders;
 }
 
-/// True for an error that is caused by a limit of this run, not by the input. The error may not occur with a higher
-/// limit.
+/// True for an error that is caused by a limit of this run, not by the input. With a higher limit, the run may succeed.
 bool about_bounds(const Diagnostic& diagnostic) {
     return diagnostic.code == "stopped" || diagnostic.code == "out-of-memory" || diagnostic.code == "threads-refused" ||
            diagnostic.code == "bound-reached";

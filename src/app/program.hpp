@@ -44,7 +44,7 @@ struct CliCommand;
 /// Returns all commands, in the order of --help.
 std::vector<CliCommand> all_commands();
 
-/// Returns an error message for an unknown command, which suggests the most similar command.
+/// Returns the error message for an unknown command. The message suggests the most similar command.
 std::string unknown_command(const std::string& name);
 
 /// Executes `grafverif ARGUMENTS`. The arguments do not include the program's name.

@@ -2,8 +2,8 @@
 // Report files of an invocation. No report of an earlier invocation remains, even if this invocation is killed. Before
 // any work, an old JUnit or SARIF report is replaced by one that states that the run did not finish. Other old reports
 // (traces, pages, findings) are removed. The reports are written after the work, also after errors. Until the inputs
-// are known, only missing files and reports are modified. Therefore a chart is not overwritten if the user names it as
-// a report by mistake.
+// are known, no existing file is modified except old reports. Therefore a chart is not overwritten if the user names it
+// as a report by mistake.
 #pragma once
 
 #include <string>

@@ -50,7 +50,7 @@ std::string validate_streams(const CliCommand& verb, const Options& options) {
     const bool is_json = options.format == Format::Json || options.format == Format::JsonLines;
     const bool writes_document = accepts(verb, OptionGroup::Output) && !accepts(verb, OptionGroup::Analysis);
     if (!options.output && writes_document && reports_on_output(options))
-        documents.push_back("what `" + verb.name + "` writes");
+        documents.push_back("the output of `" + verb.name + "`");
     else if (!options.output && is_json) documents.push_back("JSON");
     if (documents.size() > 1)
         return fmt::format("{} and {} cannot both be written to standard output; pass a file name for one of them",

@@ -38,7 +38,7 @@ public:
         const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
         counts_.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
-            ++counts_[n].parents;  // the root has one more, so that its number is not freed
+            ++counts_[n].parents;  // the additional 1 (see Count)
             meet(kernel_.table.nodes[n].low);
             meet(kernel_.table.nodes[n].high);
         }
@@ -55,7 +55,7 @@ public:
 private:
     struct Count {
         Number number = 0;
-        std::uint32_t parents = 0;  ///< number of edges to the node that are not yet processed
+        std::uint32_t parents = 0;  ///< 1 plus the number of edges to the node that are not yet processed
     };
 
     std::size_t place(Edge edge) const { return bdd::is_constant(edge) ? places_ : place_of_[kernel_.level(edge)]; }

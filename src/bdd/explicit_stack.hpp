@@ -14,8 +14,8 @@
 //   Call low(Kernel&, Frame), high(Kernel&, Frame)
 //   bool enough(Kernel&, Frame, Edge& low)      true if the low branch determines the result, which it stores in `low`
 //   Edge join(Kernel&, Frame, Edge high)        combines both results; the frame is still on the stack
-// `terminal_case` and `join` may run other operations on edges held by frames, passing each result to the next
-// operation.
+// `terminal_case` and `join` may run other operations on edges that frames contain. They must pass each result directly
+// to the next operation, because no frame protects the result from a garbage collection.
 #pragma once
 
 #include "bdd/kernel.hpp"

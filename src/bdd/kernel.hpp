@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kernel: all data of a space, which are its order, nodes, cache, and the frames of the running operation. The
 // operations on a kernel are functions in several files: kernel.cpp (allocation), collect.cpp, connectives.cpp,
-// quantify.cpp, restrict.cpp, compose.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp are read-only.
+// quantify.cpp, restrict.cpp, rename.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp create no nodes.
 //
 // The creation of a node may collect garbage or throw BddExhausted. Therefore each edge that an operation still needs
 // must be in one of its frames or be an argument of `make`. Handles protect the operands of the operation.
@@ -83,7 +83,7 @@ struct Kernel {
     NodeTable table;
     Cache cache;
     Frames frames;
-    std::uint32_t numbers = 0;  ///< number that was given last to the map of a renaming, for its entries in the cache
+    std::uint32_t numbers = 0;  ///< last number assigned to a renaming, which identifies the renaming in the cache
     std::uint64_t handles = 0;  ///< sum of `refs`
     /// Number of nodes above which operations reorder; 0 disables automatic reordering.
     std::uint64_t reorder_above = 0;

@@ -68,8 +68,8 @@ void Relation::free_of_choices() {
     choices_ = std::move(left);
 }
 
-/// Orders the parts greedily. The next part is the one after which many of its variables can be quantified and which
-/// introduces few new variables.
+/// Orders the parts greedily. Prefers a part that has many variables that no later part reads, because they can be
+/// quantified immediately, and that has few variables after a step.
 void Relation::arrange() {
     if (parts_.size() > most_arranged) return;
     std::unordered_set<std::uint32_t> after;

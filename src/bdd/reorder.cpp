@@ -138,7 +138,7 @@ private:
         while (here.first > best_first) up();
     }
 
-    /// Exchanges a level with the next one.
+    /// Exchanges `level` with the next level.
     void exchange(std::uint32_t level) {
         const std::size_t nodes = at_[level].size() + at_[level + 1].size();
         kernel_.watch.step(static_cast<std::uint32_t>(4 * nodes + 1));

@@ -80,7 +80,7 @@ private:
         return true;
     }
 
-    /// Decides whether the solvers join the symbolic engine, and records it.
+    /// Decides whether the solvers join the symbolic engine, and records the decision.
     bool join_solvers() {
         const Lock lock(mutex_);
         const bool joins = !stop_ && (working_ != 0 || memory_was_short());
@@ -294,7 +294,7 @@ private:
     std::mutex mutex_ = {};  ///< mutex for the following members
     std::condition_variable changed_ = {};
     std::size_t working_ = 0;
-    bool joined_;  ///< true if engines other than the symbolic one take part
+    bool joined_;  ///< true if engines other than the symbolic engine take part
     std::unordered_set<std::uint32_t> open_ = {};
     std::unordered_map<std::uint32_t, std::pair<Verdict, std::optional<SystemRun>>> first_ = {};
     PdrResult symbolic_ = {}, circuits_ = {};

@@ -7,9 +7,10 @@
 //
 // Without a second thread, the engines run sequentially: first for a bounded time, and then up to the deadline.
 //
-// One memory limit covers all engines. If the engines run in parallel, three quarters of it are available to decision
-// diagrams. The solvers stop when the memory that the program has allocated since the start exceeds the limit. If all
-// engines have ended and decision diagrams had too little memory, they may then use the complete memory.
+// One memory limit covers all engines. If the engines run in parallel, three quarters of the limit are available to
+// decision diagrams. The solvers stop when the memory that the program has allocated since the start exceeds the limit.
+// If all engines have ended and decision diagrams had too little memory, the symbolic engine runs again with the
+// complete memory.
 #pragma once
 
 #include "check/pdr/check.hpp"

@@ -30,7 +30,7 @@ inline Deadline share_of(const Deadline& deadline, std::size_t shares) {
     return now + (*deadline - now) / shares;
 }
 
-/// Returns the end of three quarters of the remaining time; empty without a deadline.
+/// Returns the time at which a quarter of the remaining time will be left; empty without a deadline.
 inline Deadline most_of(const Deadline& deadline) {
     const auto now = std::chrono::steady_clock::now();
     if (!deadline || *deadline <= now) return deadline;

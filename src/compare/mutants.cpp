@@ -197,7 +197,7 @@ private:
         }
     }
 
-    /// Replaces the successor by the next step in the list, cyclically, that is not already a successor.
+    /// Replaces the successor by the next step in the cyclic order of the list that is not already a successor.
     void change_successor(At at, const tree::Transition& transition, std::size_t place, const Items& list) {
         std::vector<tree::Name> steps;
         for (const tree::ChartItem& item : list)

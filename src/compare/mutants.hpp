@@ -6,7 +6,7 @@
 //   term-negated        one operand, or a complete condition, is negated; the `not` of a negation is missing
 //   and-or              `and` for `or`, and vice versa
 //   and-divergence      the branches of a parallel divergence are alternatives
-//   or-divergence       two alternatives of one step are parallel branches, with the condition of the first
+//   or-divergence       two alternatives of one step are parallel branches, with the condition of the first alternative
 //   wrong-successor     a transition leads to another step of its partial chart
 //   duration            a duration is twice as long
 //   action-missing      an action is missing

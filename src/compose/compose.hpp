@@ -18,7 +18,7 @@
 //     P2 -> W  [!stable]
 //   every_cycle: P2 -> W write(), whether stable or not.
 // All edges of the cycle are urgent. If the first evolution has an effect, an edge from the location `init` to W calls
-// start(). This is always the case in mode every_cycle, in which this edge also writes the outputs.
+// start(). In mode every_cycle, this edge always exists and also writes the outputs.
 //
 // Assignments are sequential. If an update would read a variable that an earlier update of the procedure has
 // overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer outputs that evolve() and

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Of the edges of the plant, exactly those that assign an input of a controller set its EVOL_PL (CEP13 6.2). If the
-// edges of two processes with the same template set different flags, a process uses a copy of the template
-// (`sensor_2`). Components are unchanged.
+// An edge of the plant sets the flag EVOL_PL of a controller if and only if the edge assigns an input of this
+// controller (CEP13 6.2). If the edges of two processes with the same template set different flags, a process uses a
+// copy of the template (`sensor_2`). Components are unchanged.
 #include <algorithm>
 #include <map>
 

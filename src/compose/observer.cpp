@@ -43,14 +43,15 @@ public:
         return clock_;
     }
 
-    /// Adds an edge to `to` that is taken when a state with `when` is read, unless the state satisfies the condition of
-    /// an earlier edge from `from`.
+    /// Adds an edge to `to` that is taken when the observer reads a state in which `when` is true. Earlier edges from
+    /// `from` have priority if their conditions are also true in this state.
     void sees(Location from, Id<Expr> when, Location to, bool resets = false) {
         const Id<Expr> rest = rest_[from.index];
         rest_[from.index] = both(rest, no(when));
         look(from, to, both(terms_.considered, both(rest, when)), resets);
     }
-    /// Adds an edge to `to` that can be taken at any time in a state with `when`, if the clock constraint holds.
+    /// Adds an edge to `to` that can be taken at any time in a state in which `when` is true, if the clock constraint
+    /// holds.
     void times(Location from, Id<Expr> when, Op relation, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,
@@ -92,8 +93,8 @@ private:
 
 // -- durations --------------------------------------------------------------------------------------------------------
 
-/// Locations and terms of a scope, for observers of durations and counts. If a scope is relevant only if it closes, the
-/// location `spoilt` represents a violation until the scope closes.
+/// Locations and terms of a scope, for observers of durations and counts. If only scopes that close are relevant, the
+/// location `spoilt` represents a violation in a scope that has not closed yet.
 struct Scoped {
     Location out = {};     ///< location outside the scope; for `before`: after the scope
     Location failed = {};  ///< location reached by a violation inside the scope
@@ -202,7 +203,7 @@ ObserverMade since(Observer of) {
 
 // -- counts -----------------------------------------------------------------------------------------------------------
 
-/// `p at most count times`: counts the states with p that have no predecessor in the scope or a predecessor without p.
+/// `p at most count times`: counts the states with p that are the first state of the scope or follow a state without p.
 /// The count that starts in the first state that opens the scope is not less than a count that starts in a later state.
 ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count) {
     using enum Sentence::Scope;

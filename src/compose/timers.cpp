@@ -13,7 +13,7 @@
 //
 //   t1/v            v/t2                  t1/v/t2
 //   idle -> run     off -> on             idle -> run -> done -> fall -> idle
-//   run -> done     on -> fall            fall -> both (the level is up again), both -> done, both -> run, both -> fall
+//   run -> done     on -> fall            fall -> both (the level rises again), both -> done, both -> run, both -> fall
 //   done -> idle    fall -> on, off
 #include <algorithm>
 #include <cassert>

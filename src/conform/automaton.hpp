@@ -3,7 +3,8 @@
 //
 // Conditions are decision diagrams over the inputs. In a location, every variable of the chart is constant, so that a
 // firing condition is a function of the inputs. The sets of simultaneously firable transitions (JESA13 (11) to (13))
-// are the satisfiable classes of the partition of the inputs by these functions. Single inputs are never enumerated.
+// are the satisfiable classes of the partition of the inputs by these functions. Individual valuations of the inputs
+// are never enumerated.
 //
 // With stability search, JESA13's Algorithm 6 is replaced by an algorithm that always terminates. Each class is
 // followed from a stable location through transient situations, restricted to the inputs with the same path, until the
@@ -35,8 +36,8 @@ struct AutomatonOptions {
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit of decision diagrams in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
-    /// True if the search returns an incomplete automaton when it is ended by a limit, the deadline or `stop`. Its
-    /// member `complete` is then false.
+    /// True if the search returns an incomplete automaton when a limit, the deadline or `stop` ends the search. The
+    /// member `complete` of this automaton is then false.
     bool partial = false;
     std::function<void(const ConformProgress&)> progress = {};  ///< called periodically
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dependencies of an evolution. A condition of a transition that has an upstream step must be evaluated only if this
-// step (the first one, if there are several) is active. An equation whose value changes only by firing must be
+// Dependencies of an evolution. The condition of a transition with an upstream step needs to be evaluated only if this
+// step (the first one, if there are several) is active. An equation whose value changes only by firing needs to be
 // evaluated only if a transition on which it depends fires. All other conditions of transitions and all other equations
 // are always evaluated. The results of the conditions and equations that are not evaluated are known in advance. This
 // is efficient, because an evolution concerns only few of the many transitions and variables in a large chart.

@@ -48,7 +48,8 @@ LocationCondition LocationTerms::condition(Id<Expr> term, const Values& at) {
     return {std::move(found.function->bits.front()), std::move(found.function->undefined)};
 }
 
-/// Handles the most frequent case: a conjunction or disjunction of constants of the location with terms of inputs.
+/// Handles the most frequent case: a conjunction or disjunction in which each operand reads either only inputs or none;
+/// an operand without inputs has a constant value in the location.
 std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term, const Values& at) {
     const Op op = equations_.exprs[term].op;
     if (kinds_[term.index] != Kind::Mixed || (op != Op::And && op != Op::Or)) return {};

@@ -35,7 +35,7 @@ struct Departures {
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
 
-/// A level that timers observe, with its longest rise time and one of its timers.
+/// A level that timers observe: the output of one of these timers, and the longest of their rise times.
 struct Level {
     Automaton::Input watched = {};
     std::int64_t longest = 0;

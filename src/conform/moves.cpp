@@ -3,8 +3,8 @@
 //
 //   classes   In a state, the variables of the chart are constant, so the condition of each transition is a set of
 //             inputs. These sets partition the inputs into classes. For all inputs of a class, the same set of
-//             transitions fires (JESA13 (11) to (13)). Single inputs are never enumerated. Of the 2^n sets of
-//             transitions, only sets that occur are enumerated.
+//             transitions fires (JESA13 (11) to (13)). Individual valuations of the inputs are never enumerated. Of the
+//             2^n sets of transitions, only sets that occur are enumerated.
 //   parts     In a class, the firing conditions are also constant. A next value is then a number or, rarely, a function
 //             of the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp)
 //             are unchanged.

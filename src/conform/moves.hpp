@@ -35,7 +35,7 @@ struct NoResult {
 
 class Moves {
 public:
-    /// All arguments must outlive this object. The constructor and the member functions below throw NoResult.
+    /// All arguments must outlive this object. The constructor and the member functions below can throw NoResult.
     Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
     /// Returns the moves of the evolution that activates the initial steps.

@@ -179,8 +179,8 @@ struct Leaving {
     }
 };
 
-/// Returns one arc per pair of different nodes: the first arc without a waiting time, or the first arc if all arcs have
-/// one.
+/// Returns one arc per pair of different nodes: the first arc without a waiting time, or the first arc if all arcs of
+/// the pair have a waiting time.
 std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derivation: data shared by all functions of derive. A Derivation contains the chart, the equations so far, the map
-// from elements of the chart to the equations, and the size limits of substitution.
+// Derivation: data shared by all functions of derive. A Derivation contains the chart, the equations derived so far,
+// the map from elements of the chart to the equations, and the size limits of substitution.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct Hierarchy {
     /// be enabled. For a macro-step, they are the entry and exit step of its expansion; otherwise both are the step
     /// itself.
     std::vector<Id<Chart::Step>> entered = {}, left = {};
-    /// For each partial chart: the chart that contains it as a (nested) expansion; otherwise itself.
+    /// For each partial chart: the chart that contains it as a (nested) expansion; otherwise the partial chart itself.
     std::vector<Id<Chart::PartialChart>> root_chart = {};
     /// Root charts in topological order: each chart follows the charts that enclose or force it.
     std::vector<Id<Chart::PartialChart>> order = {};

@@ -72,14 +72,14 @@ struct Refusal {
                 diagnostics.add(messages::edge_of_edge(action.origin));
     }
 
-    /// With an edge in its condition, the action would not be continuous.
+    /// Reports edges in assignation conditions, because such an action would not be continuous.
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
                 diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
-    /// An event is instantaneous; therefore its term must contain an edge.
+    /// Reports events without an edge: an event is instantaneous, so that its term must contain an edge.
     void events() const {
         for (const Chart::StoredAction& action : chart.stored)
             if (action.on == Chart::StoredOn::Event && !edge.needed[action.event.index])
@@ -157,7 +157,7 @@ void index_actions(Derivation& derivation) {
 /// Returns the stability condition: one more cycle with the same inputs would change nothing. A stored value changes
 /// only when a transition is cleared, when a step changes (which also requires a clearing), or at an event (which
 /// requires an edge). Forced and enclosed charts are consistent with their forcing orders and enclosing steps from
-/// power-on, and change only when these change.
+/// power-on, and change only when one of these orders or steps changes.
 Id<Expr> stable(Derivation& derivation) {
     const Equations& equations = derivation.equations;
     Exprs& exprs = derivation.equations.exprs;

@@ -119,7 +119,7 @@ private:
         return inner == region;
     }
 
-    /// Sorts the homes by Kahn's algorithm. Charts that remain lie on a cycle or depend on a chart of a cycle.
+    /// Sorts the root charts by Kahn's algorithm. Charts that remain lie on a cycle or depend on a chart of a cycle.
     void sort_root_charts() {
         std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
         std::vector<std::size_t> waits(chart_.partial_charts.size());
@@ -153,7 +153,7 @@ private:
         initial.resize(chart_.steps.size());
         for (const Id<Chart::Step> step : chart_.steps.ids())
             if (chart_.steps[step].initial) initial[result_.entered[step.index].index] = true;
-        // For each home: forcing orders for it or its expansions.
+        // For each root chart: forcing orders for this chart or its expansions.
         std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());
         for (const Id<Chart::ForcingOrder> id : chart_.forcing.ids())
             orders[result_.root_chart[chart_.forcing[id].forced.index].index].push_back(id);
@@ -223,8 +223,8 @@ private:
             diagnostics_.add(messages::forced_differently(second.origin, partial(first.forced).name, first.origin));
     }
 
-    /// False if the steps, or the steps that contain them, are different steps of one partial chart. Such steps are
-    /// possibly never active simultaneously.
+    /// False if the steps, or the steps that contain them, are different steps of one partial chart. It is possible
+    /// that such steps are never active simultaneously.
     bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
         for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
             for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)

@@ -59,7 +59,7 @@ public:
             if (chart_.steps[step].activation_link) linked_[hierarchy_.entered[step.index].index] = true;
         std::vector<Equations::StepActivity>& steps = derivation_.equations.steps;
         steps.resize(chart_.steps.size());
-        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // per home
+        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // per root chart
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (hierarchy_.root_chart[id.index] != id) expansions[hierarchy_.root_chart[id.index].index].push_back(id);
         for (const Id<Chart::PartialChart> root_chart : hierarchy_.order) {

@@ -142,8 +142,8 @@ private:
         return blocks.size() - 1;
     }
 
-    /// Returns a block that contains `block` in parallel with the blocks of `hanging` that are not longer, or with all
-    /// blocks of `hanging`.
+    /// Returns a block that contains `block` in parallel with those blocks of `hanging` that are not longer than
+    /// `block` or, if `all` is true, with all blocks of `hanging`.
     std::size_t with_hanging(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;
         std::vector<std::size_t> parts{block}, others;

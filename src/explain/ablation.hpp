@@ -11,7 +11,7 @@
 //
 // Removing a guard, a timing or an instance over-approximates the loop: all reachable states remain reachable, apart
 // from the locations and clocks of a removed instance. Therefore, if a property of all states still holds, it does not
-// need the element. Removing any other element gives a model that is not comparable.
+// need the element. Removing any other element gives a model whose behaviour is not comparable with that of the loop.
 #pragma once
 
 #include <cstdint>

@@ -52,7 +52,8 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
                                 const std::vector<NetworkState>& states, std::optional<std::size_t> loop,
                                 std::size_t most = most_terms);
 
-/// Returns the causes in a run of an untimed model. `loop` is the loop of the run, in which no state is repeated.
+/// Returns the causes in a run of an untimed model. A SystemRun does not contain the first state of its loop a second
+/// time.
 std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                 std::size_t most = most_terms);
 

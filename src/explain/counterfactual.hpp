@@ -4,10 +4,10 @@
 //
 // A move is free if nothing forces it: an edge of the plant or its environment that is not urgent and whose source
 // location has no invariant. To omit a set of free moves, the run is re-executed from power-on:
-//   free moves and delays   are kept in the same order, each after the same time; if one is impossible, the remaining
+//   free moves and delays   are kept in the same order, each after the same time; if any is impossible, the remaining
 //                           moves are not a run, and the set is not a change
 //   all other moves         are kept if they are possible, and omitted otherwise
-//   forced moves            if time may not pass, or a free move is impossible, the first edge of the network that is
+//   forced moves            if time cannot pass, or a free move is impossible, the first edge of the network that is
 //                           enabled and not free is taken first; also at the end, if an urgent edge is enabled
 // The result is a run of the network. The property must hold in all of its states.
 #pragma once

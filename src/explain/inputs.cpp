@@ -291,8 +291,8 @@ InputChange fewest_input_changes(const System& system, const Property& property,
 
 namespace {
 
-/// Returns the first event, from `first` on, at which `chart_run` shows the expiry of the timer. The event may be later than
-/// `last`, if the step of the timer becomes active later. If there is no such event, returns `last`.
+/// Returns the first event, from `first` on, at which `chart_run` shows the expiry of the timer. The event can be later
+/// than `last` if the step of the timer becomes active later. If there is no such event, returns `last`.
 std::size_t event_of(const ChartRun& chart_run, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
     for (std::size_t moment = first; moment < chart_run.moments.size(); ++moment)
         if (chart_run.moments[moment].timer == timer) return moment;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The shortest change of a run with free inputs (no plant): a smallest set of events of inputs and timers such that a
 // property about single states holds along the run without them. The events, state by state:
-//   an input changes   its value differs from that in the previous state; in the first state, from 0, or from the value
-//                      of its range that is closest to 0
+//   an input changes   its value differs from that in the previous state; in the first state, from the value
+//                      in its range that is closest to 0
 //   a timer expires    its output is true, and was false in the previous state; in the first state, it is true
 //
 // To omit events, the run is re-executed from the first state. If the change of an input is omitted, the input keeps

@@ -34,7 +34,7 @@ bool is_of_controllers(const Event& moment) {
     return moment.kind == ChartRun::Kind::Controller || (moment.kind == ChartRun::Kind::Timer && moment.internal);
 }
 
-/// Returns the sequence of situations of `controller` in the loop, which ends with the first situation again. The
+/// Returns the situations of `controller` in the loop, as a sequence that ends with the first situation again. The
 /// result is empty if an evolution in the loop is stable, if there is no evolution, or if another controller changes
 /// the inputs of `controller`.
 std::string cycle_of(const ChartRun& run, Id<ChartRun::Controller> controller) {

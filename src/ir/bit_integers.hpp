@@ -121,7 +121,7 @@ Bit less(const Integer<Bit>& left, const Integer<Bit>& right) {
     const std::size_t width = std::max(left.size(), right.size());
     Bit result;
     for (std::size_t place = 0; place < width; ++place) {
-        const bool sign = place + 1 == width;  // a number with a sign bit of 1 is smaller
+        const bool sign = place + 1 == width;  // if the sign bits differ, the number with sign bit 1 is smaller
         const Bit& low = sign ? bit(right, place) : bit(left, place);
         const Bit& high = sign ? bit(left, place) : bit(right, place);
         result = ite(low ^ high, high, result);

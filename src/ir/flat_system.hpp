@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // FlatSystem: a TransitionSystem without modules. Its state variables and choices are in one table, and definitions and
 // parameters are substituted. The engines use this form. The values that an external model checker prints are converted
-// to values of its variables.
+// to values of the variables of this form.
 //
 // Variable leaves of `exprs` index `variables`. Shared terms remain shared: a term is a graph, and traversing it as a
-// tree may take exponential time (see `values` and BddTerms).
+// tree may take exponential time (see evaluate_all and BddTerms).
 #pragma once
 
 #include <cstdint>

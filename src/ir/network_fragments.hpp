@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Localization: partition of a network into fragments ("cells"). There is one fragment per partial chart, which also
-// contains the surrounding instances. A network is over-approximated by some of its fragments. The other fragments are
-// replaced by an over-approximation of their effects on the chosen fragments.
+// Localization: partition of a network into fragments ("cells"). There is one fragment per partial chart; it also
+// contains the instances around this chart. A network is over-approximated by some of its fragments. The other
+// fragments are replaced by an over-approximation of their effects on the chosen fragments.
 //
 // Each fragment has separate processes and variables. An instance that communicates with exactly one chart belongs to
 // the fragment of that chart. Instances between charts, such as a buffer, form separate fragments. An instance that

@@ -55,12 +55,12 @@ struct InputAblations {
     bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
     bool ignore_evolutions = false;  ///< evolutions need not end
     // Premises of PossibleProof (check/inputs/possible.hpp):
-    bool one_bound = false;         ///< rule 3 for one bound only
+    bool one_bound = false;         ///< rule 3 is applied to one bound only
     bool any_edge = false;          ///< edges need not be possible for all values of the clocks
     bool need_not_return = false;   ///< instances of the panel need not be able to return
     bool need_not_diverge = false;  ///< time need not diverge
     // Premises of prove_response (check/inputs/response.hpp):
-    bool need_not_take_time = false;  ///< infinitely many moves may need bounded time
+    bool need_not_take_time = false;  ///< infinitely many moves may be possible in bounded time
     bool round_inward = false;        ///< rounded bounds of observers become stronger instead of weaker
 };
 
@@ -76,7 +76,8 @@ struct AbstractableProcess {
     bool autonomous = false;
     bool can_rest = false;  ///< true if the process has no invariant and no urgent edge: it need not move
     bool lively = false;    ///< true if the process is autonomous, can rest, and can always move after some time
-    /// True if the process is autonomous, can rest, and can always return to its initial state by edges that only wait.
+    /// True if the process is autonomous, can rest, and can always return to its initial state by edges whose clock
+    /// constraints are only lower bounds.
     bool returns = false;
 
     bool operator==(const AbstractableProcess&) const = default;

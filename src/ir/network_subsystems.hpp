@@ -39,7 +39,7 @@ std::string name_of_part(const Network& network, const NetworkSubsystems& parts,
 
 /// A separate network that consists of some parts of a network. The subnetwork keeps the names and processes of
 /// controllers, and the conjuncts of `settled` that read these parts. Its properties are the properties that
-/// SubNetworkBuilder::ask added.
+/// SubNetworkBuilder::add_property added.
 struct SubNetwork {
     Network network = {};
     std::vector<Id<Network::Process>> processes = {};  ///< for each process: its id in the complete network

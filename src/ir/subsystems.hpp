@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a TransitionSystem. In each step, exactly one part moves. The functions assign symbols to parts and project
+// Parts of a TransitionSystem. In each step, at most one part moves. The functions assign symbols to parts and project
 // a system to some parts.
 #pragma once
 

@@ -158,7 +158,7 @@ void check_properties(const System& system, Sorts& sorts, Faults& faults) {
         const bool foreign = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock ||
                              property.pattern == Pattern::RawUppaal || property.pattern == Pattern::ReachableAllSteps ||
                              property.pattern == Pattern::Watched;
-        if (foreign) faults.push_back(where + " is not an operator of transition systems");
+        if (foreign) faults.push_back(where + " has a pattern that transition systems do not support");
         for (const Id<Expr> operand : property.operands)
             sorts.check(operand, Sort::Boolean, where + ": operand", faults);
     }

@@ -25,7 +25,8 @@ inline std::string watched_name(const Equations& equations, const Equations::Tim
     return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";
 }
 
-/// `place` maps a variable of the equations to the corresponding variable of the model.
+/// Returns the names and roles for a model with variables of the type `Variable`. `place` maps a variable of the
+/// equations to the corresponding variable of the model.
 template <class Variable, class Place>
 ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mode, const Place& place) {
     ControllerWords<Variable> words{.name = equations.name, .mode = mode};

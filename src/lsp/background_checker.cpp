@@ -22,7 +22,7 @@ namespace {
 
 constexpr auto progress_interval = std::chrono::milliseconds(250);
 
-/// True if the position is in the main file of the root, which is its first source. A position in an included file
+/// True if the position is in the main file, which is the first source of the root. A position in an included file
 /// belongs to the root of that file.
 bool is_of(const Root&, Span origin) { return origin.source.valid() && origin.source.index == 0; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Diagnostic store: the current diagnostics of every open document and of every file that includes one. Each file is
-// parsed separately, as by `check`, and is parsed again when one of its sources changes.
+// Diagnostic store: the current diagnostics of every open document and of every file that includes an open document.
+// Each file is parsed separately, as by `check`, and is parsed again when one of its sources changes.
 #pragma once
 
 #include <map>

@@ -39,8 +39,8 @@ public:
     std::size_t lines() const { return anchors_.back().position.line + std::size_t{1}; }
 
 private:
-    /// A known pair of offset and position: the beginning of a line, or a character within a long line. Anchors in a
-    /// long line have regular distances, so that no conversion traverses a complete line.
+    /// A known pair of offset and position: the beginning of a line, or a character within a long line. A long line has
+    /// an anchor about every 256 bytes, so that no conversion traverses a complete long line.
     struct Anchor {
         std::uint32_t offset = 0;
         Position position = {};

@@ -51,7 +51,7 @@ struct PageContent {
     std::vector<ChartContent> charts = {};          ///< charts of the controllers, in order
     std::vector<ComponentContent> components = {};  ///< components of the plant, without duplicates
     Report report = {};
-    std::vector<Trial> trials = {};    ///< of remedies, if a limit ended the check
+    std::vector<Trial> trials = {};    ///< trials of remedies, if a limit ended the check
     std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart
     std::string warnings = {};         ///< diagnostics as text
 };

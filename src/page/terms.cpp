@@ -242,7 +242,7 @@ const char* pattern_of(Pattern pattern) {
     unreachable();
 }
 
-/// Returns the heading of each operand of the sentence, which states the role of the operand.
+/// Returns, for each operand of the sentence, a heading that states the role of the operand.
 std::vector<std::string> headings_of(const Sentence& sentence) {
     const std::string bound = bound_text(sentence);
     const auto own = [&]() -> std::vector<std::string> {

@@ -264,7 +264,8 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    // A timelock is then reported only as a note, which does not justify a search of the complete loop.
+    // If all requested properties have observers, a timelock is reported only as a note. A note does not justify a
+    // search of the complete loop.
     if (only_watched) {
         rest.properties = {"no_timelock"};
         rest.limits.states =

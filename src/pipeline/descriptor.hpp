@@ -36,7 +36,7 @@ struct Pipe {
 /// Creates a pipe that child processes do not inherit. Throws std::system_error.
 Pipe make_pipe();
 
-/// Makes reads and writes of `number` non-blocking.
+/// Makes reads and writes of `descriptor` non-blocking.
 void set_nonblocking(const Descriptor& descriptor);
 
 /// Throws std::system_error with this code and text.

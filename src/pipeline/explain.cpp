@@ -26,7 +26,7 @@ namespace grafverif {
 
 namespace {
 
-/// Checks the properties that are violated at power-on again, with `at stable`, and reports whether they then hold.
+/// Checks again, with `at stable`, each property that is violated at power-on, and reports whether it then holds.
 void explain_power_on(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
                       Report& report) {
     Network settled = network;
@@ -61,7 +61,8 @@ StopRequested stopped_by(const Limits& limits) {
     };
 }
 
-/// Maximum number of moves or steps of a search for the shortest change.
+/// Maximum effort of a search for the shortest change: the total number of executed moves of a network, steps of a
+/// system, or evolutions of a chart.
 constexpr std::size_t most_moves = 5000, most_steps = 20'000;
 
 /// Marks the values that cause the failure, and searches for moves without which the property holds.

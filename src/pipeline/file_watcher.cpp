@@ -30,8 +30,8 @@ FileWatcher::FileStamp FileWatcher::stamp(const std::string& path) {
 
 void FileWatcher::note(const std::string& path) { note(std::vector{path}); }
 
-/// Records the files. If a file is written again immediately after a write, its time stamp may not change. Therefore
-/// the function first waits briefly.
+/// Records the files. If a file is written again immediately after a write, its time stamp can remain the same.
+/// Therefore the function first waits briefly.
 void FileWatcher::note(const std::vector<std::string>& paths) {
     constexpr std::int64_t tick = 20'000'000;
     std::vector<FileStamp> seen(paths.size());
@@ -49,7 +49,7 @@ void FileWatcher::note(const std::vector<std::string>& paths) {
     }
     for (std::size_t k = 0; k < paths.size(); ++k) {
         const auto [place, is_new] = seen_.try_emplace(paths[k], seen[k]);
-        // If the file has changed since it was recorded, it keeps an impossible stamp, so that it stays changed.
+        // If the file has changed since it was recorded, it gets an impossible stamp, so that it remains changed.
         if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};
     }
 }

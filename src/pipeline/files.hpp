@@ -35,13 +35,14 @@ std::string file_identity(const std::filesystem::path& path);
 /// Returns the identity of an existing file of any type, or an empty string if there is none.
 std::string identity_of_existing(const std::string& path);
 
+/// The result of files_below.
+struct FilesBelow {
+    std::vector<std::string> files = {}, folders = {};  ///< the files found, and all visited folders
+};
 /// Finds the files below `folder` with names that end in `ending`, and returns them in alphabetical order. Hidden
 /// folders and file systems of the kernel, such as /proc, are skipped; links to folders are not followed. `most` is the
 /// maximum number of files and folders to visit; each visit decrements it. If it is not sufficient, or if `stop`
 /// becomes true, `most` is 0 after the call.
-struct FilesBelow {
-    std::vector<std::string> files = {}, folders = {};  ///< the files found, and all visited folders
-};
 FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most,
                        const std::atomic<bool>* stop = nullptr);
 

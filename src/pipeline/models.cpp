@@ -32,7 +32,7 @@ bool interleave(const ClosedLoop& loop, const ModelOptions& how) {
            how.untimed.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
 }
 
-/// Returns the network of the interleaved processes.
+/// Returns the network of the loop, with the observers of its properties, for interleaved processes.
 std::optional<Network> with_observers(const Network& plant_network, const ClosedLoop& loop,
                                       std::span<const Equations> equations, const ModelOptions& how, Vacuity vacuity,
                                       Diagnostics& diagnostics) {

@@ -18,8 +18,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_single = 3;                          // properties tried one by one
-constexpr std::uint64_t more_states = std::uint64_t{1} << 20U;  // if their number is limited
+/// Maximum number of properties for which a trial with only this property is made.
+constexpr std::size_t most_single = 3;
+/// Number of states allowed in a trial if the check was limited to fewer states.
+constexpr std::uint64_t more_states = std::uint64_t{1} << 20U;
 
 /// Options to try.
 struct Remedy {
@@ -38,7 +40,7 @@ bool is_left_open(const PropertyResult& answer) {
             obstacle == UnknownReason::Stopped);
 }
 
-/// The name that selects it.
+/// Returns the value of `--property` that selects the property of the result.
 std::string selection(const PropertyResult& answer) {
     const std::string family = family_of(answer);
     return family.empty() ? answer.verdict.property : family;
@@ -73,7 +75,8 @@ public:
 private:
     const ClosedLoop& loop() const { return check_.model.loops[check_.loop]; }
 
-    /// The options that select `properties`; none if these are all properties of the check.
+    /// Returns `options` with `--property` for each of `properties`, or unchanged if these are all properties of the
+    /// check.
     std::string with_properties(std::string options, const std::vector<std::string>& properties) const {
         if (!is_part_ && properties.size() == open_.size()) return options;
         for (const std::string& name : properties) options += (options.empty() ? "--property " : " --property ") + name;
@@ -148,8 +151,8 @@ private:
         return trial;
     }
 
-    /// The consequence for grain phased of a verdict for grain atomic, whose runs are runs of both. An observer sees
-    /// more states of a phased run.
+    /// Returns the consequence for grain phased of a verdict for grain atomic. Each run in grain atomic is also a run
+    /// in grain phased, but an observer sees more states of the latter.
     std::string grain_text(const PropertyResult& answer) const {
         const auto property = std::ranges::find(loop().properties, selection(answer), &Property::name);
         if (property == loop().properties.end()) return "applies to grain atomic";
@@ -163,9 +166,9 @@ private:
 
     const LimitedCheck& check_;
     const Report& report_;
-    std::vector<std::string> open_ = {};  // names that select the open properties
-    std::set<std::string> results_ = {};  // the open verdicts
-    bool is_part_ = false;                // the check had other properties
+    std::vector<std::string> open_ = {};  // values of `--property` that select the open properties
+    std::set<std::string> results_ = {};  // names of the open verdicts
+    bool is_part_ = false;                // true if not all properties of the check are open
 };
 
 }  // namespace
@@ -176,7 +179,8 @@ bool needs_remedies(const Report& report) {
 
 std::vector<Trial> tried_remedies(const LimitedCheck& check, const Report& report, Deadline end) {
     if (is_over(end, check.options.limits.stop)) return {};
-    // A trial composes the model again, which no deadline ends.
+    // Each trial composes the model again, and composition ignores the deadline. Therefore the time for composition is
+    // measured first.
     const Clock::time_point begin = Clock::now();
     Diagnostics ignored;
     try {

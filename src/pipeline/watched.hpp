@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Returns the operands of a property in the notation of conditions.
+// Operands of properties as text.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 
 namespace grafverif {
 
+/// Returns the operands of a property in the notation of conditions.
 std::vector<std::string> operand_texts(const Network& network, const Property& property);
 
 }  // namespace grafverif

@@ -27,7 +27,8 @@ using ProofCore = ProofExplanation::ProofCore;
 using ModelElement = ProofExplanation::ModelElement;
 using Names = std::vector<std::string>;
 
-/// True if `verdict` concerns the property called `name` or a step of it.
+/// True if `verdict` concerns the property called `name`, or one step of it if the property is `reachable all steps`:
+/// `all.X1`.
 bool is_of(const Verdict& verdict, const std::string& name) {
     return verdict.property == name || verdict.property.starts_with(name + '.');
 }
@@ -231,7 +232,7 @@ private:
     void leave_out(Trial& trial) {
         if (trial.open.empty() || stopped()) return;
         const Deadline end = next_end();
-        Names timeless;  // properties that read a timer that is also removed
+        Names timeless;  // properties that read a timer that the change removes
         Model without = model_;
         trial.change(without);
         Table<Property> kept;
@@ -397,9 +398,9 @@ private:
         return order;
     }
 
-    /// Removes each undecided element; an element that is not needed remains removed. Then tries to remove all elements
-    /// that are still undecided together and, in the last pass, once more one by one. Each pass explores more states
-    /// than the previous one.
+    /// Removes each undecided element; an element that is not needed remains removed. Then tries to remove all
+    /// remaining undecided elements at once. If some are still undecided in the last pass, tries each of them once
+    /// more. Each pass explores more states than the previous one.
     void leave_out_parts(PartsOf& parts) {
         ProofCore& ground = why_.grounds[parts.ground];
         for (const bool again : {false, true}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proof cores: the elements of a loop on which the proofs of its properties depend. The loop is checked again without
-// each single element.
+// Proof cores: the elements of a loop on which the proofs of its properties depend. For each element, the loop is
+// checked again without this element.
 #pragma once
 
 #include "grafverif/grafverif.hpp"
@@ -10,8 +10,8 @@
 namespace grafverif {
 
 /// Analyses the properties in `report` that hold and are declared; see ProofExplanation. Each search explores at most
-/// the number of states that `options` allow, by default eight times the states of the first search, but at least 100
-/// 000 (see VariantSearch). Elements that are undecided when the analysis is stopped or reaches its deadline remain
+/// the number of states that `options` allow, by default eight times the states of the first search, but at least
+/// 100,000 (see VariantSearch). Elements that are undecided when the analysis is stopped or reaches its deadline remain
 /// undecided.
 ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                               const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});

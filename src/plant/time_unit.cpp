@@ -82,7 +82,7 @@ std::int64_t common_divisor(const std::vector<Duration>& all) {
     return divisor;
 }
 
-/// Returns, for each distinct duration, the greatest common divisor of all others.
+/// Returns, for each distinct duration, the greatest common divisor of all other durations.
 std::map<std::int64_t, std::int64_t> divisors_without(const std::vector<Duration>& all) {
     std::map<std::int64_t, std::int64_t> without;
     for (const Duration& duration : all) without.emplace(duration.milliseconds, 0);

@@ -16,9 +16,9 @@ namespace grafverif {
 /// duration exceeds 10,000 units.
 std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
-/// Returns the duration, with all its occurrences, without which the time unit would be coarsest, or nullopt if no
-/// duration has this effect alone. If the loop declares a finer unit than its durations require, the result is that
-/// unit, with duration 0.
+/// Returns the duration whose removal, at all its occurrences, would make the time unit coarsest, or nullopt if no
+/// removal of a single duration makes the unit coarser. If the loop declares a finer unit than its durations require,
+/// the result is the declared unit, with duration 0.
 std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop);
 
 }  // namespace grafverif

@@ -101,7 +101,7 @@ PlantVariables shared_variables(const Model& model, const ClosedLoop& loop) {
     return plant;
 }
 
-/// Checks that only one instance or controller writes each shared variable (CEP13 4.2).
+/// Checks that each shared variable has at most one writer, which is an instance or a controller (CEP13 4.2).
 void check_writers(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
     std::vector<const std::string*> writers(loop.shared.size(), nullptr);
     for (const Id<ClosedLoop::Shared> shared : loop.shared.ids())

@@ -14,7 +14,8 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t deepest_expression = 1000;
-// This maximum is lower than the limit of 1000 bytes, to leave space for a prefix and a number.
+// Maximum length of an imported name in bytes. It is lower than the limit of 1,000 bytes for names, so that a prefix
+// and a number can be added.
 constexpr std::size_t longest_name = 900;
 
 /// Reserved words, which are not allowed as names (see grammars/grafcet.yy).

@@ -99,7 +99,7 @@ private:
         if (!value) term(one.value);
     }
 
-    /// Marks variables outside of comparisons with constants as unbounded.
+    /// Marks variables that occur outside of comparisons with constants as unbounded.
     void term(Id<tree::Expr> root) {
         if (!root.valid()) return;
         std::vector<Id<tree::Expr>> work = {root};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Determines the ranges of integers for which an imported file specifies none. For a variable that is only compared
-// with constants and assigned constants, these values are sufficient. For an input, one smaller value and one larger
-// value are added, because the chart cannot distinguish further values. Any other variable has the complete range of
-// its type.
+// Determines the ranges of integers for which an imported file does not specify a range. For a variable that is only
+// compared with constants and assigned constants, the values of these constants are sufficient. For an input, one
+// smaller value and one larger value are added, because the chart cannot distinguish further values. Any other variable
+// has the complete range of its type.
 #pragma once
 
 #include <cstdint>

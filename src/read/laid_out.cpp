@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Assigns positions to an imported tree in the order of the input language: elements that are printed first have
-// smaller positions. A comment is attached to the element that it describes by the position of the element in the
-// imported file. If the element no longer exists, the comment is placed at the head of the file.
+// smaller positions. A comment refers to the element that it describes by the position of this element in the imported
+// file. If the element no longer exists, the comment is placed at the head of the file.
 #include <map>
 #include <utility>
 
@@ -15,7 +15,7 @@ namespace {
 class Layout {
 public:
     explicit Layout(tree::File& file) : file_(file) {
-        // Reserves positions for the comments of the head.
+        // Reserves positions for the comments at the head of the file.
         position_ += static_cast<std::uint32_t>(file.comments.size());
         for (tree::Comment& comment : file.comments) hung_[comment.where.begin].push_back(std::move(comment));
         file.comments.clear();

@@ -47,8 +47,8 @@ struct Open {
     std::size_t next = 0;  ///< next declaration to process
 };
 
-/// Parses each file once. Cycles and unreadable files are reported at the include line; for the latter, `missing` is
-/// set.
+/// Parses each file once. Cycles and unreadable files are reported at the include line; `missing` is set if a file is
+/// unreadable.
 std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, const ReadContext& context,
                                             bool& missing, Diagnostics& diagnostics) {
     std::vector<tree::File> files;

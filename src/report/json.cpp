@@ -78,7 +78,7 @@ Json property(const Report& report, const PropertyResult& answer, const Sources&
     return made;
 }
 
-/// One object per trial of a remedy.
+/// Returns one object per trial of a remedy.
 Json trials_json(const std::vector<Trial>& trials) {
     Json list = Json::array();
     for (const Trial& trial : trials) {

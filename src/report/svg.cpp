@@ -43,7 +43,7 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-/// The states to draw, one column for each: the states after the rows in the selected range.
+/// One column for each row of the run in the selected range: the state after this row.
 using Columns = std::vector<const ChartRun::State*>;
 
 Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {

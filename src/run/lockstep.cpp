@@ -52,7 +52,8 @@ private:
 
     bool is_stopped() const { return side_.stop && program_->cells()[*side_.stop] != 0; }
 
-    /// Repeats the scan until nothing changes. Returns the reason why this does not happen, or an empty string.
+    /// Repeats the scan until nothing changes. If the program does not settle, returns the reason, otherwise an empty
+    /// string.
     std::string repeat(const std::vector<std::int64_t>& inputs) {
         std::set<std::vector<std::int64_t>> seen;
         std::vector<std::int64_t> before = settling_values();

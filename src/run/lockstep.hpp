@@ -18,7 +18,7 @@ namespace grafverif {
 /// One of the controllers. The chart or program must outlive the execution.
 struct LockstepSide {
     const Chart* chart = nullptr;
-    const Program* program = nullptr;      ///< if there is no chart
+    const Program* program = nullptr;      ///< null if the controller is a chart
     std::vector<std::size_t> inputs = {};  ///< for each input of the controller: its index in Comparison::inputs
     /// For each of Comparison::outputs: index among the outputs of the chart, or cell of the program.
     std::vector<std::size_t> outputs = {};
@@ -33,16 +33,16 @@ public:
     Lockstep(std::array<LockstepSide, 2> sides, ExecutionMode mode, std::vector<Comparison::Variable> inputs)
         : sides_(std::move(sides)), mode_(mode), inputs_(std::move(inputs)) {}
 
-    /// Returns the responses of both to each scan, in the order of Comparison::inputs and outputs. The execution ends
-    /// after the first scan in which one of them stops.
+    /// Returns the responses of both controllers to each scan, in the order of Comparison::inputs and outputs. The
+    /// execution ends after the first scan in which a controller stops.
     std::array<std::vector<Comparison::ScanOutputs>, 2> answers(const std::vector<Comparison::Scan>& scans) const;
 
-    /// Returns the first scan with different responses. Both have responded to all previous scans.
+    /// Returns the first scan with different responses. Both controllers have responded to all previous scans.
     std::optional<std::size_t> difference(const std::vector<Comparison::Scan>& scans) const;
 
     /// Returns a simpler sequence of the same length that also ends with the first difference. If possible, it has less
-    /// time between scans (0, or one of `times`; no other time if `times` is empty) and fewer input changes. It
-    /// satisfies the constraints of both charts.
+    /// time between scans (0, or one of `times`) and fewer input changes. If `times` is empty, the time between scans
+    /// is unchanged. The sequence satisfies the constraints of both charts.
     std::vector<Comparison::Scan> simplified(std::vector<Comparison::Scan> scans,
                                              const std::vector<std::int64_t>& times) const;
 

@@ -123,8 +123,8 @@ void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const 
         if (probed_by(probe) == property.name) add(probe);
 }
 
-/// Adds the observers and the properties of the loop, those that read an observer after the others, and the properties
-/// that exclude races and values outside their ranges.
+/// Adds the observers, the properties of the loop, and the properties that exclude races and values outside their
+/// ranges. Properties that read an observer are added after all other properties of the loop.
 void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     const ClosedLoop& loop = meaning.loop;
     const Network& network = plant.context.network;

@@ -9,10 +9,11 @@
 //                    edge is enabled
 //   shared variable  a variable of the module that writes it, or a definition if the location determines its value; a
 //                    variable of main if it has several writers (the flags of the PLC)
-//   time             abstract: clocks are omitted, so that a timed edge may be taken at any time: the model has every
-//                    run of the timed loop, and more. Discrete: clocks are bounded counters of their modules, with the
-//                    normalization of the timed engine, and `move = of_time` is a tick: the states are those of the
-//                    engine. `no deadlock` is translated to `always possible` for an edge, and `no timelock` for a tick
+//   time             abstract: clocks are omitted, so that a timed edge may be taken at any time. The model has all
+//                    runs of the timed loop, and further runs. Discrete: clocks are bounded counters of their modules,
+//                    with the normalization of the timed engine, and `move = of_time` is a tick. The states are those
+//                    of the timed engine. `no deadlock` becomes `always possible` of an edge, and `no timelock` becomes
+//                    `always possible` of a tick
 //   observer         a module that observes every step
 //
 // The system is total. If an urgent edge is enabled, its process can move; otherwise `none` can be chosen. If clocks
@@ -31,8 +32,8 @@
 
 namespace grafverif {
 
-/// Requires that `network` is the result of compose for `loop` and the `equations` of its controllers. The result is
-/// empty after an error: a variable has too many values for a symbolic model.
+/// Translates `network`, which must be the result of compose for `loop` and the `equations` of its controllers. The
+/// result is empty after an error: a variable has too many values for a symbolic model.
 std::optional<TransitionSystem> schedule_network(const Model& model, const ClosedLoop& loop,
                                                  std::span<const Equations> equations, const Network& network,
                                                  const ScheduleOptions& options, Diagnostics& diagnostics);

@@ -107,7 +107,8 @@ private:
                                : exprs().integer(options_.interval_ms.value_or(0) / options_.unit_ms);
     }
 
-    /// Under stability search, returns the parameter `turn` of a program that executes one scan in the first step.
+    /// Returns the argument for the parameter `turn` of a program. Under stability search without `settles`, it is true
+    /// only in the first step of a scan, so that the program executes one scan.
     Id<Symbol> add_first_turn(Id<Symbol> turn) {
         if (!searches() || options_.settles || (!is_program(0) && !is_program(1))) return turn;
         fresh_ = main_.draft.add("fresh", Type{}, TransitionSystem::StateSymbol{exprs().constant(true), waits()},

@@ -3,22 +3,23 @@
 // scan as by a PLC: inputs are read, the chart computes its outputs, and time passes. Inputs and times are arbitrary,
 // but the same for both charts. Either of them can be a PLC program, whose scan is one step.
 //
-// A step of the system is one evolution of both charts or, if both have answered the scan (`waits`), the time until the
-// next scan and its inputs. Under stability search the inputs are constant until both charts are quiescent; a chart
-// that is quiescent earlier continues without changes. In every_cycle mode a scan is one evolution. A fault (race,
-// value out of range, undefined value) is also an answer, and permanent. If the mode is stability search, a program
-// executes one scan in the first step of a scan. With `settles`, it repeats its scan, without time between the
-// repetitions, until nothing changes. A run-time fault is a fault of a program.
+// A step of the system is one evolution of both charts. If both have completed the scan (`waits`), a step instead
+// chooses the next inputs and the time until the next scan. Under stability search the inputs are constant until both
+// charts are quiescent; a chart that is quiescent earlier continues without changes. In every_cycle mode a scan is one
+// evolution. A fault (race, value out of range, undefined value) is permanent; it also completes the scan. Under
+// stability search, a program executes in the first step of a scan, and not again in later steps of this scan. With
+// `settles`, the program repeats its execution, without time between the repetitions, until nothing changes. A run-time
+// fault of a program is also a fault.
 //
 //   timer        counts down in units of `unit_ms`: the remaining t1 while its term holds, the remaining t2 after it
 //                fell; scans occur at multiples of the unit. The caller chooses the unit, and hence the resolution
-//   same         never: both have answered, and exactly one has a fault, or an output differs
+//   same         never: both have completed the scan, and exactly one has a fault, or an output differs
 //   run_time_fault   never: a program has a run-time fault
 //   possible     reachable: there are inputs that satisfy the constraints of both
-//   a_follows, b_follows   if b has answered without a fault, a answers eventually. Otherwise a never becomes stable
-//                although b does. A fault in one chart and instability of the other do not count as a difference. Only
-//                under stability search
-//   one_follows  true leads to: one of them has answered. Only for programs with `settles`
+//   a_follows, b_follows   if b has completed the scan without a fault, a completes it eventually. The property is
+//                violated if a never becomes stable although b does. A fault in one chart and instability of the other
+//                do not count as a difference. Only under stability search
+//   one_follows  true leads to: one of them has completed the scan. Only for programs with `settles`
 #pragma once
 
 #include <cstdint>
@@ -36,8 +37,9 @@ namespace grafverif {
 /// A chart, or a program.
 struct ProductSide {
     const Equations* equations = nullptr;
-    const Scan* scan = nullptr;  ///< of a program; `equations` are its equations
-    /// A term over the values before a scan of the program: it stops in this scan. Invalid if it never stops.
+    /// nullptr for a chart; for a program, its scan, and `equations` is `&scan->equations`.
+    const Scan* scan = nullptr;
+    /// True if the program stops in a scan; a term over the values before the scan. Invalid if the program never stops.
     Id<Expr> stop = {};
 };
 
@@ -53,13 +55,13 @@ struct ProductOptions {
 struct ProductMachine {
     TransitionSystem system = {};
     std::vector<Id<TransitionSystem::Symbol>> inputs = {};  ///< inputs in the order of the first chart or program
-    Id<TransitionSystem::Symbol> waits = {};                ///< true if both charts have answered the scan
+    Id<TransitionSystem::Symbol> waits = {};                ///< true if both charts have completed the scan
     Id<TransitionSystem::Symbol> passed =
         {};  ///< in a step with `waits`: time units until the next scan; invalid if there are no timers
 };
 
-/// Requires that both have the same inputs with equal types, and each of the compared outputs, and that verify is empty
-/// for both charts.
+/// Returns the product of `a` and `b`. Requires that both have the same inputs with equal types, and each of the
+/// compared outputs, and that verify is empty for both charts.
 ProductMachine schedule_both(const ProductSide& a, const ProductSide& b, const ProductOptions& options);
 
 }  // namespace grafverif

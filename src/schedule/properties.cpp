@@ -67,7 +67,7 @@ std::string refusal(const LoopMeaning& meaning, const Property& property) {
     case Pattern::NoDeadlock:
         return meaning.can_move.valid()
                    ? ""
-                   : "the transition relation of this model is total, whether or not that of the closed loop is";
+                   : "the transition relation of this model is total, even if the closed loop can deadlock";
     case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "this model has no time";
     case Pattern::RawUppaal: return "it is a formula for UPPAAL";
     case Pattern::Always:

@@ -34,14 +34,14 @@ std::string controllers_scope(std::span<const ControllerPart> controllers, bool 
                  : "One step is one PLC cycle. ") +
         power_on + outputs_written(controllers);
     text +=
-        "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose premise "
-        "reads no input, holds with every plant " +
+        "An `always`, `never`, `exactly one of` or `inevitable` that holds here, and a `leads to` that holds and whose "
+        "premise reads no input, holds with every plant " +
         std::string(constrained ? "that satisfies the constraints " : "") + "in grain atomic, provided that " +
         (several ? "each controller runs" : "the plant lets the controller run") +
-        "; a reachable that is violated here is also violated with every such plant. A property that is violated here "
-        "may hold with the real plant. All other verdicts apply only to this model: a reachable that holds, always "
-        "possible, CTL and LTL formulas, properties of observers, and all properties at stable except always, never "
-        "and exactly one of.";
+        "; a `reachable` that is violated here is also violated with every such plant. Any other property that is "
+        "violated here may hold with the real plant. All other verdicts apply only to this model: a `reachable` that "
+        "holds, `always possible`, CTL and LTL formulas, properties of observers, and all properties at stable except "
+        "`always`, `never` and `exactly one of`.";
     if (constrained)
         text += " The constraints are assumptions: prove with plant automata that the plant satisfies them.";
     return text;
@@ -66,7 +66,8 @@ std::string together_scope(Schedule schedule, std::span<const ControllerPart> co
     if (fairness) text += fair_runs;
     return text +
            "This schedule restricts the order of events: every verdict applies only to this model, not to the timed "
-           "closed loop. There, sensor changes can be sampled separately, and outputs can change between them.";
+           "closed loop. In the timed closed loop, sensor changes can be sampled separately, and outputs can change "
+           "between two sensor changes.";
 }
 
 std::string network_scope(const Network& network, const ScheduleOptions& options) {
@@ -78,23 +79,22 @@ std::string network_scope(const Network& network, const ScheduleOptions& options
             ", or time passes by one unit. Clocks count time units: the states are those of the timed closed loop in "
             "integer time. ";
         if (options.fairness) text += fair_runs;
-        return text + "Verdicts on always, never, exactly one of" + (options.fairness ? "" : " and reachable") +
+        return text + "Verdicts on `always`, `never`, `exactly one of`" + (options.fairness ? "" : " and `reachable`") +
                " are valid for the timed loop in this grain if its clock constraints are closed; other verdicts are "
                "valid for integer time only.";
     }
     text +=
         "; if no urgent edge can be taken, a step may also change nothing. Time is not modelled: a timed edge may be "
-        "taken "
-        "at any time. ";
+        "taken at any time. ";
     if (options.fairness)
         return text + fair_runs +
-               "An always, never or exactly one of that holds here holds in the timed closed loop of this mode and "
-               "grain. All other verdicts apply only to this model, under fairness: EF requires a fair run.";
+               "An `always`, `never` or `exactly one of` that holds here also holds in the timed closed loop of this "
+               "mode and grain. All other verdicts apply only to this model, under fairness: EF requires a fair run.";
     return text +
            "Every run of the timed closed loop of this mode and grain is also a run of this model. Therefore, an "
-           "always, never, exactly one of, inevitable or leads to that holds here also holds in the timed loop. A "
-           "reachable that is violated here is also violated there. No other verdict is preserved: a property that is "
-           "violated here may hold in the timed loop.";
+           "`always`, `never`, `exactly one of`, `inevitable` or `leads to` that holds here also holds in the timed "
+           "loop. A `reachable` that is violated here is also violated in the timed loop. No other verdict is "
+           "preserved: any other property that is violated here may hold in the timed loop.";
 }
 
 }  // namespace grafverif::schedule

@@ -35,9 +35,9 @@
 
 namespace grafverif {
 
-/// Requires that `plant` is the result of plant(model, loop), and that the schedule is synchronous or sequenced. The
-/// schedule is selected by `options`, or otherwise by the loop. The result is empty after an error: a variable has too
-/// many values.
+/// Returns the system of the controllers and the automata of `plant`, which must be the result of plant(model, loop).
+/// Requires that the schedule is synchronous or sequenced. The schedule is selected by `options`, or otherwise by the
+/// loop. The result is empty after an error: a variable has too many values.
 std::optional<TransitionSystem> schedule_together(const Model& model, const ClosedLoop& loop,
                                                   std::span<const Equations> equations, const Network& plant,
                                                   const ScheduleOptions& options, Diagnostics& diagnostics);

@@ -66,7 +66,7 @@ private:
     struct Before {
         std::size_t moves = 0, examined = 0;
     };
-    std::vector<Before> commands_ = {};  ///< values of these members before each command that can be undone
+    std::vector<Before> commands_ = {};  ///< number of moves and `examined_` before each undoable command
     std::size_t examined_ = 0;           ///< index of the event after which `wait until` begins to examine the run
     bool unmet_ = false;
 };

@@ -95,7 +95,7 @@ std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::
 /// Returns the line, and a second line with at least one caret under the terminal columns of the marked characters. For
 /// a long line, only the part near the mark is measured.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
-    constexpr std::size_t near = 4096;  // number of bytes; always more than are printed
+    constexpr std::size_t near = 4096;  // in bytes; more than are printed of any line
     std::size_t cut = column > near ? column - near : 0;
     // Advances to the start of a character.
     while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;

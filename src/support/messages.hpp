@@ -201,8 +201,8 @@ Diagnostic unknown_finding(Span where, std::string_view code);
 // -- derive ----------------------------------------------------------------------------------------------------------
 Diagnostic enclosing_cycle(Span where, std::string_view chart);
 Diagnostic forcing_cycle(Span where, std::string_view chart);
-/// Both the expansion and the partial chart `with` are forced, although an order on `with` already forces its
-/// expansions.
+/// Both the expansion and the partial chart `with` are forced, although a forcing order for `with` also forces the
+/// expansions of its macro-steps.
 Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first);
 Diagnostic forced_twice(Span where, std::string_view chart, Span first);
 Diagnostic edge_under_time(Span where);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of parser diagnostics. The other texts of the section `reading` are in messages_names.cpp.
+// Texts of parser diagnostics (in the section `reading` of messages.hpp).
 #include <fmt/format.h>
 
 #include "support/messages.hpp"
@@ -106,13 +106,13 @@ Diagnostic missing_brace(Span heading, std::string_view text, Span next, Span pl
 Diagnostic expected_before_sentence(Span where) {
     return error(
         "misplaced-expectation", where,
-        "`expected violated` follows the sentence of the property; write `property NAME \"...\" expected violated: "
-        "PATTERN;`");
+        "`expected violated` must follow the quoted sentence of the property; write `property NAME \"...\" expected "
+        "violated: PATTERN;`");
 }
 
 Diagnostic expected_after_colon(Span where) {
     return error("misplaced-expectation", where,
-                 "`expected violated` precedes the colon; write `property NAME expected violated: PATTERN;`");
+                 "`expected violated` must precede the colon; write `property NAME expected violated: PATTERN;`");
 }
 
 Diagnostic other_pattern(Span where, std::string_view seen, std::string_view meant) {

@@ -178,10 +178,10 @@ Diagnostic observer_without_start(Span where, std::string_view observer) {
 
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided) {
     return error("constraints-contradict", where,
-                 fmt::format("{} satisfy `{}` together with the constraints before it, so the model would have no "
+                 fmt::format("{} satisfy `{}` together with the constraints before it, so the model {} have no "
                              "state; correct one of them",
                              decided ? "no input values" : "within the memory limit, no input values were found that",
-                             clipped(constraint)));
+                             clipped(constraint), decided ? "would" : "may"));
 }
 
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most) {

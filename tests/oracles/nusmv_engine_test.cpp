@@ -142,7 +142,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
     std::cout << replayed << " runs replayed\n";
 }
 
-/// Checks every exported model of a sample, including one with fairness.
+/// Checks every exported model of a sample, including a model with fairness.
 TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
@@ -318,7 +318,7 @@ TEST(NusmvEngine, AgreesWithTheTimedEngineOnSentencesInDiscreteTime) {
             diagnostics);
         ASSERT_TRUE(system);
         const auto [theirs, conversation] = asked_nusmv(*system, program->string());
-        if (conversation.empty()) continue;  // such a model takes minutes
+        if (conversation.empty()) continue;  // NuSMV did not finish within its time limit
         const auto here =
             std::ranges::find(own->answers, "S", [](const PropertyResult& one) { return one.verdict.property; });
         const auto there = std::ranges::find(theirs.verdicts, "S", &Verdict::property);

@@ -79,8 +79,8 @@ TEST(RandomizedAdvice, NamedInvariantsAndNoOthersBlockTimeAtTheEnd) {
     EXPECT_GT(repeating, 0);
 }
 
-/// Computes all reachable states in integer time, or nothing if there are too many states. A firing condition keeps its
-/// value after the edge of its controller, so that the states show the cleared transitions.
+/// All reachable states in integer time; `all` is empty if there are too many. A firing condition keeps its value after
+/// the edge of its controller, so that the states show the cleared transitions.
 struct States {
     std::vector<NetworkState> all = {};
     std::set<std::uint32_t> cleared = {};  ///< the variables of firing conditions that were true

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: `compare` of random programs and their mutants. The verdict is that of a search of the pairs of states
-// of two interpreters. The search tries all inputs and times in each pair, up to a limit. A difference distinguishes the
-// programs in its last scan, and the search finds no shorter one.
+// Randomized test: `compare` of random programs and their mutants. The verdict must equal that of a search of the pairs
+// of states of two interpreters. The search tries all inputs and times in each pair, up to a limit. A reported sequence
+// of scans distinguishes the programs in its last scan, and the search finds no shorter sequence.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -134,8 +134,9 @@ struct Pair {
 
 struct Searched {
     bool complete = true;
-    std::size_t difference = 0, stop = 0;  ///< number of scans of the shortest one; 0 if none was found
-    std::size_t depth = 0;                 ///< number of scans that were explored completely
+    /// Minimum number of scans to a difference, and to a stop of both programs; 0 if none was found.
+    std::size_t difference = 0, stop = 0;
+    std::size_t depth = 0;  ///< number of scans that were explored completely
 };
 
 /// Explores all pairs of states, by number of scans.

@@ -309,7 +309,7 @@ std::optional<Comparison> with_controller(const Chart& chart, const Chart& other
     return found;
 }
 
-/// True if only the maximum number of evolutions of the program is a difference.
+/// True if the only difference is that the program stops, because it reaches its maximum number of evolutions.
 bool is_cut(const Comparison& found, std::size_t program) {
     return !found.scans.empty() && !found.answers[program].back().stop.empty() &&
            found.answers[1 - program].back().stop.empty();

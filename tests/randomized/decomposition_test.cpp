@@ -87,8 +87,8 @@ void compare(const Network& network, const Property& property, const Verdict& ap
     }
 }
 
-/// Checks that a property that is unknown in the complete network but decided compositionally also holds with a finer
-/// time unit.
+/// Checks compositional verdicts on properties for which the verdict of the complete network is inexact. With a finer
+/// time unit, the verdict of the complete network must be the same or unknown.
 void compare_finer(const Network& network, const TimedResult& apart, const TimedResult& whole) {
     for (const std::int64_t factor : {2, 3}) {
         std::optional<TimedResult> finer;

@@ -23,7 +23,7 @@ struct Tally {
     std::size_t verdicts = 0, loops = 0, left_out = 0;
 };
 
-/// The clocks are independent, and diagrams of many independent clocks are too large.
+/// Networks with more clocks are not compared, because decision diagrams of many independent clocks are too large.
 constexpr std::size_t most_clocks = 6;
 
 std::size_t clock_count(const Network& network) {

@@ -18,7 +18,7 @@
 namespace grafverif {
 namespace {
 
-constexpr int many_edges = 600;  // a controller that needs more cycles for one instant never stabilizes
+constexpr int many_edges = 600;  // a controller that needs more edges or cycles in one instant never stabilizes
 
 /// The network and the equations of one controller, executed in lockstep.
 struct Pair {

@@ -178,8 +178,8 @@ private:
                std::ranges::none_of(pairs_of(), [&](std::size_t state) { return holds(p[1], state, changed); });
     }
 
-    /// Returns each occurrence of a term in the requirement on `state`, in negation normal form, with its required
-    /// value.
+    /// Returns the literals of the condition that the property imposes on `state`, in negation normal form: pairs of a
+    /// term (no constant, NOT, AND or OR) and its required value.
     std::vector<std::pair<std::uint32_t, bool>> literals(std::size_t state) const {
         std::vector<std::pair<std::uint32_t, bool>> list;
         const auto walk = [&](const auto& self, Id<Expr> term, bool wanted) -> void {
@@ -238,7 +238,7 @@ TEST(RandomizedExplain, CausesAreThoseOfTheDefinitionByEnumeration) {
         std::set<Pair> pairs;
         for (const Causes::Pair& pair : found->pairs) EXPECT_TRUE(pairs.insert({pair.term.index, pair.state}).second);
         ASSERT_EQ(pairs, *expected);
-        // A run of an untimed model repeats no state.
+        // A SystemRun does not contain the first state of its loop a second time.
         TransitionSystem system;
         system.exprs = network.exprs;
         SystemRun untimed{{}, loop};
@@ -398,7 +398,7 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// Returns the network without timers, instances and timings that are not in `ground`, and without `also`.
+/// Returns the network without timers, instances and timings that are not in `ground`, and without the element `also`.
 Network left_open(const Network& network, const ProofExplanation::ProofCore& ground, const std::string& also) {
     Network open = network;
     const std::vector<std::string> shown_names = display_names(network);
@@ -593,7 +593,8 @@ TEST(RandomizedExplain, ReportedProofCoresAgreeWithTheReferenceSemantics) {
     }
 }
 
-// The independent computation uses the mutants of the text. One kind of mutant omits an operand.
+// Compares the charts from which `remove_term` removes one term with the mutants of kind `term-dropped`, which
+// `mutants` generates independently from the text of the chart. Both sets must be equal.
 TEST(RandomizedExplain, RemovingATermAgreesWithTheTextWithoutIt) {
     int same = 0;
     for (int seed = 1; seed <= test_size(25); ++seed) {

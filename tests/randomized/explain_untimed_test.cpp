@@ -172,7 +172,7 @@ private:
     std::vector<Event> events_ = {};
 };
 
-/// True if some plant can produce the run, as far as this test can decide.
+/// True if no two time conditions on one step contradict each other in the run (run/replay.hpp).
 bool is_timely(const System& system, const std::pair<std::vector<SystemState>, std::size_t>& made) {
     SystemRun run{{}, made.second};
     for (const SystemState& state : made.first) {
@@ -227,8 +227,8 @@ bool is_time(const System& system, Id<System::Symbol> symbol) {
     });
 }
 
-/// Compares the result for a run on which the property fails with the results for all sets of events of inputs and
-/// timers.
+/// Compares the set of events that fewest_input_changes omits with all sets of events of inputs and timers without
+/// which the property does not fail: it must be one of the smallest sets.
 void expect_fewest(const System& system, const std::vector<const Chart*>& charts, const Property& property,
                    const SystemRun& run, std::map<std::string, int>& counts) {
     const Told value_at(system, run);
@@ -373,8 +373,8 @@ TEST(RandomizedExplainUntimed, DeadTransitionsAreNeverClearedAfterThePointOfNoRe
 
 // -- a chart alone ----------------------------------------------------------------------------------------------------
 
-/// Evaluates the chart evolution by evolution; returns true if every instant of the run ends although the changes
-/// `left_out` do not occur.
+/// Evaluates the chart evolution by evolution; returns true if every instant of the run ends without the changes
+/// `left_out`.
 bool settles_without(const Chart& chart,
                      const std::vector<std::pair<std::int64_t, std::vector<std::int64_t>>>& instants,
                      const std::set<std::pair<std::size_t, std::size_t>>& left_out) {

@@ -157,7 +157,7 @@ std::string panel_loop(Random& random, const std::vector<std::string>& plants) {
     return text + "}\n";
 }
 
-/// Returns true for a property that holds although integer time alone may not show it.
+/// True if the property holds and has a pattern that a search in integer time cannot always prove.
 bool is_progress(const Network& network, const Verdict& verdict) {
     if (!verdict.about.valid() || verdict.outcome != Outcome::Holds) return false;
     const Pattern pattern = network.properties[verdict.about].pattern;
@@ -169,7 +169,8 @@ struct Compared {
     int wrong = 0;
     std::map<std::string, int>& seen;
 
-    /// A property that holds is not violated in finer time: n clocks need a unit of 1 / (n + 1).
+    /// Checks that a property that holds is not violated with a finer time unit. For n clocks, the unit 1 / (n + 1) is
+    /// sufficient.
     void compare_finer(const Network& network, const Verdict& here, bool expected) {
         const bool possible = network.properties[here.about].pattern == Pattern::AlwaysPossible;
         const std::string name = possible ? "always possible" : "leads to";
@@ -279,7 +280,8 @@ TEST(InputAbstraction, PanelLoopsGetTheVerdictsOfTheCompleteLoop) {
     EXPECT_GT(seen["leads to in finer time"], test_size(10));
 }
 
-/// Panels of all components of the library, and of instances that read each other.
+/// Tests panels of random elements: operator components of the library, and other instances, some of which read each
+/// other (support/random_panel.hpp).
 TEST(InputAbstraction, LibraryPanelsGetTheVerdictsOfTheCompleteLoop) {
     std::map<std::string, int> seen;
     for (int seed = 1; seed <= test_size(40) && !testing::Test::HasFailure(); ++seed) {

@@ -40,7 +40,7 @@ std::string disagreement(const Chart& chart, const Equations& equations,
                          const EquationsCycle& algebra) {
     const bool stopped = algebra.no_value || algebra.race || algebra.out_of_range || algebra.conflict;
     if ((run.race || run.fault) != stopped) return "a race, a term without value or a value out of range";
-    // If an evolution has several faults, the first one found is arbitrary.
+    // If an evolution has several faults, either implementation may report any of them.
     if (algebra.no_value || (run.fault && run.fault->kind == RunFault::Kind::NoValue)) return {};
     const bool apart = run.fault && run.fault->kind == RunFault::Kind::ForcedApart;
     if (apart != algebra.conflict) return "conflict of forcing orders";

@@ -19,8 +19,8 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Returns which property of the symbol (definition, initial value, next value or declaration) differs between the text
-/// and the system, or an empty string if none differs.
+/// Returns the attribute of the symbol that differs between the text and the system: its definition, initial value,
+/// next value or declaration. Returns an empty string if there is no difference.
 std::string difference(const System& system, const System::Module& module, const System::Symbol& symbol,
                        NusmvModel& text, NusmvModel::Module& there) {
     const auto same = [&](Id<Expr> term, std::map<std::string, Id<Expr>>& found) {

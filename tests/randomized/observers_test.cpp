@@ -20,8 +20,7 @@ namespace {
 
 using Truth = std::vector<bool>;
 
-// -- formulas on finite maximal runs: required events must occur, and prohibitions apply to the end of the run
-// ------------
+// -- formulas on finite maximal runs: required events must occur, and prohibitions apply until the end of the run -----
 
 Truth each(std::size_t size, const std::function<bool(std::size_t)>& value) {
     Truth made(size);
@@ -119,8 +118,7 @@ struct Window {
     bool closed = false;
 };
 
-/// Returns every scope, from each state that opens one. Scopes that must be closed are included only if they are
-/// closed.
+/// Returns a scope for each state that opens a scope. Scopes that must be closed are included only if they are closed.
 std::vector<Window> windows(Sentence::Scope scope, const Seen& seen, std::size_t operands) {
     using enum Sentence::Scope;
     const std::size_t size = seen.begin.size();

@@ -77,7 +77,7 @@ void compare_bounded(const System& system, const SymbolicResult& symbolic, std::
 }
 
 /// Compares the results with those of the symbolic engine, and with `graph` if it is given. The engine does not detect
-/// dead ends, so a system with one is compared with the graph only.
+/// dead ends, so the results for a system with a dead end are compared with the graph only.
 void compare(const System& system, const std::optional<SystemGraph>& graph, const PdrResult& found,
              Compared& compared) {
     const SymbolicResult symbolic = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + time_limit});

@@ -116,7 +116,7 @@ public:
     }
 
     /// Counts, for each statement, how often the other model had the same verdict, and how often it had the opposite
-    /// one.
+    /// verdict.
     using Tally = std::map<std::string, std::pair<int, int>>;
     static Tally tally;
     static int replayed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares the engine with the reference semantics on random networks. The discrete states must be equal, and the
-// verdicts must be those of a naive fixpoint on the explicit graph. A finer time unit changes no verdict.
+// verdicts must be those of a naive fixpoint on the explicit graph. A finer time unit does not change `holds` or
+// `violated`.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -159,7 +160,7 @@ std::optional<std::size_t> fewest_moves(const Explored& all, const std::vector<b
     std::set<std::pair<std::size_t, bool>> seen, level = {{0, false}};
     for (std::size_t moves = 0; !level.empty(); ++moves) {
         std::vector<std::pair<std::size_t, bool>> open(level.begin(), level.end());
-        for (std::size_t i = 0; i < open.size(); ++i) {  // the continuation of a delay costs nothing
+        for (std::size_t i = 0; i < open.size(); ++i) {  // a continued delay is not a further move
             const auto [state, waited] = open[i];
             if (waited && all.passes[state] && level.emplace(all.later[state], true).second)
                 open.emplace_back(all.later[state], true);
@@ -259,8 +260,8 @@ void compare_jobs(const Network& network, const TimedResult& one, bool links) {
     }
 }
 
-/// Checks that a verdict decided at one time unit is the same at any finer unit. An inexact verdict may become
-/// violated.
+/// Checks that `holds` and `violated` are the same at a finer time unit. An unknown verdict may become `violated` or
+/// remain unknown at a finer unit, but must not become `holds`.
 void compare_units(const Network& network, const TimedResult& result) {
     for (const std::int64_t factor : {2, 3}) {
         const TimedResult finer = checked(refined(network, factor), {.max_states = 200'000});

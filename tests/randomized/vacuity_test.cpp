@@ -142,7 +142,7 @@ Found found(const Table<Property>& properties, std::vector<Verdict> verdicts) {
     return result;
 }
 
-/// The clocks are independent, and diagrams of many independent clocks are large.
+/// Untimed models with more clocks are not checked, because decision diagrams of many independent clocks are large.
 constexpr std::size_t most_clocks = 5;
 
 std::size_t clock_count(const Network& network) {
@@ -169,8 +169,8 @@ void check_untimed(Model model, const Network& watched, const Property& property
     };
     compare("symbolic", check_symbolic(*system).verdicts, tally.by_symbolic);
     if (tally.together >= static_cast<std::size_t>(test_size(20))) return;
-    // PDR may not terminate for clocks in discrete time. The test ignores properties that PDR does not decide within
-    // the time limit.
+    // PDR does not always terminate for clocks in discrete time. The test ignores properties that PDR does not decide
+    // within the time limit.
     PdrOptions pdr;
     pdr.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     compare("pdr", check_pdr(*system, pdr).verdicts, tally.by_pdr);

@@ -32,7 +32,7 @@ function(expect_output pattern)
     endif()
 endfunction()
 
-# Returns the files that were built since the last call, and remembers the times of all files.
+# Returns the files that were built since the last call, and stores the times of all files for the next call.
 function(made_anew folder)
     set(made "")
     foreach(file IN LISTS ARGN)

@@ -222,7 +222,7 @@ def python_texts(source, path):
 
 
 def hash_texts(source, path):
-    """Yields the comments of CMake files and scripts that occupy complete lines."""
+    """Yields the comments that occupy complete lines, of CMake files and scripts."""
     text = None
     for number, line in enumerate(source.split("\n"), 1):
         match = re.match(r"\s*# ?(?!!)(.*)", line)

@@ -95,7 +95,8 @@ const std::vector<Json>& conversation() {
     return all;
 }
 
-/// A client that sends the complete conversation, and corrects its documents once memory is available again.
+/// A client that sends all messages of `conversation()`. Once memory is available again, it closes both documents,
+/// opens them with other texts, and expects the diagnostics of these texts.
 class Dialogue {
 public:
     using Limit = std::function<void()>;
@@ -188,7 +189,7 @@ private:
     }
 
     Limit session_, receiver_, over_;
-    /// The parts of the dialogue: initialization, requests without memory, corrections, end.
+    /// The parts of the dialogue: initialization, requests without memory, reopened documents, end.
     std::array<std::string, 4> parts_ = {};
     std::size_t part_ = 0, at_ = 0;
     std::mutex door_ = {};

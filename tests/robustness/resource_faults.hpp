@@ -14,7 +14,7 @@ inline constexpr bool sanitized = true;  ///< nothing is refused, because saniti
 inline constexpr bool sanitized = false;
 #endif
 
-/// Refuses one allocation of this thread: the one that follows `after` others during the lifetime of the object.
+/// During the lifetime of the object, refuses one allocation of this thread, after `after` successful allocations.
 class Refusal {
 public:
     explicit Refusal(std::int64_t after);

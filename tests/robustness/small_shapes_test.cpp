@@ -62,7 +62,7 @@ std::vector<std::string> steps(std::size_t count, bool output, const std::string
             for (const char* initial : {"initial ", ""})
                 for (const char* action : actions) {
                     if (*action != '\0' && (!output || before.find('{') != std::string::npos))
-                        continue;  // a chart has at most one action
+                        continue;  // the tested charts have at most one action
                     const std::string does = fmt::format(fmt::runtime(action), term);
                     longer.push_back(before + fmt::format("    {}step {}{};\n", initial, step,
                                                           does.empty() ? "" : " { " + does + " }"));
@@ -109,7 +109,7 @@ TEST(SmallShapes, AreAcceptedByEveryCommand) {
     const std::size_t law = static_cast<std::size_t>(test_size(1));
     // Every stride-th chart is tested; with GRAFVERIF_TEST_SIZE=8 or more, every chart is tested.
     const std::size_t stride = law >= 8 ? 1 : 8 / law;
-    const std::size_t each = (law + 7) / 8;  // number of runs, which depends on the test size in the same way
+    const std::size_t each = (law + 7) / 8;  // number of commands for each chart: the test size / 8, rounded up
     std::size_t legal = 0, next = 0;
     for (const std::string& chart : all) {
         const auto alone = read(chart);

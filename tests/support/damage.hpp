@@ -10,8 +10,8 @@ namespace grafverif {
 
 struct Damage {
     std::string_view likely = {};    ///< bytes with a syntactic meaning in the text
-    std::size_t most_changes = 3;    ///< number of changed bytes, deleted bytes and copied pieces
-    std::size_t longest_piece = 60;  ///< length of copied pieces, minus one
+    std::size_t most_changes = 3;    ///< maximum number of changes: a new byte, deleted bytes, or a copied piece
+    std::size_t longest_piece = 60;  ///< all copied pieces are shorter than this length
 };
 
 inline std::string damaged(std::string text, const Damage& damage, std::mt19937& random) {

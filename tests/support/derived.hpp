@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// Returns the equations in the order of the controllers. They are empty for a chart without equations.
+/// Returns the equations of each controller, in order. Returns nothing if derive rejects a chart.
 std::optional<std::vector<Equations>> derived(const Model& model, Diagnostics& diagnostics);
 std::optional<std::vector<Equations>> derived(const Model& model);
 

@@ -46,8 +46,8 @@ private:
         return written;
     }
 
-    /// Converts the declaration of a constant. It omits the type if the default value implies it, or if it is the
-    /// unbounded integer.
+    /// Converts the declaration of a constant. The type is omitted if the default value implies it, or if the type is
+    /// the unbounded integer.
     tree::Variable constant(const Component::Parameter& declared) {
         tree::Variable written = variable(declared);
         written.type = tree::TypeWord::None;

@@ -150,7 +150,7 @@ private:
         return loop_.controllers[of.controller].name + '.' + (partial.empty() ? "" : partial + '.') + "X" + step.name;
     }
 
-    // The names of the time conditions t/X that random_loop declares.
+    // Returns the step X of the time t/X. Other terms do not occur, because random_loop declares only times of steps.
     Id<Chart::Step> watched_step(const ClosedLoop::TimeSymbol& of) const {
         if (!of.condition.valid()) return of.step;
         const Chart& chart = model_.charts[loop_.controllers[of.controller].chart];

@@ -98,7 +98,7 @@ struct Generator {
         }
     }
 
-    /// Returns the chart that contains `partial`.
+    /// Returns `partial`, or, for an expansion, the partial chart that contains its macro-step, directly or indirectly.
     std::int64_t root(std::int64_t partial) const {
         while (chart.partial_charts[{static_cast<std::uint32_t>(partial)}].kind == Chart::PartialKind::Expansion)
             partial = outer[static_cast<std::size_t>(partial)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random well-formed charts with all elements that derive supports, for randomized tests, and reduction of a failing
-// chart to a small one that still fails.
+// Generates random well-formed charts with all elements that derive supports, for randomized tests. Also reduces a
+// chart for which a test fails to a small chart for which the test still fails.
 //
 // A chart has one to four partial charts of a few steps, which are plain charts, expansions or enclosed charts. The
 // partial charts have rings with alternatives, parallel branches, sources and sinks, and some are subject to forcing
@@ -26,14 +26,14 @@ std::int64_t random_number(Random& random, std::int64_t low, std::int64_t high);
 /// Returns true with a probability of `percent`.
 bool chance(Random& random, int percent);
 
-/// The terms in time conditions: any Boolean term with both edges, also in delayed and limited actions; or `t/X`, the
-/// time for which a step has been active.
+/// The time conditions of a random chart. Any: `t1/v/t2` for any Boolean term v, and delayed and limited actions.
+/// Steps: only `t/X`, which is true if step X has been active for the time t.
 enum class TimedTerms { Any, Steps };
 
 Chart random_chart(Random& random, TimedTerms timed = TimedTerms::Any);
 
-/// Returns the same chart without unused terms and time conditions. The remaining ones are in the order of their first
-/// use, as if the chart was read from its text.
+/// Returns the same chart without unused terms and time conditions. The remaining terms and time conditions are in the
+/// order of their first use, as if the chart was read from its text.
 Chart tidied(const Chart& chart);
 
 /// Returns a smaller chart for which `fails` is still true. The function removes steps, transitions and actions, and

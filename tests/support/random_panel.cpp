@@ -8,11 +8,11 @@ namespace grafverif {
 
 namespace {
 
-/// An instance of the panel and what the chart reads of it.
+/// An instance of the panel, the inputs that it writes, and conditions on them.
 struct Element {
     std::string instance = "", ports = "";
-    std::vector<std::string> conditions = {};  // the first is one Boolean input or a comparison
-    bool small = false;                        // few states, so that many of them fit a complete search
+    std::vector<std::string> conditions = {};  // the first condition is a Boolean input or a comparison
+    bool small = false;  // true for an instance with few states, so that a complete search can include many of them
 };
 
 const char* const components =
@@ -144,7 +144,7 @@ private:
         return from[static_cast<std::size_t>(number(0, static_cast<int>(from.size()) - 1))];
     }
 
-    /// A condition on the panel. `edges`: it may have edges and times.
+    /// Returns a condition on the panel. If `edges`, the condition may contain edges and times.
     std::string state(bool edges) {
         std::string found = "D";
         if (chance(random_, 85)) {

@@ -53,7 +53,7 @@ public:
         has_action_ = true;
         return text;
     }
-    /// Instances may have an action that can be called.
+    /// Permits calls of the action of an instance in the following statements.
     void call_actions_of_instances() { calls_inner_actions_ = true; }
 
     std::string body(int statements) {

@@ -249,7 +249,7 @@ private:
         chart_.transitions.push_back({std::move(from), std::move(to)});
     }
 
-    /// Adds the steps after `step`. Returns the last one.
+    /// Adds a sequence of steps after `step`. Returns the last step of the sequence.
     std::size_t sequence(std::size_t step, int depth) {
         const std::size_t start = step;
         for (std::size_t count = below(3) + (depth == 2 ? 1 : 0); count > 0; --count) {

@@ -33,7 +33,7 @@ struct RandomSfc {
         std::int64_t lasted = 0;  ///< the time for which the step was active before its deactivation
         std::vector<std::pair<std::size_t, std::string>> blocks = {};  ///< pairs of an action and a qualifier
     };
-    /// The times at which a condition became true and false.
+    /// A condition: its value, its edges in the current scan, and the time of its last rise.
     struct Stretch {
         bool on = false, rises = false, falls = false;
         std::int64_t since = 0;
@@ -54,7 +54,7 @@ struct RandomSfc {
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     std::vector<Action> actions = {};
-    std::vector<std::size_t> order = {};  ///< the order of the actions
+    std::vector<std::size_t> order = {};  ///< the actions that steps use, in the order of their execution
     std::array<bool, inputs> values = {};
     std::int64_t now = 0;
     bool started = false;

@@ -18,7 +18,7 @@ Network random_parts(Random& random, int parts);
 /// network has no controllers and consists of at least `cells` fragments.
 Network random_cells(Random& random, int cells);
 
-/// Adds properties of every kind: about one part, about two parts, about all moves, and about quiescent states.
+/// Adds properties of every pattern over terms of one part or of two parts, some of them only about quiescent states.
 void query_subsystems(Network& network, Random& random);
 
 /// Returns the text of a loop of several PLCs, each with a lamp and a button. The charts have cycles with delays,

@@ -224,7 +224,7 @@ std::int64_t SmallPlc::evaluate(Id<st::Expr> expression, Instance& instance) con
     return value;
 }
 
-/// This function always evaluates both operands, because a PLC need not short-circuit.
+/// Applies the operator to the values of both operands, which are always evaluated: a PLC need not short-circuit.
 std::int64_t SmallPlc::combine(st::Op op, std::int64_t left, std::int64_t right) const {
     const auto within = [](std::int64_t value) {
         if (value < std::numeric_limits<std::int32_t>::min() || value > std::numeric_limits<std::int32_t>::max())

@@ -21,7 +21,7 @@ std::string units_of_plcopen(const std::string& xml);
 /// division by zero, values outside 32 bits, an endless loop.
 class SmallPlc {
 public:
-    /// `units` contains the texts of programs and function blocks; `unit` names the one that is executed.
+    /// `units` contains the texts of programs and function blocks; `unit` names the unit to execute.
     SmallPlc(const std::vector<std::string>& units, const std::string& unit);
     SmallPlc(const SmallPlc&) = delete;
     SmallPlc& operator=(const SmallPlc&) = delete;

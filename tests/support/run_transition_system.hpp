@@ -25,7 +25,7 @@ using Choose = std::function<std::int64_t(std::string_view path, Type type)>;
 
 SystemState first_state(const TransitionSystem& system, const Choose& choose);
 /// Returns the state after a step with the choices of `choose`. Returns nothing if the choices are not permitted, or if
-/// an invariant forbids the state. Requests every choice and every free variable, in a fixed order.
+/// an invariant forbids the state. Calls `choose` for every choice and every free variable, in a fixed order.
 std::optional<SystemState> step_taken(const TransitionSystem& system, const SystemState& state, const Choose& choose);
 /// Returns every successor state once. The function combines only permitted choices of each instance, so that automata
 /// without a move do not increase the number of combinations. It returns nothing if free variables and choices have

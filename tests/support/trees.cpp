@@ -23,7 +23,7 @@ Id<tree::Expr> Trees::node(tree::Op op, std::initializer_list<Id<tree::Expr>> op
 }
 
 Id<tree::Expr> Trees::number(std::int64_t value) {
-    // The digits of this number without its sign do not fit in 64 bits.
+    // The absolute value of the least number exceeds the greatest number, so a difference is written.
     if (value == std::numeric_limits<std::int64_t>::min()) return node(tree::Op::Minus, {number(value + 1), number(1)});
     const Id<tree::Expr> id = node(tree::Op::Number, {});
     file_->exprs[id].value = value < 0 ? -value : value;

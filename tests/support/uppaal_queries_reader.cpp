@@ -91,8 +91,8 @@ bool QueryReader::read_exactly_one(Cursor& cursor, Property& property) {
     return false;
 }
 
-/// Reads the operand of a pattern that is checked in the states in which it holds. The condition for quiescent states
-/// is not part of the operand.
+/// Reads the operand of a query. With `at stable`, the query has the form `settled && operand`; the function then
+/// stores `settled` in the network, and returns the operand.
 Id<Expr> QueryReader::read_operand(Cursor& cursor, const Property& property) {
     if (!property.at_stable) return terms_.term(cursor);
     network_.settled = terms_.primary(cursor);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Switches between the automatic, dark and light theme. Debian's Furo ships its script as a module, which browsers do
-// not load from files, and its style sheet ignores the colour scheme of the browser; this script replaces both
-// functions.
+// Switches between the automatic, dark and light theme. This script replaces two functions of Debian's Furo: its script
+// is a module, which browsers do not load from `file:` addresses, and its style sheet ignores the colour scheme of the
+// browser.
 const themes = ["auto", "dark", "light"];
 const darkScheme = window.matchMedia("(prefers-color-scheme: dark)");
 

@@ -4,14 +4,14 @@
 // the translated model, such as locations of the PLC process, flags and auxiliary variables. `project`
 // (run/project.hpp) converts a run of a Network or of a TransitionSystem to a ChartRun. The replay (run/replay.hpp)
 // checks a ChartRun against the rules of IEC 60848, and `with_rows` (report/trace_rows.hpp) adds the rows to be
-// printed. All outputs of runs are generated from a ChartRun.
+// printed. All texts, diagrams and JSON data of a run are generated from a ChartRun.
 //
 // The first entry of `moments` is power-on; each further entry is one event with the state after it. A row summarizes
 // the events since the previous row. A search for stability, from the sampling of the inputs to the writing of the
 // outputs, is one row, or two if the plant moves during it.
 //
-// Invariants (see verify): ids are in their tables; a state has one value per signal; situations are increasing; time
-// never decreases; rows are in the order of their events; the loop begins at a row.
+// Invariants (see verify): ids are in their tables; a state has one value per signal; the steps of a situation are in
+// increasing order; time never decreases; rows are in the order of their events; the loop begins at a row.
 #pragma once
 
 #include <cstddef>
@@ -96,8 +96,8 @@ struct ChartRun {
         Writes writes = Writes::No;  ///< outputs are written
         std::vector<std::int64_t> inputs = {};  ///< sampled values
         std::vector<bool> timers = {};          ///< sampled outputs
-        /// For an evolution: the timers whose t1 had elapsed when the situation changed. If empty, they are the timers
-        /// in `timers`.
+        /// For an evolution: the timers whose t1 had elapsed when the situation changed. If empty, these are the timers
+        /// whose outputs in `timers` are true.
         std::vector<bool> done = {};
         /// Cleared transitions; if the act only samples: transitions to be cleared.
         std::vector<Id<Transition>> fired = {};
@@ -113,7 +113,7 @@ struct ChartRun {
     struct Event {
         Kind kind = Kind::Controller;
         bool internal = false;  ///< true for an internal move of the translation
-        std::size_t move = 0;   ///< index of the move in the original run
+        std::size_t move = 0;   ///< index of the move in the run of the Network or TransitionSystem
         std::vector<Act> acts = {};
         Id<Instance> instance = {};                ///< the instance that moved
         std::optional<std::size_t> location = {};  ///< its new location

@@ -144,7 +144,7 @@ struct ClosedLoop {
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
     Table<Instance> instances = {};
-    Exprs exprs = {};  ///< expressions of properties, constraints and observers; Variable leaves -> symbols
+    Exprs exprs = {};  ///< expressions of properties, constraints and observers; Variable leaves index `symbols`
     Table<Symbol> symbols = {};
     Table<Property> properties = {};
     Table<Constraint> constraints = {};

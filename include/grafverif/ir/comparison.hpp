@@ -2,10 +2,11 @@
 // Comparison: result of comparing two charts with the same inputs and outputs. Either of them can be a PLC program.
 // The result states if their outputs are equal for every sequence of scans, and lists the textual differences.
 //
-// A scan is one cycle of a PLC: inputs are read, outputs are written according to the mode. The charts are equal if,
-// after every scan of every sequence, both have written the same outputs or both have stopped. Inputs are arbitrary,
-// and the time between scans is any multiple of `resolution_ms`. A chart stops at a race, at an undefined or
-// out-of-range value, or without a stable situation; a program stops at a run-time fault. The rest is not compared.
+// A scan is one cycle of a PLC: inputs are read, and outputs are written according to the mode. The charts are equal
+// if, after every scan of every sequence, both have written the same outputs or both have stopped. Inputs are
+// arbitrary, and the time between scans is any multiple of `resolution_ms`. A chart stops at a race, at an undefined or
+// out-of-range value, or without a stable situation; a program stops at a run-time fault. Behaviour after a stop, and
+// events within a scan, are not compared.
 #pragma once
 
 #include <array>
@@ -58,9 +59,11 @@ struct Comparison {
     std::array<std::string, 2> from = {};  ///< selected initial situations; those of the charts if empty
     std::int64_t resolution_ms = 0;        ///< time between scans is a multiple of it; 0 if nothing depends on time
     std::array<bool, 2> programs = {};     ///< true for a PLC program in place of a chart
-    std::optional<std::int64_t> interval_ms = {};            ///< fixed time between two scans
-    std::vector<std::string> ignored = {}, restricted = {};  ///< outputs not compared; inputs with the chart's range
-    bool settles = false;                                    ///< programs repeat each scan until nothing changes
+    std::optional<std::int64_t> interval_ms = {};  ///< fixed time between two scans
+    /// `ignored`: outputs that are not compared. `restricted`: inputs of a program that have only the values of the
+    /// chart's input.
+    std::vector<std::string> ignored = {}, restricted = {};
+    bool settles = false;                      ///< programs repeat each scan until nothing changes
     bool faulty = false, constrained = false;  ///< a run-time fault is in the last scan; constraints are assumed
     std::vector<Variable> inputs = {}, outputs = {};
     Outcome outcome = Outcome::Unknown;

@@ -30,7 +30,7 @@ struct Component {
         std::string name = {};
         ParameterKind kind = ParameterKind::Input;
         ValueKind value = ValueKind::Boolean;
-        /// Range of an integer output; reads only constants declared before it.
+        /// Range of an integer output; the bounds read only constants that are declared before the output.
         std::optional<Id<Expr>> low = {}, high = {};
         std::optional<Id<Expr>> initial = {};  ///< default of a constant; value of an output at power-on (0 or `low`)
         Span origin = {};

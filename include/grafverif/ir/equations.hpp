@@ -19,8 +19,8 @@
 // the condition 3s/X_s; a time-limited action has the negation of this condition (IEC 60848, continuous actions).
 //
 // The first evolution activates the initial steps: no transition is cleared, the actions on activation of the initial
-// steps are executed (Stored::first), there is no edge, and previous values and observed terms are initialized. All
-// other values are unchanged (JESA13: the evolution that leaves INIT).
+// steps are executed (Stored::first), no rising or falling edge occurs, and previous values and observed terms are
+// initialized. All other values are unchanged (JESA13: the evolution that leaves INIT).
 //
 // Invariants (see verify): ids are in their tables; each step, output and stored variable has one equation; conditions
 // are Boolean; firing conditions do not read firing conditions.
@@ -162,8 +162,8 @@ struct Equations {
 
 std::vector<std::string> verify(const Equations& equations);
 
-/// A value passed to the next cycle. The next values with `after` are computed after the others have been assigned; all
-/// others are computed before any value changes.
+/// A value passed to the next cycle. Next values for which `after` is false are computed before any value changes. Next
+/// values for which `after` is true are computed after all other next values have been assigned.
 struct Kept {
     Id<Equations::Variable> variable = {};
     Id<Expr> next = {};

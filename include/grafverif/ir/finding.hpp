@@ -7,8 +7,8 @@
 // shorter than another run if it has fewer input changes or, with equally many, fewer evolutions. The search for
 // possible events restricts only the order of timer outputs, not their times. Afterwards, concrete times are computed
 // for the run, and Timing states if times exist. Therefore, an event that the search finds impossible is impossible
-// with any times of the timer outputs. The same applies to elements that are never used again: their evidence is a
-// shortest run to the situation after which they are not used.
+// with any times of the timer outputs. A finding that elements are never used again is also valid for any times; its
+// evidence is a shortest run to the situation after which the elements are not used.
 //
 // Invariants (see verify): every code is one of finding_kinds(); an accepted finding has a reason.
 #pragma once

@@ -12,23 +12,23 @@
 //
 // With stability search INIT has no evolution for the inputs under which the initial situation is stable. This requires
 // that the first evolution changed no variable and started no timer, and that the initial situation emits the same
-// outputs as power-on. Without stability search INIT is always left, because its next cycle can clear transitions,
-// unlike the first one.
+// outputs as power-on. Without stability search INIT is always left, because the first cycle clears no transition, but
+// the next cycle can.
 //
 // Timers are inputs that a tester can influence only by waiting. Without a fall time, the output of a timer is false
 // while its step is inactive and immediately after its activation. The output rises without other changes, and falls
-// only when the step is deactivated. Other terms are observed by their level in the previous cycle, which is a stored
-// variable. With a fall time, the output also falls without other changes. Conditions read timers in the same way as
-// inputs. An evolution lists the timers whose rise time it restarts (`restarted`) and those whose fall time it may
-// start (`falling`).
+// only when the step is deactivated. With a fall time, the output also falls without other changes. If a timer observes
+// a term other than a step variable, the value of the term in the previous cycle (its level) is a stored variable.
+// Conditions read timers in the same way as inputs. An evolution lists the timers whose rise time it restarts
+// (`restarted`) and those whose fall time it may start (`falling`).
 //
 // Expressions are stored in `exprs`; their leaves are Variable -> inputs. `assumed` restricts the considered inputs
 // (the chart's constraints). For inputs that satisfy `assumed`, all conditions are exact; for other inputs they are
 // unspecified. The conditions may also assume the order of timers of one level: if `3s/X2` is false, `5s/X2` is false.
 //
-// Invariants (see verify): ids are in their tables; situations are increasing; locations except INIT differ in
-// situation or values; `evolutions` and `instabilities` are sorted by `from`; no condition is the constant false; INIT
-// is not a target; the cycle of an instability is not empty; `assumed` does not read timers.
+// Invariants (see verify): ids are in their tables; the steps of a situation are in increasing order; locations except
+// INIT differ in situation or values; `evolutions` and `instabilities` are sorted by `from`; no condition is the
+// constant false; INIT is not a target; the cycle of an instability is not empty; `assumed` does not read timers.
 #pragma once
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 // emitters. Templates have parameters; processes instantiate them; `expand` gives each process a separate template.
 //
 // Semantics (CEP13 section 2; urgency as in ETFA12 section 2). One edge is taken at a time: its guard and clock
-// constraint hold, its procedures and assignments are executed in order, clocks are reset, and the invariants of the
-// new locations hold after the resets. Time may pass while every invariant holds and no urgent edge is enabled. The
+// constraint hold, its assignments and procedures are executed, clocks are reset, and the invariants of the new
+// locations hold after the resets. Time may pass while every invariant holds and no urgent edge is enabled. The
 // assignments of an edge are executed first, and then the procedures that it calls, in order. Each assignment uses the
 // results of the previous assignments. A value outside the range of its variable is a model error (`out-of-range`).
 //
@@ -190,8 +190,8 @@ std::int64_t bound_value(const Network& network, const Network::Process& process
 /// urgency by the guard only; therefore this function is true for every urgent edge of a Network.
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
-/// Returns the same network with one template per process and without parameters. Indices of processes and locations
-/// are unchanged, and properties keep their meaning.
+/// Returns an equivalent network with one template per process and without parameters. Indices of processes and
+/// locations are unchanged, and properties keep their meaning.
 Network expand(const Network& network);
 
 }  // namespace grafverif

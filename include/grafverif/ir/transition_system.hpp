@@ -106,11 +106,11 @@ struct TransitionSystem {
     /// Each condition is evaluated in a state, with the choices of the step from this state. An invalid id has the
     /// meaning that the comment of the condition states.
     struct Controller {
-        ControllerWords<Symbol> words =
-            {};  ///< a step that `evolves` clears a transition if the condition of the transition held before that step
+        /// If `evolves` is true in a step, the step clears the transitions whose conditions held before the step.
+        ControllerWords<Symbol> words = {};
         Id<Expr> starts = {};   ///< true in the first evolution; invalid if the first evolution has no visible effect
         Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; invalid if equal to `evolves`
-        Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if every step is one
+        Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if all steps are evolutions
         Id<Expr> writes = {};   ///< true if outputs are written; invalid if evolutions write them as the mode requires
         bool operator==(const Controller&) const = default;
     };

@@ -15,7 +15,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// Prints to the file given by `-o`, otherwise directly to standard output, because an automaton may be large.
+/// Prints to the file given by `-o`, otherwise directly to standard output. The output is then not stored in memory,
+/// because an automaton may be large.
 template <class Print>
 void print_to_output(CommandContext& job, const Streams& streams, Print print) {
     if (!job.options.output) return print(streams.out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `build`: translates a closed loop to a UPPAAL project and a NuSMV model. Either both files or no file is written.
+// `build`: translates a closed loop to a UPPAAL project and a NuSMV model. Either all files or no files are written.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `simulate`: executes a closed loop, or a chart without a loop, interactively, with a script, or at random. The run is
-// printed in the form of a counterexample. At the end, the interpreter replays it, unless a step was forced.
+// printed in the form of a counterexample. At the end, the interpreter replays the run, unless a step was forced.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -58,7 +58,7 @@ PropertyResult no_result(const Property& property) {
     PropertyResult answer{.text = property.text};
     answer.verdict.property = property.name;
     answer.verdict.expected_violated = property.expected_violated;
-    answer.verdict.reason = "it is omitted from this model, so its value is unknown";
+    answer.verdict.reason = "it is omitted from this model";
     return answer;
 }
 

@@ -95,7 +95,7 @@ private:
         return HttpAnswer{.body = play(*bench_->checked_file(), options_, request.body)};
     }
 
-    /// Returns the page that `report` writes. Only one is computed at a time.
+    /// Returns the page that `report` writes. Only one page is computed at a time.
     HttpAnswer report_page(const HttpRequest& request) const {
         const std::unique_lock hold(reporting_, std::try_to_lock);
         if (!hold) return {503, "text/plain", "another report is being generated; try again later\n"};

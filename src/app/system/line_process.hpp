@@ -26,7 +26,7 @@ struct Reply {
         Line,     ///< `text` is the line, without its terminator
         Silent,   ///< there was no line within the time limit
         Ended,    ///< the program ended, or closed its output, before it answered
-        Flood,    ///< more than one line, or one without end; `text` is its beginning
+        Flood,    ///< several lines, or a line without end; `text` is the beginning
         Stopped,  ///< the cancellation flag was set
     };
     Kind kind = Kind::Line;

@@ -219,8 +219,9 @@ void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
 }
 
 /// Returns the outcome for which preservation must be checked. If a property is undecided only because of a model error
-/// or inexact time, this is the outcome that it would otherwise have. If a limit ended the search, it is an outcome
-/// that is preserved if time can pass forever in the other parts: the complete network is then also too large.
+/// or inexact time, this is the outcome that it would otherwise have. If a limit ended the search, this is an outcome
+/// that is preserved if time can pass forever in the other parts. In that case the complete network is also too large,
+/// so that it need not be searched.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {
@@ -250,7 +251,7 @@ void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNum
         joined(in_complete(of, *verdict.run), other_runs(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
     if (!verdict.run) {
         verdict.notes.emplace_back(
-            "no trace is given: with the other sub-loops, it repeats only after very many steps");
+            "no trace is given: combined with the other sub-loops, the trace would repeat only after very many steps");
         return;
     }
     const bool maximal = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo ||
@@ -258,7 +259,7 @@ void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNum
     if (maximal && !verdict.run->loop) verdict.run = continued(network_, std::move(*verdict.run));
     if (verdict.run->moves.size() <= most_moves) return;
     verdict.run.reset();
-    verdict.notes.emplace_back("no trace is given: with the other sub-loops, it has too many moves");
+    verdict.notes.emplace_back("no trace is given: combined with the other sub-loops, the trace has too many moves");
 }
 
 void DecomposedCheck::answer(SubsystemQuery& question) {

@@ -142,7 +142,7 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
     const PartList all_others = parts_.others(search.chosen);
     const std::uint32_t who = all_others[static_cast<std::size_t>(mover - rest.begin())];
     if (waiting.is_false()) {
-        give(id, verdict, scope(search.chosen, "shares nothing with it; the verdict is reached without it"), {});
+        give(id, verdict, scope(search.chosen, "shares nothing with it and does not affect the verdict"), {});
         return true;
     }
     const FlatRun path =
@@ -305,7 +305,8 @@ std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& sea
     }
     if (made && stands) made = extended(std::move(*made), last, rest);
     if (made) return replayed(parts_.flat(), *made);
-    verdict.notes.emplace_back("no trace is given: with the other sub-loops, it repeats only after very many steps");
+    verdict.notes.emplace_back(
+        "no trace is given: combined with the other sub-loops, the trace would repeat only after very many steps");
     return {};
 }
 

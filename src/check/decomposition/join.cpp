@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A lasso can be divided after any tick. If the loop of a part has k ticks, and tick n is not in its stem, the actions
-// after tick n + k are equal to those after tick n. Therefore the number of ticks in the loop of the complete network
-// is the least common multiple of the numbers of its parts.
+// A lasso can be divided into a stem and a loop after any tick that is not in its stem. If the loop of a part has k
+// ticks, and tick n is not in its stem, the actions after tick n + k are equal to those after tick n. Therefore the
+// number of ticks in the loop of the complete network is the least common multiple of the numbers of its parts.
 #include "check/decomposition/join.hpp"
 
 #include <algorithm>

@@ -30,8 +30,8 @@ Circuit with_numbers(Circuit circuit);
 /// run. The result is empty if there is no witness, or if the witness does not match the circuit.
 std::optional<std::vector<std::vector<bool>>> read_witness(const Circuit& circuit, const Numbering& numbering,
                                                            std::string_view text);
-/// Converts ABC's counterexample (`write_cex -a`) to such a witness. The counterexample has no result line. If the text
-/// does not contain `# DONE`, which marks its end, the result is empty.
+/// Converts ABC's counterexample (`write_cex -a`) to a witness for read_witness. The counterexample has no result line.
+/// If the text does not contain `# DONE`, which marks its end, the result is empty.
 std::string witness_of_abc(std::string_view text);
 /// Returns the first result line of a text: true for `1` or `sat` (the state is reachable), false for `0` or `unsat`
 /// (it is unreachable), otherwise empty.

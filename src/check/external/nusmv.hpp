@@ -29,10 +29,10 @@ struct NusmvResult {
     bool total = false;  ///< true if NuSMV has proved that each reachable state has a successor
 };
 
-/// Reads the results of these commands for the properties of `system`. If the program has no result for a property, its
-/// verdict is unknown (`failed` or `stopped`); if the model is not total, all verdicts are unknown. The verdict is also
-/// unknown (`engine-disagrees`) if a false specification has no run of the system that shows it, or if a property has
-/// two verdicts.
+/// Reads the results of the commands of nusmv_commands for the properties of `system`. If the program has no result for
+/// a property, its verdict is unknown (`failed` or `stopped`); if the model is not total, all verdicts are unknown. The
+/// verdict is also unknown (`engine-disagrees`) if a false specification has no run of the system that shows it, or if
+/// a property has two verdicts.
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& program_result);
 

@@ -4,8 +4,8 @@
 //
 // Each formula is checked by a separate call, so that a result cannot be assigned to another query. Only the documented
 // lines `-- Formula is satisfied.`, `-- Formula is NOT satisfied.` and `-- Formula MAY [NOT] be satisfied.` are read;
-// exit codes and traces are not documented and are ignored. If the output has no such line, or two different ones,
-// there is no verdict.
+// exit codes and traces are not documented and are ignored. If the output does not have exactly one such line, there is
+// no verdict.
 #pragma once
 
 #include <functional>

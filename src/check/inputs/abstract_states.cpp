@@ -52,7 +52,8 @@ std::uint32_t AbstractStates::successor(std::size_t move) {
     return states_->add(moves_.words.data() + move * machine_->layout().words).state;
 }
 
-/// False if the state that has been expanded excludes the use of the abstraction.
+/// True if the expanded state permits the use of the abstraction: it has no model error and no race, not too many
+/// combinations of inputs, and each PLC is in W or has an enabled urgent edge.
 bool AbstractStates::is_supported() const {
     if (moves_.fault || moves_.cut) return false;
     const timed::Layout& layout = machine_->layout();

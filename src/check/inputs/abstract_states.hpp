@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All states of an input abstraction (ir/network_inputs.hpp) in which no clock remains: each process is Chosen or
-// Untimed.
+// AbstractStates: all states of an input abstraction (ir/network_inputs.hpp) without clocks, in which each process is
+// Chosen or Untimed.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,11 @@
 
 namespace grafverif {
 
-/// The levels in which the *panel* is Chosen: autonomous instances that can rest and can always return to their initial
-/// state by edges that only wait. All other processes are Untimed, and instances that one of these or `read` reads.
-/// `all`: also instances that may not return (a wrong premise for PossibleProof).
+/// Returns the levels in which the instances of the *panel* are Chosen and all other processes are Untimed. An instance
+/// belongs to the panel if it is autonomous, can rest and can always return to its initial state
+/// (AbstractableProcess::returns). Instances of `read`, and instances that an Untimed process reads, do not belong to
+/// the panel. If `all` is true, instances that cannot always return to their initial state are also in the panel. Only
+/// tests use this, to show that PossibleProof needs the premise (InputAblations::need_not_return).
 std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                      const std::set<Id<Network::Process>>& read, bool all = false);
 
@@ -26,18 +28,20 @@ public:
                    const std::vector<InputLevel>& levels);
     AbstractStates(AbstractStates&&) = delete;
 
-    /// True: all are found. False: the abstraction has a model error, a clock remains, or a PLC may not end its cycle.
-    /// Nothing: a limit is reached; a further call continues.
+    /// Searches the states. Returns true if all states were found. Returns false if the abstraction cannot be used: it
+    /// has a model error, a clock or too many combinations of inputs, or a PLC can remain inside its cycle. Returns
+    /// nullopt if a limit is reached; another call then continues the search.
     std::optional<bool> run(const FollowLimits& limits);
 
-    /// Every move of a state. Afterwards `successor` gives the states that they lead to.
+    /// `expand` returns the moves of a state. Afterwards, `successor` returns the state to which move number `move`
+    /// leads.
     const timed::Moves& expand(std::uint32_t state);
     std::uint32_t successor(std::size_t move);
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }
 
-    /// The abstraction; its properties are those of the loop.
+    /// Returns the abstraction. Its properties are the properties of the loop.
     const Network& network() const { return network_; }
-    /// True if each PLC waits.
+    /// True if each PLC is in W in the state that `words` represents.
     bool all_wait(const timed::Word* words) const;
     std::size_t size() const { return states_->size(); }
     timed::Machine& machine() { return *machine_; }
@@ -49,7 +53,7 @@ private:
     Network network_ = {};  // the abstraction
     std::optional<timed::Machine> machine_ = {};
     std::unique_ptr<PackedStates> states_ = {};
-    std::size_t next_ = 0;  // the first state that is not expanded
+    std::size_t next_ = 0;  // number of the first state that is not expanded
     bool failed_ = false;
     timed::Moves moves_ = {};
     std::vector<timed::Word> now_ = {};

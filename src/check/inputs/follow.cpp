@@ -22,7 +22,7 @@ using timed::Word;
 
 using Signature = std::vector<std::int64_t>;
 
-/// A stage of the abstract run, with the requirements for reaching the next one.
+/// A stage of the abstract run, with the requirements for reaching the next stage.
 struct Stage {
     Signature signature = {};
     std::vector<Word> goals = {};  // valuations sampled before the next stage, per instance
@@ -91,8 +91,8 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
 
 namespace {
 
-/// Returns the stages. The goals of a stage are those of the cycle that leads to it; the last stage has the goals of
-/// the last sampling.
+/// Returns the stages. The goals of a stage are the valuations of its last sampling. A stage without sampling has no
+/// requirements.
 std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Network::Variable>>& signature) {
     std::vector<Stage> stages;
     const auto begin = [&](const std::vector<std::int64_t>& variables) {
@@ -213,7 +213,7 @@ private:
         return network;
     }
 
-    /// Returns the conjuncts of the guard over outputs and known variables. The others may be true.
+    /// Returns the conjuncts of the guard over outputs and known variables. The other conjuncts are assumed to be true.
     static Id<Expr> known_guard(Network& network, const AbstractableProcess& made, Id<Expr> guard,
                                 const std::set<Id<Network::Variable>>& known) {
         std::vector<Id<Expr>> kept;
@@ -303,7 +303,8 @@ private:
         return differing;
     }
 
-    /// Returns the last stage that the state shows, starting with the stage of its predecessor.
+    /// Returns the last stage after `stage`, the stage of the predecessor, whose signature the state has. If there is
+    /// no such stage, returns `stage`.
     std::size_t stage_of(const Word* words, std::size_t stage) const {
         for (std::size_t later = stages_.size(); later-- > stage + 1;)
             if (distance(words, later) == 0) return later;
@@ -324,7 +325,7 @@ private:
     }
 
     /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not among the goals of
-    /// the stage; all others move freely.
+    /// the stage; all other processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
@@ -351,8 +352,8 @@ private:
         if (!urgent && !shown_ && machine_.delay(later.data())) add(later.data(), node, stage, Delay{1});
     }
 
-    /// Returns the instances that constrain the stage after the last one reached. If there are none, those of the
-    /// previous stage or of any stage.
+    /// Returns the instances that the last reached stage constrains. If there are none, returns the instances that the
+    /// stage before it constrains, or else those of the first stage with a constraint.
     std::vector<std::size_t> blamed() const {
         const auto constrained = [&](const Stage& stage) {
             std::vector<std::size_t> found;

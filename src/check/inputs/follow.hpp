@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Guided search: a run of the complete network along a run of its input abstraction (ir/network_inputs.hpp).
+// Guided search for a run of the complete network along a run of its input abstraction (ir/network_inputs.hpp).
 //
 // The abstract run is divided into stages, one per valuation of the steps and internal variables of the controllers.
 // The search is best-first: by the last stage that a run has shown, then by the number of variables that differ from
@@ -30,7 +30,7 @@ struct AbstractRun {
     const std::vector<AbstractState>& path;
 };
 
-inline constexpr std::size_t search_poll_interval = 1024;  ///< states after which a search tests its limit of time
+inline constexpr std::size_t search_poll_interval = 1024;  ///< number of states between two tests of the time limit
 
 struct FollowLimits {
     std::size_t states = 200'000;
@@ -44,23 +44,26 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network);
 
 struct ConcreteRun {
     std::optional<Run> run = {};           ///< run of the complete network to a state that decides the property
-    std::vector<std::size_t> blamed = {};  ///< if there is no run: the instances for which the last stage waits
+    std::vector<std::size_t> blamed = {};  ///< if there is no run: the instances that the last reached stage constrains
 };
 
-/// A position in a run at which a single process, given the values of the others, cannot perform what the run requires.
+/// A position in an abstract run at which a single process cannot perform what the run requires, given the values of
+/// the variables of other processes.
 struct SpuriousMove {
     std::size_t at = 0;     ///< index in the path
-    InputLevel level = {};  ///< level of the process with which the abstraction excludes this run
+    InputLevel level = {};  ///< level of the process at which the abstraction excludes this run
 };
 
-/// Returns the first such position, if there is one. If `waits` is true, any time may pass initially and whenever all
-/// PLCs are stable. Variables whose values the run does not contain (Chosen instances, flags) may have any value that
-/// the process requires. `complete` is the expanded network; its time unit divides that of the abstract run.
+/// Returns the first position at which the process of `instance` cannot perform what the run requires, for the least
+/// precise level that excludes the run; nullopt if no level excludes the run. If `waits` is true, any time may pass
+/// initially and whenever all PLCs are stable. Variables whose values the run does not contain (Chosen instances,
+/// flags) may have any value that the process requires. `complete` is the expanded network; its time unit divides that
+/// of the abstract run.
 std::optional<SpuriousMove> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
                                        bool waits);
 
-/// Searches for a run along the abstract one. `network` is complete, expanded, and has the same observer. `property` is
-/// one of its properties about single states, or one step of `reachable all steps`.
+/// Searches for a run along the abstract run. `network` is complete, expanded, and has the observers of the
+/// abstraction. `property` is one of its properties about single states, or one step of `reachable all steps`.
 ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
                    const FollowLimits& limits);
 

@@ -19,7 +19,7 @@ public:
     FoundStates(FoundStates&&) = delete;
 
     /// Adds a state and returns its number; empty if the state is already known with this `mark`. `parent` is the state
-    /// before `move`. The first state is the initial one.
+    /// before `move`. The first state is the initial state.
     std::optional<std::size_t> add(const timed::Word* words, std::size_t parent, std::size_t mark, const Move& move);
 
     std::size_t size() const { return nodes_.size(); }

@@ -35,7 +35,8 @@ public:
           observed_(expand(observe(loop))),
           complete_(in_longest_unit(observed_)),
           writers_(observed_.variables.size()) {
-        // This is required because a property that holds in an abstraction may hold vacuously in the loop.
+        // In a loop with model errors, or in which time does not pass, a property that holds in an abstraction may hold
+        // vacuously.
         if (!instances_.empty() && result_.errors.empty() && result_.time_passes) collect();
     }
 
@@ -127,8 +128,9 @@ private:
     std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in its order
     std::optional<NoveltySearch> novelty_ = {};
     std::optional<PossibleProof> possible_ = {};
-    bool time_diverges_ = false;           // true if this is proved, while instances that can rest do not move
-    std::optional<bool> takes_time_ = {};  // the premise of a proof of a response
+    // True if it is proved that time diverges while instances that can rest do not move.
+    bool time_diverges_ = false;
+    std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;              // bound of the searches of the current round
     Deadline deadline_ = {};
 };

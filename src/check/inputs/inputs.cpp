@@ -51,14 +51,15 @@ void InputAbstractionCheck::collect() {
         task.verdicts.push_back(k);
     }
     for (auto& [order, task] : groups) tasks_.push_back(std::move(task));
-    const bool progress = !possible.verdicts.empty() || !response.verdicts.empty();  // uses that time passes
+    // True if a property is open whose proof requires that time diverges.
+    const bool progress = !possible.verdicts.empty() || !response.verdicts.empty();
     if (!possible.verdicts.empty()) tasks_.push_front(std::move(possible));
     if (!response.verdicts.empty()) tasks_.push_front(std::move(response));
     if (!passing.verdicts.empty() || progress) tasks_.push_front(std::move(passing));
 }
 
-/// Searches for runs of the complete loop. Returns false if another round would find no further run. An observer
-/// multiplies the number of states.
+/// Searches for runs of the complete loop. Returns false if another round would find no further run. A loop with
+/// observers is not searched, because observers multiply the number of states.
 bool InputAbstractionCheck::explore() {
     const std::uint64_t states = std::min(round_, limits_.explored);
     const bool looks = observed_.processes.size() == loop_.processes.size() && states > 0 &&
@@ -69,7 +70,7 @@ bool InputAbstractionCheck::explore() {
     return false;
 }
 
-/// Continues the search up to this number of states. Returns false if it cannot be continued.
+/// Continues the search up to `states` states. Returns false if it cannot be continued.
 bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     if (!novelty_) {
         std::vector<Property> properties;
@@ -92,7 +93,8 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     return more;
 }
 
-/// `property` is a property of observe(loop): it also reads the variables and processes that its observer reads.
+/// Returns the coarsest levels for `property`, a property of observe(loop). Processes that the property or an observer
+/// reads are not Chosen. If `coarse` is false, only autonomous instances are abstracted.
 InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {
@@ -135,7 +137,7 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
     return levels;
 }
 
-/// Lowers chosen instances to untimed ones if a machine cannot represent the choices of all (timed::Choices).
+/// Raises Chosen instances to Untimed if a machine cannot represent the choices of all instances (timed::Choices).
 void InputAbstractionCheck::limit_choices(Levels& levels) const {
     std::size_t splits = 0;
     for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -148,7 +150,7 @@ void InputAbstractionCheck::limit_choices(Levels& levels) const {
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
-/// Raises the levels to those of the known abstraction.
+/// Raises the levels to those of the known abstraction of the property, if there is one.
 void InputAbstractionCheck::begin_with_known(const Property& property, Levels& levels) const {
     const auto known = limits_.known.find(property.name);
     if (known == limits_.known.end()) return;
@@ -166,9 +168,10 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
-/// Adds the verdict to the task of its next search. If `levels` differ from those of `task`, they are used. Otherwise,
-/// a spurious run may be due to rounded bounds, so the exact bounds are used; after that, all processes that read the
-/// loop are complete. All properties for which the engine searches for a state or a run share one next search.
+/// Adds the verdict to the task of its next search, with `levels`. If `levels` are those of `task`, a spurious run may be
+/// due to rounded bounds, so the exact bounds are used. Otherwise, or if the maximum number of searches is reached, a
+/// coarse search is followed by a search in which only autonomous instances are abstracted; other searches are not
+/// continued. All `reachable` properties share one next search.
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End end, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];
@@ -304,7 +307,8 @@ Run InputAbstractionCheck::in_units(Run run) const {
     return run;
 }
 
-/// Returns a real run. If there is none, `raised` receives the levels to try next.
+/// Returns a run of the complete loop along the abstract run. If there is no such run, `raised` receives the levels to
+/// try next.
 std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const AbstractRun& abstract, const Task& task,
                                                    Levels& raised) {
     // A guided search is more expensive than a search of a coarse abstraction.
@@ -322,8 +326,9 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
     return {};
 }
 
-/// Raises the level of one process that cannot perform what the run requires. Only one is raised, since few are usually
-/// necessary: one that the property reads, otherwise the first in the run. Returns false if there is none.
+/// Raises the level of one process that cannot perform what the run requires. Only one level is raised at a time,
+/// because usually few are necessary. Processes that are not Chosen have priority, and among them the process with the
+/// earliest impossible position. Returns false if there is no such process.
 bool InputAbstractionCheck::first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
     std::optional<SpuriousMove> best;
     std::size_t process = 0;

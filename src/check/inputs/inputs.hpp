@@ -2,17 +2,18 @@
 // Decides properties about single states on input abstractions of a closed loop (ir/network_inputs.hpp).
 //
 // Each property starts with the coarsest levels: `Untimed` for the processes that it reads and for timers, `Chosen` for
-// the others. Properties with equal levels share a search. Its time unit is the greatest common divisor of the
-// durations in the abstraction. If the abstraction preserves a verdict, it is a verdict of the complete loop. A run
-// that it does not preserve is followed in the complete loop (follow.hpp); if this succeeds, the run is real. Otherwise
-// the level of a process that cannot perform what the run requires is raised, and the search is repeated. For a
-// property that remains open, the search restarts with only autonomous instances abstracted.
+// the others. Properties with equal levels share a search. The time unit of a search is the greatest common divisor of
+// the durations in the abstraction. If the abstraction preserves a verdict, it is also the verdict on the complete
+// loop. If a verdict that is not preserved has a run, this run is followed in the complete loop (follow.hpp). If this
+// succeeds, the result is a run of the loop. Otherwise the level of a process that cannot perform what the run requires
+// is raised, and the search is repeated. For a property that remains open, the search restarts with only autonomous
+// instances abstracted.
 //
 // The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in
 // the next round. Therefore a property that requires a small search does not wait for one that requires a large search.
 // Each round begins with a search for runs of the complete loop (novelty.hpp).
 //
-// An abstraction with a model error yields no verdict, since the states after the error are not explored.
+// An abstraction with a model error yields no verdict, because the states after the error are not explored.
 #pragma once
 
 #include <functional>
@@ -30,17 +31,19 @@ using Observe = std::function<Network(const Network&)>;
 
 struct InputLimits {
     std::uint64_t states = std::uint64_t{1} << 24U;  ///< maximum number of states of one search of an abstraction
-    /// Maximum while instances that read the loop are abstracted.
+    /// Maximum number of states of one search in which instances that read the loop are also abstracted.
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;
-    std::size_t followed = 200'000;        ///< maximum number of states of one guided search
-    std::size_t followed_coarse = 20'000;  ///< maximum while instances that read the loop are abstracted
+    std::size_t followed = 200'000;  ///< maximum number of states of one guided search
+    /// The same maximum for a run of an abstraction in which instances that read the loop are also abstracted.
+    std::size_t followed_coarse = 20'000;
     /// Number of states of the complete loop that are searched before the abstractions; may be 0.
     std::uint64_t explored = std::uint64_t{1} << 20U;
-    std::size_t rounds = 8;  ///< maximum number of searches for one property
-    /// Maximum number of searches before these, with instances that read the loop abstracted.
+    /// Maximum number of searches for one property in which only autonomous instances are abstracted.
+    std::size_t rounds = 8;
+    /// Maximum number of preceding searches for one property in which instances that read the loop are also abstracted.
     std::size_t coarse_rounds = 32;
-    /// Per property, an abstraction that decided it in a similar loop. The search begins with it instead of the coarsest
-    /// one. Processes that are not named are complete.
+    /// Per property: an abstraction that decided the property in a similar loop. The search begins with this
+    /// abstraction instead of the coarsest abstraction. Processes that are not named are complete.
     std::map<std::string, InputsAbstracted> known = {};
 };
 
@@ -49,7 +52,8 @@ inline constexpr std::uint64_t input_rounds[] = {1U << 14U, 1U << 17U, 1U << 20U
 
 class InputAbstractionCheck;
 
-/// Decides the properties that `result` leaves open because of its bound on states.
+/// Decides properties that are open in `result` because a limit ended its search, or because integer time is not exact
+/// for them.
 class InputSearch {
 public:
     /// `loop` is expanded and has no observers. `result` is the result for observe(loop), with the verdicts that

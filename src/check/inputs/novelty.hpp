@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Searches a complete closed loop for runs. It prefers situations that have occurred rarely.
+// NoveltySearch: searches a complete closed loop for runs, and prefers states whose signature has occurred rarely.
 //
 // In a loop with an operator panel, a breadth-first search finds mainly combinations of buttons. This search orders
 // states by the number of earlier states with the same signature: steps and internal variables of the PLCs, locations
 // and variables of the plants. Within a signature, states with fewer moves of autonomous instances come first. The
-// order only determines which runs are found early: each of them is a run of the loop.
+// order only determines which runs are found early; each run that is found is a run of the loop.
 #pragma once
 
 #include <memory>
@@ -16,8 +16,8 @@
 
 namespace grafverif {
 
-/// The fields of a signature: steps and internal variables, and the instances of the plant that are not `omitted` (per
-/// process).
+/// Returns the fields of a signature: steps and internal variables, and the locations and variables of the instances of
+/// the plant. `omitted` is true for each process whose fields are not included.
 std::vector<timed::Field> signature_fields(const Network& network, const timed::Layout& layout,
                                            const std::vector<bool>& omitted);
 std::uint64_t signature_of(const std::vector<timed::Field>& fields, const timed::Word* words);
@@ -30,8 +30,8 @@ public:
                   const std::vector<AbstractableProcess>& instances);
     ~NoveltySearch();
 
-    /// Continues up to `limits.states` states in total. Returns false if all states or all required states are found,
-    /// or if the memory limit is reached.
+    /// Continues the search up to `limits.states` states in total. Returns false if all states or all required states
+    /// are found, or if the memory limit is reached.
     bool run(const FollowLimits& limits);
     std::size_t states() const;
     /// Returns the run to a state that decides the property, or nothing if none was found.

@@ -16,7 +16,7 @@ PackedStates::Added PackedStates::add(const timed::Word* words) {
 }
 
 std::uint64_t PackedStates::bytes() const {
-    constexpr std::uint64_t entry = sizeof(std::size_t) + 2 * sizeof(void*);  // in a list of the hash table
+    constexpr std::uint64_t entry = sizeof(std::size_t) + 2 * sizeof(void*);  // size in a list of the hash table
     return states_.capacity() * sizeof(timed::Word) + known_.bucket_count() * sizeof(void*) + known_.size() * entry;
 }
 

@@ -24,7 +24,7 @@ public:
 
     std::size_t size() const { return states_.size() / words_; }
     const timed::Word* words(std::size_t state) const { return states_.data() + state * words_; }
-    /// Memory in bytes, approximately.
+    /// Returns the approximate memory in bytes.
     std::uint64_t bytes() const;
 
 private:

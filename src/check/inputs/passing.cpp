@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// InputAbstractionCheck: properties that require that something can happen.
+// InputAbstractionCheck: proofs of `no timelock`, `no deadlock`, `always possible`, `inevitable` and `leads to`.
 #include "check/inputs/input_check.hpp"
 #include "check/inputs/response.hpp"
 #include "check/inputs/resting.hpp"
@@ -15,7 +15,8 @@ bool InputAbstractionCheck::is_about_passing(const Verdict& verdict) const {
     return property.pattern == Pattern::NoDeadlock || timed::about_time(property);
 }
 
-/// Returns the coarsest levels that the premises of the argument by instants allow.
+/// Returns the coarsest levels for a proof by instants (ChoiceLifetime::Instant): only autonomous instances that can
+/// rest are abstracted.
 InputAbstractionCheck::Levels InputAbstractionCheck::levels_of_resting() const {
     Levels levels;
     for (const AbstractableProcess& process : instances_) {
@@ -37,7 +38,8 @@ bool InputAbstractionCheck::each_part_is_lively() const {
     return std::ranges::find(lively, false) == lively.end();
 }
 
-/// A proof for evolutions of the PLCs requires that each process alone lets time pass.
+/// Returns the task for `no timelock`. A proof by evolutions of the PLCs (ChoiceLifetime::Evolution) requires that each
+/// process alone lets time pass and that integer time is exact. Otherwise a proof by instants is attempted.
 InputAbstractionCheck::Task InputAbstractionCheck::passing_task() const {
     if (timed::inexact_place(loop_) || !lets_time_pass(loop_, ablations_))
         return {levels_of_resting(), {}, 0, false, Kind::Passing};
@@ -78,8 +80,8 @@ void InputAbstractionCheck::search_passing(const Task& task) {
     }
 }
 
-/// `always possible` (possible.hpp), `inevitable` and `leads to` (response.hpp). The premise: a search of the same round,
-/// before this one, has proved that time diverges.
+/// Proves `always possible` (possible.hpp), or `inevitable` and `leads to` (response.hpp). The proofs require that an
+/// earlier search has proved that time diverges. If this search is postponed, the task is also postponed.
 void InputAbstractionCheck::search_progress(const Task& task) {
     if (!time_diverges_ && !ablations_.need_not_diverge) {
         if (std::ranges::any_of(postponed_, [](const Task& other) {
@@ -104,7 +106,8 @@ void InputAbstractionCheck::search_progress(const Task& task) {
     postponed_.back().verdicts = std::move(open);
 }
 
-/// Terms of a property belong to its network.
+/// Returns the property of `loop_` with the name of the verdict's property, because terms of a property belong to its
+/// network.
 const Property& InputAbstractionCheck::property_of_loop(std::size_t k) const {
     const std::string& name = observed_.properties[result_.verdicts[k].about].name;
     return *std::ranges::find(loop_.properties, name, &Property::name);

@@ -18,17 +18,17 @@
 
 namespace grafverif {
 
-/// What the clocks of the loop permit, per process.
+/// The effects of the clocks of the loop.
 struct LoopTiming {
-    std::vector<std::vector<EdgeTiming>> edges = {};    // per edge
-    std::vector<std::vector<std::size_t>> bounds = {};  // per location, their number
+    std::vector<std::vector<EdgeTiming>> edges = {};    // per process and edge
+    std::vector<std::vector<std::size_t>> bounds = {};  // number of bounds of the invariant, per process and location
 };
 
 namespace {
 
 using timed::Word;
 
-/// The loop without clocks, in which p is `goal`.
+/// The loop without clocks. `goal` is the term p of `always possible p`.
 struct Untimed {
     Network network = {};
     Id<Expr> goal = {};
@@ -62,8 +62,9 @@ LoopTiming timing_of_loop(const Network& loop) {
     return made;
 }
 
-/// Finds good states, beginning with the states to be proved, and goes no further than needed. Rule 4 is applied last,
-/// in the order of NoveltySearch: few moves of the panel, and rare situations, come first.
+/// Finds good states (possible.hpp), beginning with the required states, and explores only the states that are
+/// necessary for them. Rule 4 is applied last, in the order of NoveltySearch: states with a rare signature, and with
+/// few moves of the panel since the signature changed, come first.
 class GoodStates {
 public:
     GoodStates(const Untimed& loop, const LoopTiming& timing, const std::vector<bool>& is_panel,
@@ -87,7 +88,8 @@ public:
         if (!nodes_[state].is_good) ++open_;
     }
 
-    /// True: all required states are good. False: some cannot be shown to be good. Nothing: a limit is reached.
+    /// Returns true if all required states are good, false if some of them cannot be shown to be good, or nullopt if a
+    /// limit is reached.
     std::optional<bool> run(const FollowLimits& limits) {
         for (std::size_t polls = 0; open_ > 0; ++polls) {
             if (states_.size() >= limits.states || bytes() > limits.bytes) return {};
@@ -111,13 +113,13 @@ public:
 
 private:
     struct Node {
-        std::uint64_t open = 1;  // bounds for which no edge to a good state is known; 1 for rules 2 and 4
+        std::uint64_t open = 1;  // set of bounds for which no edge to a good state is known; 1 for rules 2 and 4
         std::uint64_t signature = 0;
-        std::uint32_t users = none;  // the first of users_
-        std::uint32_t moves = 0;     // of the panel, since the signature has changed
+        std::uint32_t users = none;  // index of the first entry of its list in users_
+        std::uint32_t moves = 0;     // number of moves of the panel since the signature changed
         bool is_good = false, is_required = false;
     };
-    struct User {  // a state with an edge for one of its bounds to the state that the list belongs to
+    struct User {  // a state with an edge for `bound` to the state to which the list belongs
         std::uint32_t state = 0, next = none;
         std::uint8_t bound = 0;
     };
@@ -140,7 +142,7 @@ private:
         return state;
     }
 
-    /// Records that an edge for `bound` leads from one state to another.
+    /// Records that move number `move` is an edge for `bound` from the state `from`.
     void link(std::uint32_t from, std::uint8_t bound, std::size_t move) {
         const bool by_panel = is_panel_[machine_.process_of(moves_.edges[move]).index];
         const std::uint32_t to = add(moves_.words.data() + move * machine_.layout().words, from, by_panel);
@@ -178,7 +180,7 @@ private:
         return timing_.edges[machine_.process_of(moves_.edges[move]).index][machine_.edge_of(moves_.edges[move]).index];
     }
 
-    /// Rules 2 and 3.
+    /// Applies rules 2 and 3.
     void expand(std::uint32_t state) {
         load(state);
         if (moves_.urgent) {
@@ -186,7 +188,7 @@ private:
                 if (machine_.urgent(moves_.edges[move])) return link(state, 0, move);
             return;
         }
-        std::vector<std::size_t> first(loop_.processes.size() + 1, 0);  // per process, the number of its first bound
+        std::vector<std::size_t> first(loop_.processes.size() + 1, 0);  // number of the first bound of each process
         for (std::size_t process = 0; process < loop_.processes.size(); ++process)
             first[process + 1] = first[process] + bounds_of(process);
         const std::size_t bounds = first.back();
@@ -206,7 +208,7 @@ private:
         resting_.emplace(std::size_t(std::bit_width(earlier)) + 2 * nodes_[state].moves, state);
     }
 
-    /// Rule 4.
+    /// Applies rule 4.
     void move_at_rest(std::uint32_t state) {
         load(state);
         for (std::size_t move = 0; move < moves_.edges.size() && !nodes_[state].is_good; ++move)
@@ -225,8 +227,8 @@ private:
     PackedStates states_;
     std::vector<Node> nodes_ = {};
     std::vector<User> users_ = {};
-    std::size_t open_ = 0;                   // required states that are not known to be good
-    std::deque<std::uint32_t> forced_ = {};  // not yet expanded
+    std::size_t open_ = 0;                   // number of required states that are not known to be good
+    std::deque<std::uint32_t> forced_ = {};  // states to which rules 2 and 3 are not yet applied
     std::priority_queue<Resting, std::vector<Resting>, std::greater<>> resting_ = {};
     std::unordered_map<std::uint64_t, std::size_t> visits_ = {};
     timed::Moves moves_ = {};
@@ -266,7 +268,7 @@ public:
     std::size_t states() const { return states_ + abstraction_.size(); }
 
 private:
-    static constexpr std::size_t most_requests = 4;  // flags of the panel
+    static constexpr std::size_t most_requests = 4;  // maximum number of flags that the panel sets
 
     void add_to_panel(const AbstractableProcess& instance) {
         is_panel_[instance.process.index] = true;
@@ -276,8 +278,8 @@ private:
                 requests_.push_back(variable);
     }
 
-    /// The states in which all PLCs wait and the panel is in its initial state. The flags that the panel sets may have
-    /// both values.
+    /// Requires that all states are good in which all PLCs wait and the panel is in its initial state. Each flag that
+    /// the panel sets may have either value.
     void require_waiting(GoodStates& good) const {
         const timed::Layout &from = abstraction_.machine().layout(), &to = good.layout();
         std::vector<Word> words(to.words, 0);

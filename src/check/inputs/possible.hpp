@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Proves `always possible p` for dense time, where a search in integer time cannot (docs/explanation/timed-engine.md,
-// "Exactness", 5).
+// Proves `always possible p` for dense time. A search in integer time cannot prove this property if the model has
+// clocks (docs/explanation/timed-engine.md, "Exactness", 5).
 //
-// States are those of the loop without clocks. A state is *good* if in every dense state that agrees with it a run to p
-// begins. The proof finds good states by four rules, each with a move that is possible for all values of the clocks:
+// The states are those of the loop without clocks. A state is *good* if a run to a state with p begins in every state
+// of dense time with the same locations and variables. The proof finds good states by four rules. Each move in these
+// rules is possible for all values of the clocks. A state is good if one of the following conditions is satisfied:
 //
 //   1. p holds.
-//   2. An urgent edge is enabled, and leads to a good state.
-//   3. No urgent edge is enabled, and some bounds of invariants are in force. Time passes until one of them is reached.
-//      So for each bound, some enabled edge that waits for its clock alone leads to a good state.
-//   4. No urgent edge is enabled, and no bound is in force. Time passes until all clocks are large. Then some enabled
-//      edge that has no upper bound leads to a good state.
+//   2. An urgent edge is enabled and leads to a good state.
+//   3. No urgent edge is enabled, and some bounds of invariants are in force. For each bound, some enabled edge that
+//      waits only for the clock of this bound leads to a good state. This is sufficient because time passes until one
+//      of the bounds is reached.
+//   4. No urgent edge is enabled, and no bound is in force. Some enabled edge without an upper bound leads to a good
+//      state. This is sufficient because time passes until all clocks are large.
 //
-// Not all states need to be good. The *panel* are the autonomous instances that can rest and can always return to their
-// initial state by edges that only wait. If `no timelock` has been proved with instances at rest (ir/network_inputs.hpp,
-// check/inputs/resting.hpp), time diverges while the panel returns, from any state of the loop. Then the PLCs end their
-// cycles. So it is sufficient that those states are good in which the panel is in its initial state and each PLC waits.
-// These are found in an abstraction in which the panel is Chosen and all other processes are Untimed; the flag that the
-// panel sets, EVOL_PL, may have either value.
+// Not all states need to be good. The *panel* consists of the autonomous instances that can rest and can always return
+// to their initial state by edges whose clock constraints are only lower bounds. If `no timelock` has been proved with
+// instances at rest (ir/network_inputs.hpp, check/inputs/resting.hpp), time diverges while the panel returns, from any
+// state of the loop. Then the PLCs end their cycles. Therefore it is sufficient that the states are good in which the
+// panel is in its initial state and each PLC waits. These states are found in an abstraction in which the panel is
+// Chosen and all other processes are Untimed. The flag that the panel sets, EVOL_PL, may have either value.
 #pragma once
 
 #include <memory>
@@ -30,16 +32,17 @@ namespace grafverif {
 
 class PossibleProof {
 public:
-    /// `loop`: complete, expanded, without observers and strict constraints; must outlive the proof.
+    /// `loop` must be complete and expanded, have neither observers nor strict constraints, and outlive the proof.
     PossibleProof(const Network& loop, const std::vector<AbstractableProcess>& instances,
                   const InputAblations& ablations = {});
     ~PossibleProof();
 
-    /// The levels of the abstraction in which the states to be proved are found.
+    /// Returns the levels of the abstraction in which the states that must be good are found.
     const std::vector<InputLevel>& levels() const;
-    /// True: the property, `always possible`, holds. False: this method cannot prove it. Nothing: a limit is reached.
+    /// Returns true if `property`, which is `always possible`, holds; false if this method cannot prove it; nullopt if
+    /// a limit is reached.
     std::optional<bool> proves(const Property& property, const FollowLimits& limits);
-    /// States explored by all calls.
+    /// Returns the number of states that all calls explored.
     std::size_t states() const;
 
 private:

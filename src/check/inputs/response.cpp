@@ -16,7 +16,7 @@ namespace {
 using timed::End;
 using timed::Word;
 
-/// The instances whose variables or locations the property reads.
+/// Returns the processes whose locations, and the instances whose outputs, the property reads.
 std::set<Id<Network::Process>> instances_read_by(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                                  const Property& property) {
     std::set<Id<Network::Process>> found;
@@ -60,18 +60,18 @@ public:
     std::size_t states() const { return states_.size(); }
 
 private:
-    /// What the states of a component without q have in common.
+    /// Properties of a strongly connected component of states without q.
     struct Component {
         bool urgent = true;                // an urgent edge is enabled in each state
-        std::vector<bool> moves = {};      // per process: by an edge within the component
-        std::vector<bool> unbounded = {};  // per process: in some state no bound is in force
+        std::vector<bool> moves = {};      // per process: it has an edge between two states of the component
+        std::vector<bool> unbounded = {};  // per process: it has no bound in force in some state
     };
 
     std::uint32_t compiled(Id<Expr> term) {
         return states_.machine().compiler().condition(term, timed::Program::yes, timed::Program::no);
     }
 
-    /// True if `term` may be true: an undefined value counts as that.
+    /// True if `term` is true or undefined in the state.
     bool may_hold(std::uint32_t term, std::uint32_t state) {
         return states_.machine().holds(term, states_.words(state), registers_) != End::No;
     }
@@ -115,7 +115,7 @@ private:
         return std::ranges::none_of(found, [&](const auto& entry) { return may_repeat(entry.second); });
     }
 
-    /// True if time may pass forever in the state.
+    /// True if time can pass forever in the state.
     bool may_stay(std::uint32_t state) {
         if (is_urgent(states_.expand(state))) return false;
         for (std::uint32_t process = 0; process < loop_.processes.size(); ++process)
@@ -136,7 +136,7 @@ private:
             if (!is_bounded(process, state)) component.unbounded[process] = true;
     }
 
-    /// True if a run may remain in the component.
+    /// True if a run can remain in the component forever.
     bool may_repeat(const Component& component) const {
         if (component.urgent) return false;
         for (std::size_t process = 0; process < loop_.processes.size(); ++process)

@@ -21,10 +21,11 @@ namespace {
 using VariableId = Id<Network::Variable>;
 using Values = std::vector<std::int64_t>;
 
-constexpr std::size_t most_valuations_alone = 4096;  // of the variables that a process reads from others
-constexpr std::size_t most_moves_alone = 1U << 20U;  // of a process, for all valuations
+// Maximum number of valuations of the variables that a process reads from others.
+constexpr std::size_t most_valuations_alone = 4096;
+constexpr std::size_t most_moves_alone = 1U << 20U;  // maximum number of moves of a process, for all valuations
 
-/// Who writes and reads each variable.
+/// The processes that write and read each variable, and the PLCs.
 struct Users {
     std::vector<std::set<Id<Network::Process>>> writers, readers;
     std::set<Id<Network::Process>> plcs = {};
@@ -39,7 +40,7 @@ struct Users {
     }
 };
 
-/// One process for all values of the variables of others.
+/// One process that is examined alone, for all values of the variables of other processes.
 class Alone {
 public:
     Alone(const Network& network, const Users& users, const ProcessClocks& clocks, Id<Network::Process> id,
@@ -60,7 +61,8 @@ public:
         }
     }
 
-    /// Computes all moves. False if there are too many, or a value may be undefined or out of range.
+    /// Computes all moves. Returns false if there are too many moves, if a value may be undefined or out of range, or
+    /// if the process is not supported.
     bool explore() {
         if (!is_simple() || !enumerate()) return false;
         State initial{slots_.process.initial, {}};
@@ -74,7 +76,9 @@ public:
 
     bool leaves_bounds() const { return bounds_left_; }
 
-    /// Edges that assign variables of other processes, or of PLCs. `steady`: per variable, it has one value at last.
+    /// True if no cycle of urgent edges contains an edge that assigns a variable which another process (if `to_plcs` is
+    /// true: a PLC) reads. The variables of other processes are constant if `steady` is true for them, and otherwise
+    /// change at any time.
     bool shows_finitely(const std::vector<bool>& steady, bool to_plcs) const {
         std::map<Values, std::vector<const Move*>> by_steady;
         for (const Move& move : moves_) {
@@ -89,6 +93,8 @@ public:
         });
     }
 
+    /// True if no cycle consists of urgent edges that do not accept a request, while the variables of other processes
+    /// are constant.
     bool moves_finitely() const {
         std::map<std::uint32_t, std::vector<const Move*>> by_valuation;
         for (const Move& move : moves_)
@@ -97,7 +103,7 @@ public:
             by_valuation, [&](const auto& group) { return !repeats(group.second, [](const Move&) { return true; }); });
     }
 
-    /// Each cycle with an edge that waits takes at least one unit of time.
+    /// True if each cycle that contains an edge that is not urgent takes at least one unit of time.
     bool repeats_slowly() const {
         std::vector<const Move*> fast;
         std::map<std::size_t, bool> is_slow;  // per edge
@@ -123,7 +129,7 @@ private:
 
     const Network::Edge& edge(std::uint32_t id) const { return slots_.automaton.edges[{id}]; }
 
-    /// The edge requires that a clock is at least 1, and each cycle that contains it resets this clock.
+    /// True if the edge requires that a clock is at least 1, and each cycle that contains the edge resets this clock.
     bool takes_time(std::uint32_t id) const {
         const std::vector<ClockInterval> wanted =
             admitted(network_, edge(id).constraint, slots_.automaton.clocks.size());
@@ -140,14 +146,15 @@ private:
     bool is_own(VariableId variable) const { return std::ranges::find(own_, variable) != own_.end(); }
 
     bool is_timer() const { return slots_.process.kind == Network::ProcessKind::Timer; }
-    /// True if no process except the PLCs and this one writes the variable.
+    /// True if only the PLCs and this process write the variable.
     bool is_written_by_plcs(VariableId variable) const {
         return std::ranges::all_of(users_.writers[variable.index], [&](Id<Network::Process> writer) {
             return writer == id_ || users_.plcs.contains(writer);
         });
     }
 
-    /// The edge of a timer has a guard `v` and assigns false to v, which only PLCs make true.
+    /// Returns the request that the edge of a timer accepts: a variable v such that `v` is a conjunct of the guard, the
+    /// edge assigns false to v, and only PLCs set v to true.
     std::optional<VariableId> accepted(const Network::Edge& edge) const {
         if (!is_timer()) return {};
         for (const Id<Expr> conjunct : operands_of(network_.exprs, edge.guard, Op::And)) {
@@ -168,7 +175,7 @@ private:
             });
         });
     }
-    /// True if the process writes a variable that it reads, and that others write, only where it accepts a request.
+    /// True if each edge that assigns `variable` accepts it as a request.
     bool accepts_only(VariableId variable) const {
         return std::ranges::all_of(slots_.automaton.edges, [&](const Network::Edge& edge) {
             return accepted(edge) == variable ||
@@ -179,7 +186,8 @@ private:
     }
     bool accepts_request(const Network::Edge& edge) const { return accepted(edge).has_value(); }
 
-    /// True if another process reads what the edge assigns; a request that it accepts does not count.
+    /// True if another process (if `by_plcs` is true: a PLC) reads `variable`, which the edge assigns, unless it is the
+    /// request that the edge accepts.
     bool is_seen(const Network::Edge& edge, VariableId variable, bool by_plcs) const {
         if (accepted(edge) == variable) return false;
         return std::ranges::any_of(users_.readers[variable.index], [&](Id<Network::Process> reader) {
@@ -265,7 +273,7 @@ private:
         return true;
     }
 
-    /// True if a move that satisfies `counts` is on a cycle of the moves.
+    /// True if a move that satisfies `counts` is on a cycle of `moves`.
     template <class Counts>
     bool repeats(const std::vector<const Move*>& moves, const Counts& counts) const {
         std::vector<std::vector<std::uint32_t>> next(states_.size());
@@ -287,7 +295,7 @@ private:
     std::vector<VariableId> own_ = {}, others_ = {};
     std::vector<EdgeTiming> timing_ = {};  // per edge
     std::vector<bool> accepts_ = {};       // per edge
-    std::vector<bool> shows_[2] = {};      // per edge: to another process; to a PLC
+    std::vector<bool> shows_[2] = {};      // per edge: it assigns a variable that another process, or a PLC, reads
     std::vector<Values> valuations_ = {};  // of others_
     std::vector<State> states_ = {};
     std::map<State, std::uint32_t> numbers_ = {};
@@ -295,7 +303,7 @@ private:
     bool bounds_left_ = true;
 };
 
-/// True if time does not affect the PLCs, and each of their edges is urgent.
+/// True if the PLCs have no clocks, and each of their edges is urgent.
 bool plcs_are_instant(const Network& network) {
     return std::ranges::all_of(network.controllers, [&](const Network::Controller& controller) {
         const Network::Template& plc = network.templates[network.processes[controller.process].automaton];
@@ -303,7 +311,7 @@ bool plcs_are_instant(const Network& network) {
     });
 }
 
-/// Explores all processes except PLCs. Empty if one of them is not supported.
+/// Explores all processes except PLCs. The result is empty if a process is not supported.
 std::deque<Alone> explored(const Network& network, const Users& users, const timed::Limits& limits) {
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     std::deque<Alone> processes;
@@ -335,7 +343,7 @@ bool lets_time_pass(const Network& network, const InputAblations& ablations) {
             (!ablations.ignore_moves && !process.moves_finitely()))
             return false;
     if (ablations.ignore_outputs) return true;
-    std::vector<bool> steady(network.variables.size(), false);  // has one value at last
+    std::vector<bool> steady(network.variables.size(), false);  // true if the variable is constant from some time on
     std::vector<bool> shown(processes.size(), false);
     const auto grow = [&] {
         for (bool grows = true; grows;) {

@@ -5,20 +5,22 @@
 // Each process that is not a PLC is examined alone, for all values of the variables that it reads from others. Its
 // state consists of its location and the variables that only it writes. The premises:
 //
-//   bounds    where it has no enabled urgent edge, each bound `c <= d` of its invariant has d >= 1 and is left by an
-//             edge that waits for c alone, and resets c or leaves it unbounded until its next reset.
-//   outputs   its urgent edges assign a variable that a PLC reads only finitely often, while all variables of others
-//             change at any time; and a variable that another process reads, while those of the PLCs are constant.
-//             Variables are constant if the premise, for all readers, has been shown for the process that writes them.
-//   moves     while all variables of others are constant, its urgent edges have no cycle.
+//   bounds    in each state of the process without an enabled urgent edge, each bound `c <= d` of its invariant has
+//             d >= 1. For each bound, some edge whose guard is true waits only for c, and resets c or leads to a
+//             location from which c is not bounded before its next reset.
+//   outputs   no cycle of its urgent edges assigns a variable that a PLC reads, even if all variables of others change
+//             at any time; and no such cycle assigns a variable that another process reads, while the variables of the
+//             PLCs are constant. In both cases, the variables of a process for which the premise has been shown for all
+//             readers are constant.
+//   moves     its urgent edges have no cycle while all variables of others are constant.
 //
-// An edge of a timer may accept a request: it has the guard `v` and assigns false to v, which only PLCs make true. It is
-// taken at most once per cycle of a PLC. Therefore `moves` does not count it, and v is not an output. No process
-// writes another variable that it reads and that others write.
+// An edge of a timer may accept a request: its guard has the conjunct `v`, and it assigns false to v, which only PLCs
+// set to true. Such an edge is taken at most once per cycle of a PLC. Therefore `moves` ignores it, and v is not an
+// output. No process writes any other variable that it reads and that others write.
 //
-// A further premise is that for constant inputs the urgent edges of PLCs and timers alone have no cycle. Then no
-// sequence of urgent edges is infinite. Time passes again, and diverges, if processes without invariants and urgent
-// edges rest.
+// A further premise is that the urgent edges of PLCs and timers have no cycle while the inputs of the PLCs are
+// constant. Then no sequence of urgent edges is infinite. If processes without invariants and urgent edges rest, time
+// passes after each sequence of urgent edges, and diverges.
 #pragma once
 
 #include "ir/network_inputs.hpp"
@@ -30,8 +32,8 @@ namespace grafverif {
 /// `network` is expanded and has no observers.
 bool lets_time_pass(const Network& network, const InputAblations& ablations = {});
 
-/// True if no process except PLCs can take infinitely many edges that are not urgent in bounded time: each of its cycles
-/// with such an edge resets a clock and waits until it is 1. The requirements are the same.
+/// True if no process except PLCs can take infinitely many edges that are not urgent in bounded time: each cycle with
+/// such an edge resets a clock and waits until this clock is at least 1. Has the requirements of lets_time_pass.
 bool takes_time(const Network& network);
 
 }  // namespace grafverif

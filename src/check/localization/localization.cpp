@@ -56,8 +56,8 @@ public:
     void begin() {
         if (!has_local(network_, options_)) return search_complete();
         search_complete_model();
-        // This restriction is necessary because a property that holds by localization may be unknown or vacuous in the
-        // complete network.
+        // If the first search found an error, or time does not pass, a property that holds by localization may be
+        // unknown or vacuous in the complete network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
         collect_queries();
         if (tasks_.empty() && !race_) return;
@@ -316,7 +316,8 @@ void LocalizationCheck::take_local() {
     }
 }
 
-/// If the complete network is searched for another reason, `no timelock` is reported even if it was not requested.
+/// An unknown verdict on a property that was not requested (an undeclared `no timelock`) does not require the complete
+/// network. It is replaced if the complete network is searched for another property.
 bool LocalizationCheck::needs_whole() {
     if (searched_whole_ || !is_open()) return false;
     if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;

@@ -60,9 +60,10 @@ private:
     std::unique_ptr<LocalizationCheck> search_;
 };
 
-/// Checks the properties in the same way as `whole`, and with the same results if the complete network has few states.
-/// The limits apply to each search. If no other query requires the complete network, an undeclared `no timelock`
-/// remains unknown. Requires verify(network).empty().
+/// Checks the properties with `whole`, limited to `limits.whole` states. If this search reaches its limit, localization
+/// follows, and then, if `needs_whole()`, a search with `whole` and the limit of `options`. If the first search decides
+/// every property, its verdicts are the result. The limits apply to each search. If no other query requires the
+/// complete network, an undeclared `no timelock` remains unknown. Requires verify(network).empty().
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options = {},
                                  const LocalizationLimits& limits = {}, const LocalAblations& ablations = {},
                                  const WholeSearch& whole = check_timed_by_parts);

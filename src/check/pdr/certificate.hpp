@@ -16,7 +16,7 @@ using Cube = std::vector<Literal>;
 
 /// Returns the reason why the complement of the cubes is not an inductive invariant that excludes `bad`. If the result
 /// is an empty string, no state in which `bad` is true is reachable: the first state is outside of all cubes, no step
-/// leads from outside of all cubes into one, and `bad` is false outside of all cubes. Throws Exhausted.
+/// leads from outside of all cubes into a cube, and `bad` is false outside of all cubes. Throws Exhausted.
 std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, LimitMonitor& watch);
 
 }  // namespace grafverif::pdr

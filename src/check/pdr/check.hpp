@@ -39,8 +39,9 @@ struct Undecided {
 };
 
 struct PdrOptions {
-    /// Alternating: PDR runs for some time on each property, and then BMC on all for a third of the time that PDR has
-    /// used. Then both run again, with four times the time. A note names the engine that found the verdict.
+    /// Alternating: PDR runs for some time on each property, and then BMC on all properties for a third of the time
+    /// that PDR has used. Then both run again, with four times the time. A note names the engine that found the
+    /// verdict.
     enum class Method { Pdr, Bmc, Alternating };
     Method method = Method::Pdr;
     std::chrono::steady_clock::duration first_step_of = std::chrono::milliseconds(250);

@@ -91,7 +91,7 @@ private:
         return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
     }
 
-    /// True if a step leads from a state of the frame (if `from_outside` is true: from one outside of `cube`) into
+    /// True if a step leads from a state of the frame (if `from_outside` is true: from a state outside of `cube`) into
     /// `cube`. Otherwise `core` contains the literals of the cube that the solver used.
     bool steps_into(const Cube& cube, std::size_t frame, bool from_outside, Cube& core) {
         std::vector<int> assumptions = in_frame(frame);
@@ -245,7 +245,7 @@ private:
     }
 
     /// Moves each cube to the next frame if it can also be excluded from that frame. Returns the first frame whose list
-    /// of cubes is then empty: this frame and the next one are equal.
+    /// of cubes is then empty: this frame and the next frame are equal.
     std::optional<std::size_t> propagated() {
         for (std::size_t frame = 1; frame < top(); ++frame) {
             const std::vector<Cube> cubes = frames_[frame];

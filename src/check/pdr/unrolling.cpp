@@ -18,8 +18,8 @@ Unrolling::Unrolling(const Circuit& circuit, LimitMonitor& watch)
     }
 }
 
-/// Determines the literal of the node at that step from the literals of its operands. Returns false if they are not
-/// known yet.
+/// Determines the literal of `node` after `step` steps from the literals of its operands. Returns false if the literals
+/// of the operands are not known yet.
 bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     Literal& made = states_[step][node];
     const auto known = [&](Literal literal, std::size_t when) {
@@ -39,7 +39,7 @@ bool Unrolling::settle(std::uint32_t node, std::size_t step) {
     return made != unknown;
 }
 
-/// Returns the unrolled literal for the value of `literal` after that number of steps.
+/// Returns the unrolled literal for the value of `literal` after `step` steps.
 Literal Unrolling::at(Literal literal, std::size_t step) {
     while (states_.size() <= step) {
         states_.emplace_back(circuit_.gates.size(), unknown);

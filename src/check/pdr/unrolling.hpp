@@ -21,8 +21,8 @@ public:
     /// Both arguments must outlive the object.
     Unrolling(const Circuit& circuit, LimitMonitor& watch);
 
-    /// Returns a run of that number of steps whose last state is bad. If there is no such run, the result is empty, and
-    /// later queries use this fact. Throws Exhausted; may be called again afterwards.
+    /// Returns a run of `steps` steps whose last state is bad. If there is no such run, the result is empty, and later
+    /// queries use this fact. Throws Exhausted; may be called again afterwards.
     std::optional<RunInputs> run_to(Literal bad, std::size_t steps);
 
 private:

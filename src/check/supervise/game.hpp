@@ -55,10 +55,10 @@ public:
     Bdd moves_to(const Bdd& to) const { return model_.preimage(to, moves_); }
     /// Returns the states to which evolutions of a player lead from pairs of a state and permissions.
     Bdd evolved(std::size_t player, const Bdd& pairs) const;
-    /// Returns the pairs whose evolution leads to a state of `to`.
+    /// Returns the pairs of a state and permissions from which an evolution of the player leads to a state of `to`.
     Bdd evolves_to(std::size_t player, const Bdd& to) const { return model_.preimage(to, evolutions_[player]); }
-    /// `ready` returns the states in which the player can evolve; `helpless` returns those in which its evolution leads
-    /// to `to` whichever permissions are granted.
+    /// `ready` returns the states in which the player can evolve; `helpless` returns the states in which its evolution
+    /// leads to `to` whichever permissions are granted.
     const Bdd& ready(std::size_t player) const { return ready_[player]; }
     Bdd helpless(std::size_t player, const Bdd& to) const { return ready(player) & ~states(~evolves_to(player, to)); }
     /// Functions of states and choices. `is_move` is true if the step is not an evolution; `is_evolution` is true if

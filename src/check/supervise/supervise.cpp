@@ -3,7 +3,8 @@
 // current conditions. If an evolution reaches a losing state, all conditions are recomputed for the explored states.
 // This is repeated until no evolution reaches a losing state. Two types of states are treated as losing: states that
 // the observations do not distinguish sufficiently, and states from which no marked state is reachable under the
-// conditions. The synthesis is then restarted; the resulting conditions are sound and classified as `Cautious`.
+// conditions. If there are such states, the synthesis is restarted; the resulting conditions are sound and classified
+// as `Cautious`.
 #include "check/supervise/supervise.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace supervise {
 
 namespace {
 
-constexpr std::size_t most_products = 64;  ///< maximum number of terms of a condition that is readable
+constexpr std::size_t most_products = 64;  ///< maximum number of terms of a condition
 
 using symbolic::StateSpace;
 
@@ -214,7 +215,8 @@ private:
         return closed(model_->initial(), {}, lenient());
     }
 
-    /// Returns the states that are reachable from `states` under the policies by paths without losing states.
+    /// Returns `states` and the states that are reachable from them under the policies on paths that do not enter a
+    /// losing state.
     Bdd closed(Bdd states, const LosingRegion& losing, const std::vector<Policy>& policies) const {
         for (Bdd latest = states; !latest.is_false(); states |= latest) {
             Bdd next = game_->moved(latest);

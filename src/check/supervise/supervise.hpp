@@ -8,8 +8,8 @@
 //
 // The conditions are classified with respect to the states that are reachable under them:
 //   Least     every refused permission would lead to a losing state: no supervisor could allow more
-//   Several   in an evolution more can be allowed only if another permission is refused instead; transitions are
-//             refused before outputs, and later elements before earlier elements
+//   Several   a permission could be granted more often only if another permission were refused more often;
+//             transitions are refused before outputs, and later elements before earlier elements
 //   Cautious  a supervisor that observes the complete plant could allow more
 #pragma once
 

@@ -66,7 +66,7 @@ private:
         return !model_.image(reachable_, model_.steps_where(term.bits.front())).is_false();
     }
 
-    /// Returns the first conjunct of the condition that is false in all of these states.
+    /// Returns the first conjunct of the condition that is false in all states of `reachable_`.
     std::string false_part(Id<Expr> condition) {
         std::vector<Id<Expr>> parts = {condition};
         if (flat_.exprs[condition].op == Op::And)

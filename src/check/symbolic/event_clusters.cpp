@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A choice is split if its values leave enough bits unchanged. Before this test, other choices whose values the value
-// implies are replaced by these values. For example, a process that is not selected does not take an edge, and its bits
-// are then unchanged.
+// A choice is split if its values leave enough bits unchanged. If a value of the choice implies the values of other
+// choices, the other choices are replaced by these values before the unchanged bits are counted. For example, a process
+// that is not selected does not take an edge, and its bits are then unchanged.
 #include "check/symbolic/event_clusters.hpp"
 
 #include <algorithm>

@@ -41,8 +41,8 @@ public:
     /// Returns the predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
     Bdd preimage(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
-    /// Returns states that some step leaves unchanged. The result may be incomplete: it contains only states for which
-    /// the cluster of the step determines this.
+    /// Returns states that some step leaves unchanged. The result may be incomplete: it contains only states with a
+    /// step of a cluster that cannot change any bit.
     Bdd still() const;
     /// Returns the steps that satisfy `condition`, a function of states and choices. Images and preimages by these
     /// steps do not quantify the choices `kept`, which are bits of the space.

@@ -36,8 +36,8 @@ public:
 
     /// Translates a property. All calls must precede answers(), because the function adds terms to `flat`.
     void add_query(Id<Property> property);
-    /// Returns the verdicts, in the order of the calls of ask(). `model` may be null if the search ended before it was
-    /// built.
+    /// Returns the verdicts, in the order of the calls of add_query(). `model` may be null if the search ended before
+    /// it was built.
     std::vector<QueryResult> answers(const StateSpace* model, ReachableSet& search, const SymbolicOptions& options);
 
 private:

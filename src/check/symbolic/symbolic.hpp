@@ -3,13 +3,13 @@
 // McMillan, Dill, Hwang 1992: "Symbolic model checking: 10^20 states and beyond"). The engine decides the property
 // patterns of untimed models as CTL formulas.
 //
-// Semantics: ir/transition_system.hpp. `always`, `never`, `exactly one of` and `reachable` concern the reachable
-// states. `inevitable p` is AF p, `p leads to q` AG (p -> AF q), `always possible p` AG EF p. Runs are infinite. If the
-// system has justice conditions, only runs that satisfy each of them infinitely often are considered. A state with p
-// and q satisfies `p leads to q`.
+// The semantics is defined in ir/transition_system.hpp. `always`, `never`, `exactly one of` and `reachable` concern the
+// reachable states. `inevitable p` means AF p, `p leads to q` means AG (p -> AF q), and `always possible p` means AG EF
+// p. Runs are infinite. If the system has justice conditions, only runs that satisfy each of them infinitely often are
+// considered. A state with p and q satisfies `p leads to q`.
 //
-// Witnesses and counterexamples about single states have the minimum number of steps of the system. A lasso consists of
-// a shortest path to a state from which the property fails, and of short (not necessarily shortest) paths after this
+// Runs for properties about single states have the minimum number of steps of the system. A lasso consists of a
+// shortest path to a state from which the property fails, and of short (not necessarily shortest) paths after this
 // state.
 //
 // CTL is defined only for total systems, and a step that leaves the range of a variable does not lead to a state.

@@ -59,7 +59,7 @@ std::string literal_text(const Network& network, Id<Expr> term) {
     }
 }
 
-/// Returns the first conjunct of the condition that is false in all of these states.
+/// Returns the first conjunct of the condition that is false in all of `states`.
 std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     const Network& network = graph.machine.network();
     if (!condition.valid()) return {};

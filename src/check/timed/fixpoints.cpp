@@ -96,14 +96,14 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Li
     return all_but(set, graph.states(), limits);
 }
 
-constexpr std::size_t most_walkers = 4;  // limited, because each walker stores a path
+constexpr std::size_t most_walkers = 4;  // maximum number of walkers, each of which stores a path
 
 /// Decides the states that are open after the sweeps, by a depth-first walk from the roots. When all successors of a
 /// state are in `met`, the walk backtracks from the state and adds it to `met`. Several threads walk in parallel, from
 /// different roots and with different orders of successors. A thread does not enter a state from which another thread
-/// has backtracked. A state from which a run avoids `met` lies on a cycle of such states, leads to one, or is terminal.
-/// No thread ever backtracks from such a state. Therefore such a state is found, independently of the distribution of
-/// the states to threads.
+/// has backtracked. A state from which a run avoids `met` lies on a cycle of such states, is terminal, or leads to such
+/// a cycle or terminal state. No thread ever backtracks from such a state. Therefore such a state is found,
+/// independently of the distribution of the states to threads.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles a Network to a Machine: the part that is executed once.
+// Compiles a Network to a Machine. This is done once, before the search.
 #include <algorithm>
 #include <utility>
 

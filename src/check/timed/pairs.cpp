@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t first_slots = 32;
 constexpr std::uint32_t pairs_fetched_ahead = 32;  // number of slots whose pairs are prefetched
-// With this value, a print has at most 20 bits; other bits of the hash select the slot.
+// Minimum number of bits for the number of a pair in a slot. Therefore a print has at most 20 bits; other bits of the
+// hash select the slot.
 constexpr unsigned least_number_bits = 12;
 
 // The topmost bits of a hash select the shard, the lowest bits are the print, and the bits between them select the slot

@@ -47,8 +47,7 @@ public:
     /// Reserves memory for further pairs. The memory may be insufficient if unusually many of these pairs belong to one
     /// shard.
     void free_memory(std::size_t more, Share share);
-    /// Returns the shard of the pair. A shard belongs to the member whose number is the number of the shard modulo the
-    /// number of members.
+    /// Returns the shard of the pair. Shard s belongs to the thread `s % members` (see Share).
     std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
     /// Adds an appended pair to the index, so that `find` finds it.
     void index(Word pair, std::uint32_t number);

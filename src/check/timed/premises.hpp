@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Premises under which a part of a network can be omitted when other parts are checked
-// (docs/explanation/timed-engine.md, "Sub-loops"). The premises are determined from the graph of a complete search.
+// (docs/explanation/decomposition.md, "Sub-loops"). The premises are determined from the graph of a complete search.
 #pragma once
 
 #include "check/timed/explore.hpp"

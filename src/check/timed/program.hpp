@@ -84,7 +84,7 @@ struct Program {
     static constexpr std::uint32_t yes = 0, no = 1;  ///< the two final instructions
     std::vector<Instruction> code = {Instruction{}, Instruction{.op = Opcode::No}};
     std::size_t registers = 1;
-    std::size_t below = 0;  ///< number of registers before the first general one
+    std::size_t below = 0;  ///< number of registers before the first general register
 };
 
 enum class End { Yes, No, OutOfRange, NoValue };
@@ -118,8 +118,8 @@ public:
     };
     /// Returns the term as a single test of bits, or nullopt if this is impossible.
     std::optional<Literal> literal(Id<Expr> term) const;
-    /// After this call, generated code that reads the variables of `choice` chooses their valuation. `number`: see
-    /// Choices::set.
+    /// After this call, generated code that reads the variables of `choice` chooses their valuation. `number` is the
+    /// argument of Choices::set for this choice.
     void choose(const InputChoice& choice, std::size_t number);
     /// After this call, generated code does not choose valuations.
     void choose_nothing() { chosen_.clear(); }

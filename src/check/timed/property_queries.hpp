@@ -22,7 +22,7 @@ bool is_selected(const TimedOptions& options, const Property& property);
 
 class PropertyQueries {
 public:
-    /// `abstracted`: the network is an input abstraction.
+    /// `abstracted` is true if the network is an input abstraction.
     PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch, bool abstracted = false);
 
     void add_query(Id<Property> about, const Property& property);

@@ -13,7 +13,8 @@
 
 namespace grafverif::timed {
 
-// Size of a memory block that no other thread writes, including the prefetched adjacent cache line.
+/// Alignment, in bytes, of data that one thread writes: two cache lines, because the processor also prefetches the
+/// adjacent line.
 constexpr std::size_t own_lines = 128;
 
 /// A slice of the queue, with its successors. Threads fill adjacent slices in parallel; therefore each slice has
@@ -38,7 +39,7 @@ struct alignas(own_lines) SuccessorBatch {
         std::uint8_t shard = 0;   ///< shard of the root
         bool folded = false;
         bool needed = false;  ///< true if a property monitor needs the state
-        bool first = false;   ///< true if no earlier new state of the block is equal
+        bool first = false;   ///< true if no earlier new state in the block of slices is equal
     };
 
     std::uint32_t begin = 0, end = 0;  ///< range of the expanded states

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Orders and positions the items of layers iteratively. Each item is attracted to the other ends of its lines,
-// alternately in the previous and in the next layer. The positions in a layer are then the positions nearest to the
-// preferred ones that preserve the order and the gaps. They are computed by isotonic regression: overlapping items are
-// merged into blocks at the mean of their preferred positions. The final layout is the iteration with the smallest
+// alternately in the previous and in the next layer. The items of a layer are then placed as near to their preferred
+// positions as the order and the gaps permit. These positions are computed by isotonic regression: overlapping items
+// are merged into blocks at the mean of their preferred positions. The final layout is the iteration with the smallest
 // total length of lines on tracks.
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ int gap(const Item& above, const Item& below) {
     return above.lane && below.lane ? 10 : above.lane || below.lane ? 13 : 24;
 }
 
-/// The preferred start of an item.
+/// The preferred start of an item: the weighted mean `sum / weight` of the added positions.
 struct PreferredPosition {
     double sum = 0, weight = 0;
     void add(double place, double by) {

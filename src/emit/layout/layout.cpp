@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Label placement: without overlaps, near the labelled element, and if possible without intersecting a link.
+// Places labels without overlaps, near the labelled elements, and if possible without intersecting a link.
 #include "emit/layout/layout.hpp"
 
 #include <algorithm>

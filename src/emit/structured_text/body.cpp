@@ -3,7 +3,7 @@
 //
 //   every-cycle mode:                         with stability search:
 //     sample the timers                         sample the timers
-//     one evolution                             WHILE none yet, or unstable  one evolution;  update the timers
+//     one evolution                             one evolution and an update of the timers, repeated until stable
 //     outputs                                   outputs
 //     update the timers                         update the timers
 //

@@ -5,9 +5,9 @@
 // Mapping:
 //   input, output          VAR_INPUT, VAR_OUTPUT of the same name; outputs are written at the end of the cycle
 //   X_s, CF_t, internals   local variables; integers are DINT
-//   time condition         TON, followed by TOF if it has a fall time. It is called before the first evolution of the
-//                          cycle, which samples the time, and after each evolution. A step that is deactivated and
-//                          activated again within one cycle therefore restarts its timer
+//   time condition         TON, followed by TOF if it has a fall time. The timers are called before the first evolution
+//                          of the cycle, in order to sample the time, and after each evolution. A step that is
+//                          deactivated and activated again within one cycle therefore restarts its timer
 //   stability search       WHILE the situation is not stable, bounded by MAX_EVOLUTIONS
 //   faults                 output FAULT: 1 no stable situation within the bound (total instability), 2 a race of stored
 //                          actions, 3 a value outside its range, 4 contradictory forcing orders. After a fault the

@@ -140,7 +140,7 @@ private:
 
     std::string settled() { return '(' + terms_.text(network_.settled) + ')'; }
 
-    /// Returns `text` for all states in which the property is evaluated.
+    /// Returns `text`, restricted to the states in which the property is evaluated.
     std::string guarded(const Property& property, const std::string& text) {
         return property.at_stable ? settled() + " imply " + text : text;
     }

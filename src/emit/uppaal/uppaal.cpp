@@ -4,7 +4,7 @@
 //
 // UPPAAL's parser is stricter than XML: text must not be split by comments, and a comment must not be the last node in
 // `queries`. Therefore, the comment of a property without a formula is placed before the next query, or before the last
-// query if there is no next one.
+// query if no query follows.
 #include "emit/uppaal/uppaal.hpp"
 
 #include <algorithm>

@@ -129,7 +129,7 @@ private:
         return own;
     }
 
-    /// True if the moves lead from each of the states, of this number, to `initial`.
+    /// True if `moves` lead to `initial` from every state. `states` is the number of all states.
     template <class State>
     static bool all_return(const std::vector<std::pair<State, State>>& moves, const State& initial,
                            std::size_t states) {
@@ -159,7 +159,7 @@ private:
         }
         std::set<State> seen{initial};
         std::vector<State> open{initial};
-        std::vector<std::pair<State, State>> waiting;  // moves that only wait
+        std::vector<std::pair<State, State>> waiting;  // moves whose clock constraints are only lower bounds
         bool is_lively = true;
         while (!open.empty()) {
             const State now = std::move(open.back());

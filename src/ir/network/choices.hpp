@@ -18,9 +18,10 @@ public:
     Choices(const Network& whole, Exprs& to) : whole_(whole), to_(to) {}
 
     void clear() { choices_.clear(); }
-    /// Returns a Parameter leaf that represents the choice of the value of `terms`, connected by `op`. `writes` is the
-    /// number of the last write of the edge to the variables that `terms` read. A choice of the same terms before this
-    /// write may have another value.
+    /// Returns a Parameter leaf that represents the choice of the value of `terms`, connected by `op`. The writes of
+    /// the edge to omitted variables are numbered from 1; `writes` is the number of the last of them that changes a
+    /// variable read by `terms`, or 0 if there is none. A choice of the same terms before this write may have another
+    /// value.
     Id<Expr> leaf(std::vector<Id<Expr>> terms, Op op, std::size_t writes);
     /// True if the value combinations of all choices are few enough to enumerate.
     bool few() const;

@@ -149,8 +149,8 @@ private:
         });
     }
 
-    /// Determines the part of the cycle in which the set must be stored: from a sampling to the last edge that reads
-    /// the set.
+    /// Determines the part of the cycle in which the set of possible valuations must be stored: from a sampling to the
+    /// last edge that reads one of the variables of `choice`.
     void keep(const Network::Controller& controller, InputChoice& choice) {
         const Network::Template& plc = automaton(controller.process);
         const auto samples = [&](const Network::Edge& edge) {
@@ -238,7 +238,7 @@ private:
     std::set<Id<Network::Variable>> woken_ = {};  // flags that Chosen instances set
     // Outputs of Chosen instances, with the index of their choice.
     std::map<Id<Network::Variable>, std::size_t> chosen_ = {};
-    // Per choice and per location of its PLC: true if the cycle reads the set after this location.
+    // Per choice and per location of its PLC: true if the cycle reads a variable of the choice after this location.
     std::vector<std::vector<bool>> live_ = {};
     InputAbstraction made_ = {};
 };

@@ -20,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-/// The types of variables that a term reads, as bit flags.
+/// Flags of a term: it reads a kept variable or location; it reads a free variable or location.
 enum : std::uint8_t { Kept = 1, Free = 2 };
 
 class LocalBuilder {
@@ -104,7 +104,7 @@ private:
     LocalNetwork made_ = {};
     std::vector<std::uint32_t> process_ = {};   // maps processes of the complete network to processes of the result
     std::vector<std::uint32_t> variable_ = {};  // the same map for variables
-    std::vector<std::uint8_t> reads_ = {};      // types of variables read, per term of the complete network
+    std::vector<std::uint8_t> reads_ = {};      // flags of each term of the complete network
     // The same data for states in which time passes: variables with a fixed value are not free.
     std::vector<std::uint8_t> reads_resting_ = {};
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
@@ -180,7 +180,7 @@ void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
         if (needed[id.index]) variable_[id.index] = made_.network.variables.add(whole_.variables[id]).index;
 }
 
-/// Returns the types of variables that each term reads. Requires that operands precede their terms.
+/// Returns the flags (Kept, Free) of each term. Requires that operands precede their terms.
 std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
     std::vector<std::uint8_t> all(whole_.exprs.size(), 0);
     for (std::uint32_t index = 0; index < all.size(); ++index) {
@@ -401,7 +401,8 @@ void LocalBuilder::add_rest() {
     made_.network.processes.add({.name = "rest", .automaton = automaton, .initial = {0}});
 }
 
-/// Adds the data of the controller that are necessary for its name in state statistics.
+/// Adds the controller with its process, waiting location, flag `stable`, name and kept timers. State statistics use
+/// these data to name the controller, to count its timers with it, and to recognise states within a cycle.
 void LocalBuilder::add_controller(const Network::Controller& controller) {
     if (!kept(controller.stable)) return;
     Network::Controller made{.process = {process_[controller.process.index]},

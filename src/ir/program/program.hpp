@@ -52,7 +52,7 @@ struct Program {
         bool operator==(const Index&) const = default;
     };
     /// A cell, relative to the frame of the unit or to the frame of the globals. The frame of `main` follows the frame
-    /// of the globals, so that other units access its cells as global cells.
+    /// of the globals. Therefore other units access the cells of `main` as global cells.
     struct Place {
         bool global = false;
         std::uint32_t offset = 0;

@@ -12,8 +12,8 @@ namespace grafverif {
 
 struct Scan {
     /// Every input cell is an input of the equations. Every other cell, except constants and temporary variables, is an
-    /// internal variable or an output. The equations have no steps, no outputs by equation (13), no timers and no
-    /// stability condition: one cycle is one scan.
+    /// internal variable or an output. The equations have no steps, no continuous outputs (equation (13) of
+    /// CEP13), no timers and no stability condition: one cycle is one scan.
     Equations equations = {};
     ProgramLayout layout = {};
     /// Variable per cell; invalid for constants and temporary variables.

@@ -71,7 +71,7 @@ std::vector<std::int64_t> durations(const std::array<CompareSide, 2>& sides) {
     return found;
 }
 
-constexpr std::int64_t most_program_units = 1'000'000'000;  ///< greatest duration in time units, with a program
+constexpr std::int64_t most_program_units = 1'000'000'000;  ///< maximum duration in time units if a program is compared
 
 std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
     return std::accumulate(times.begin(), times.end(), std::int64_t{0},
@@ -141,7 +141,7 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
     return true;
 }
 
-/// True if the side answers each scan for all inputs, so that the comparison need not check this.
+/// True if the side is known to complete every scan for all inputs, so that the comparison need not check this.
 bool surely_stable(const CompareSide& side, bool settles, const Limits& limits) {
     if (side.is_program()) return !settles;
     AnalyseOptions options;
@@ -159,7 +159,7 @@ public:
                    Comparison& result)
         : sides_(sides), options_(options), sources_(sources), result_(result) {}
 
-    /// True if both have the same equations, and no run-time faults.
+    /// True if both sides have the same equations, and no run-time faults are possible.
     bool are_identical() const {
         if (sides_[0].is_program() != sides_[1].is_program() || result_.settles) return false;
         if (!identical_up_to_names(sides_[0].equations(), sides_[1].equations())) return false;
@@ -211,7 +211,7 @@ private:
         return schedule_both(sides_[0].product(), sides_[1].product(), made);
     }
 
-    /// True if both answer each scan, for stability search; computed once.
+    /// True if both sides complete every scan under stability search; computed once.
     bool both_stable() {
         if (!stable_)
             stable_ = surely_stable(sides_[0], result_.settles, options_.limits) &&
@@ -219,7 +219,8 @@ private:
         return *stable_;
     }
 
-    /// If neither of two programs settles, nothing is compared.
+    /// Returns Equal if the outputs of at least one program always settle with constant inputs. If the outputs of
+    /// neither program settle, they cannot be compared.
     Answered ask_settling() {
         Answered one = check_properties({"one_follows"}, {});
         if (one.outcome == Comparison::Outcome::Different)
@@ -229,7 +230,8 @@ private:
         return one;
     }
 
-    /// If no scan distinguishes both, they stop in the same scan. A run-time fault is then a model error, not equality.
+    /// Reports a possible run-time fault as a model error. Both sides were found equal, so they stop in the same scan,
+    /// but this is not equality.
     void report_faults() {
         if (std::ranges::none_of(
                 sides_, [](const CompareSide& side) { return side.is_program() && !side.scan->faults.empty(); }))
@@ -345,7 +347,8 @@ private:
         result_.answers = rules.answers(result_.scans);
     }
 
-    /// If a chart may not become stable, searches for an earlier scan in which only one of the charts becomes stable.
+    /// Searches for a shortest sequence that distinguishes both sides. Returns without a search if a chart possibly
+    /// does not become stable: `same` does not detect a scan in which only one of the charts becomes stable.
     void shorten() {
         if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
         while (result_.scans.size() > 1) {

@@ -16,9 +16,9 @@ struct CompareOperand {
     Id<Source> program = {};
 };
 
-/// Decides if both have equal outputs for all input sequences. The interval of a program's task is the time between two
-/// scans of both; otherwise, any multiple of the resolution can pass (1 ms by default). The result is empty after an
-/// error.
+/// Decides if both operands have equal outputs for all input sequences. The interval of a program's task is the time
+/// between two scans of both; otherwise, any multiple of the resolution can pass (1 ms by default). The result is empty
+/// after an error.
 std::optional<Comparison> compare(const CompareOperand& a, const CompareOperand& b, const CompareOptions& options,
                                   const ProgramCompareOptions& of_programs, Sources& sources, Diagnostics& diagnostics);
 

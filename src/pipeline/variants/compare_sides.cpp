@@ -37,7 +37,7 @@ std::string type_text(const Plug& plug) {
     }
 }
 
-/// True if some part of the type is not supported, so that a program cannot contain its values.
+/// True if the type, or the type of one of its elements, is not supported.
 bool is_unsupported(const Program& program, Id<Program::Type> id) {
     const Program::Type& type = program.types[id];
     if (type.kind == Program::Type::Kind::Array) return is_unsupported(program, type.element);
@@ -48,7 +48,8 @@ bool is_unsupported(const Program& program, Id<Program::Type> id) {
     return type.kind == Program::Type::Kind::Unsupported;
 }
 
-/// Adds the outputs of a unit and of its instances whose types are not supported. The prefix is the name of the instance.
+/// Adds those outputs of a unit and of its instances whose types are not supported. The prefix is the name of the
+/// instance.
 void add_unsupported_outputs(CompareSide& side, Id<Program::Unit> unit, const std::string& prefix) {
     const Program& program = side.program();
     for (const Program::Variable& variable : program.units[unit].variables) {
@@ -246,8 +247,9 @@ private:
                                      "declare it with the same type in both"));
     }
 
-    /// Gives the inputs and outputs of the second side the names of the first side, and other variables with such a name
-    /// another one. Inputs get their common range.
+    /// Renames the inputs and outputs of the second side to the names of the first side. Other variables of the second
+    /// side that have one of these names are also renamed. The range of an input becomes the common range of both
+    /// sides.
     void rename() {
         for (const auto member : {&CompareSide::inputs, &CompareSide::outputs})
             for (std::size_t i = 0; i < (sides_[0].*member).size(); ++i)

@@ -24,7 +24,7 @@ struct ProgramCompareOptions {
     bool settles = false;  ///< compare the outputs after programs have settled with constant inputs
     std::vector<std::pair<std::string, std::string>> map = {};  ///< name in the first controller, name in the second
     std::vector<std::string> ignored = {};                      ///< outputs that are not compared
-    std::string stop = {};  ///< output of programs: a value other than 0 after a scan is a stop
+    std::string stop = {};  ///< output by which a program reports a stop: a value other than 0 at the end of a scan
 };
 
 struct CompareSide {
@@ -46,7 +46,7 @@ struct CompareSide {
     Id<Expr> stop = {};                    ///< of a program: term of ProductSide
     std::optional<std::size_t> stop_cell = {};
     std::vector<Plug> inputs = {}, outputs = {};
-    std::vector<Plug> unsupported = {};  ///< outputs of a program with a type that has no values, such as REAL
+    std::vector<Plug> unsupported = {};  ///< outputs of a program whose types are not supported, such as REAL
 
     bool is_program() const { return scan.has_value(); }
     const Program& program() const { return text->program(); }
@@ -69,7 +69,7 @@ std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, 
 bool match_sides(std::array<CompareSide, 2>& sides, const ProgramCompareOptions& options, Comparison& result,
                  Diagnostics& diagnostics);
 
-/// Returns the side for the replay; it must outlive the result. `sources` is only required for programs.
+/// Returns the side for the replay; it must outlive the result. `sources` is required only for programs.
 LockstepSide lockstep_side(const CompareSide& side, bool settles, const Sources* sources);
 
 }  // namespace grafverif

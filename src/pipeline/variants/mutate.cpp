@@ -155,7 +155,7 @@ MutantResult MutantChecker::result_of(const Mutant& mutant, const Limits& limits
         mutant_result.kind = MutantResult::Kind::Unnoticed;
     else if (mutant_result.reason.empty())
         mutant_result.reason = differs ? "the verdict on a property is unknown"
-                                       : "it is unknown if it is equivalent (" + compared->reason + ")";
+                                       : "it is unknown if the mutant is equivalent (" + compared->reason + ")";
     return mutant_result;
 }
 

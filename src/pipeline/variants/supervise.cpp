@@ -339,8 +339,8 @@ private:
         return names;
     }
 
-    /// Returns the properties in `names` that the report does not prove. If there are any, the outcome is unknown. A
-    /// violated property is an internal failure.
+    /// Returns the properties in `names` that the report does not prove. If there are any, sets the outcome to unknown,
+    /// and adds an internal failure for each violated property.
     std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const ModelErrorTrace& breakdown : report.error_traces) made_.failures.push_back(breakdown.message);

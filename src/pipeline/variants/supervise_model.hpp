@@ -25,9 +25,9 @@ struct PermittedElement {
         {};  ///< for each action: an output that only this action sets, without restriction; may be empty
 };
 
-/// Adds to the chart of a controller an input for each of its transitions and continuous outputs, which permits the
-/// clearing or setting. If an output has several actions, an output is also added for each action that sets it only
-/// during part of the activity of its step. `written` is the chart as in the files.
+/// For each transition and each continuous output of the chart of a controller, adds an input that permits the clearing
+/// or setting. If an output has several actions, an output is also added for each action that sets it only during part
+/// of the activity of its step. `written` is the chart as in the files.
 std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
                                               const Chart& written, const SuperviseRequest& request,
                                               UniqueNames& names);

@@ -36,7 +36,8 @@ tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
 bool has_stray_condition(AgrafeReader& reader, pugi::xml_node action, std::string_view hint) {
     const pugi::xml_node term = child(action, "term");
     if (!term) return false;
-    reader.draft.refuse(reader.xml.where(term), "the condition of an action whose type has none", hint);
+    reader.draft.refuse(reader.xml.where(term), "the condition of an action whose type does not permit a condition",
+                        hint);
     return true;
 }
 
@@ -168,7 +169,7 @@ std::vector<std::vector<tree::Action>> agrafe_actions(AgrafeReader& reader) {
     for (std::size_t i = 0; i < actions.size(); ++i)
         if (reader.index[i].kind == Kind::Action && !linked[i])
             reader.diagnostics().add(messages::without_effect(
-                reader.xml.where(reader.index[i].node), "an action without a step", "link it to one, or remove it"));
+                reader.xml.where(reader.index[i].node), "an action without a step", "link it to a step, or remove it"));
     return actions;
 }
 

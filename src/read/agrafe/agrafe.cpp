@@ -268,8 +268,9 @@ void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     }
 }
 
-/// Makes a Boolean that continuous actions drive an output, even if the file declares it as internal or without a type.
-/// The meaning is unchanged: conditions read the steps that drive it.
+/// Turns each Boolean variable that continuous actions drive into an output, even if the file declares the variable as
+/// internal or without a type. The meaning is unchanged: conditions that name the variable read the steps that drive
+/// it.
 void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& chart,
                    const std::vector<std::vector<tree::Action>>& actions) {
     std::unordered_set<Id<tree::Word>> driven;

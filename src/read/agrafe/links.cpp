@@ -61,7 +61,8 @@ std::vector<std::size_t> beyond(const AgrafeReader& reader, std::size_t start, b
     return found;
 }
 
-/// Reports a synchronization between two steps or between two transitions, where a transition or step is missing.
+/// Reports a synchronization that links steps with steps (a transition is missing) or transitions with transitions (a
+/// step is missing).
 void check_synchronization(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& synchronization = reader.index[entity];
     const auto has = [&](const std::vector<std::size_t>& all, bool steps) {

@@ -44,7 +44,7 @@ class AgrafeIndex {
 public:
     using Kind = AgrafeEntity::Kind;
 
-    /// Traverses the complete document. Nested partial charts are stored in the same list as all others.
+    /// Traverses the complete document. All partial charts, including nested ones, are stored in one list.
     explicit AgrafeIndex(pugi::xml_node root);
 
     std::vector<AgrafeEntity>& all() { return entities_; }
@@ -87,7 +87,7 @@ struct AgrafeReader {
 };
 
 // -- terms.cpp
-/// Converts a term; invalid after an error.
+/// Converts a term; the result is invalid after an error.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term);
 /// The times of a transition or an action. Only the type timeDependent has the form `t1/term/t2`.
 struct AgrafeTime {

@@ -31,7 +31,8 @@ Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span whe
         for (const pugi::xml_node& element : network.elements)
             if (is(element, "coil") || is(element, "outVariable")) ends.push_back(element);
         if (ends.size() == 1) return PlcopenValues(reader, network).into(ends.front());
-        reader.refuse(where, "a network without exactly one coil or variable at its end", "give it one");
+        reader.refuse(where, "a network that does not end in exactly one coil or variable",
+                      "end it in one coil or variable");
         return {};
     }
     reader.refuse(where, "a condition in a language other than Structured Text", "write it in Structured Text");

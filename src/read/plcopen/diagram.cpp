@@ -51,7 +51,7 @@ public:
         if (ordered_ && numbered < order.size()) {
             reader_.refuse(reader_.xml.where(network_.body),
                            "a diagram in which only some elements have an execution order",
-                           "give all of them one, or none");
+                           "give all elements an execution order, or none of them");
             return {};
         }
         const auto key = [&](std::size_t i) {

@@ -23,7 +23,7 @@ std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork
                                      bool (*wanted)(pugi::xml_node), std::string_view hint) {
     std::vector<pugi::xml_node> found, work = {start};
     std::unordered_set<std::size_t> seen = {start.hash_value()};
-    // True if a join precedes the transition. CODESYS writes one even if all branches except one end in jumps.
+    // True if a join precedes the transition. CODESYS writes a join even if all branches but one end in jumps.
     bool joined = false;
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
@@ -82,7 +82,7 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     return made;
 }
 
-/// In CODESYS, the qualifier may include its time: `D T#2s`.
+/// Splits a qualifier that includes its time, as CODESYS permits: `D T#2s`.
 void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::xml_node action) {
     const std::size_t blank = association.qualifier.find(' ');
     if (blank == std::string::npos) return;

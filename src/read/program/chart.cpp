@@ -65,8 +65,8 @@ std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, S
     return unit.variables.back().offset;
 }
 
-/// Adds a step or an action, with two of its members. A step may have the name of an elementary variable, but an action
-/// may not.
+/// Adds a step or an action, with two of its members. A step can have the same name as an elementary variable; an
+/// action with the name of a variable is an error.
 std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::string_view, 2> members, Id<Type> type) {
     Scope& scope = scopes_[id.index];
     const auto old = scope.variables.find(name.word.index);
@@ -81,7 +81,7 @@ std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::stri
     return add_cells(id, text(name.word), type, name.where);
 }
 
-/// Resolves `Step.X`, `Step.T` or `Action.Q` of this unit or of an instance that the expression may read.
+/// Resolves `Step.X`, `Step.T` or `Action.Q` of this unit or of an instance that the expression is allowed to read.
 std::optional<Reader::Found> Reader::chart_member(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];
@@ -231,7 +231,8 @@ Program::Body Reader::chart(std::size_t index) {
     return body;
 }
 
-/// Returns the condition of a transition. Some tools accept integers as conditions.
+/// Returns the condition of a transition. An integer, which some tools accept as a condition, causes a warning and is
+/// compared with zero.
 std::optional<Id<Node>> Reader::condition_of(Id<st::Expr> root) {
     const Span where = file_->exprs[root].where;
     const auto value = expression(root);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// read_charts: determines the structure of the Sequential Function Charts of a file, and an ACTION_CONTROL for each of
-// their actions.
+// read_charts: determines the structure of the Sequential Function Charts of a file, and generates the ACTION_CONTROL
+// blocks of their actions.
 #pragma once
 
 #include <cstdint>

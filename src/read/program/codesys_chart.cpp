@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Sequential Function Charts of CODESYS as statements, after the pages "Processing Order in SFC", "SFC Element: Action",
-// "Qualifiers for Actions in SFC", "SFC Flags" and "Implicit Variables" of the CODESYS Online Help. A step has the
-// variables X (active in this execution), _X (in the next one) and t (the time since its activation, in transitions of
-// the same chart). Each execution of a chart:
+// Sequential Function Charts of CODESYS as statements, after the pages "Processing Order in SFC", "SFC Element:
+// Action", "Qualifiers for Actions in SFC", "SFC Flags" and "Implicit Variables" of the CODESYS Online Help. A step has
+// the variables X (active in this execution), _X (active in the next execution) and t (the time since its activation,
+// in transitions of the same chart). Each execution of a chart:
 //   1. copies _X to X; executes exit actions of deactivated steps, then entry actions of activated steps, then actions
 //      of active steps, each in the order of the file, which is the order of the drawing;
 //   2. executes the actions of action blocks in alphabetical order: first the actions that end, then the actions whose
@@ -14,9 +14,9 @@
 // Where the documentation does not define the behaviour, an interpretation is chosen and reported by a warning:
 //   - S and R of a Boolean variable act on one memory per instance, which all charts of the instance share; while R is
 //     active, the variable is false;
-//   - SFCReset sets _X of the initial step and resets that memory; exit actions are not executed, and actions of action
-//     blocks end;
-//   - a variable with the name of a flag is used if the file does not contain the settings of the chart.
+//   - SFCReset sets _X of the initial step and resets the memory of S and R; exit actions are not executed, and actions
+//     in action blocks end;
+//   - a variable with the name of a flag acts as this flag if the file does not contain the settings of the chart.
 #include <algorithm>
 #include <utility>
 
@@ -157,7 +157,7 @@ void Reader::reset(const Chart& chart, const st::Network& network, Program::Body
     const bool has_exit = std::ranges::any_of(network.steps, [](const st::Step& step) { return step.exit.valid(); });
     if (has_exit || !chart.actions.empty())
         warn_once("the effect of `SFCReset` on exit actions and action blocks",
-                  "exit actions are assumed not to be executed, and actions of blocks are assumed to end",
+                  "exit actions are assumed not to be executed, and actions in action blocks are assumed to end",
                   network.where);
     for (std::size_t i = 0; i < network.steps.size(); ++i) {
         const st::Step& step = network.steps[i];

@@ -196,7 +196,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
         else if (const auto type = type_of(from.type, from.where);
                  type && *type != program.units[program.globals].variables[known->second].type)
             reject(from.name.where, "an external variable of another type",
-                   "declare it with the type of the global one");
+                   "declare it with the type of the global variable");
         return;
     }
     unit_ = body_ = id;  // scope of constants in bounds
@@ -252,7 +252,7 @@ bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> typ
     std::string_view what, hint;
     if (from.section == st::Section::InOut && (unit.kind != Unit::Kind::FunctionBlock || is_program || instances)) {
         what = "this variable in VAR_IN_OUT";
-        hint = "use VAR_IN_OUT in function blocks, without instances";
+        hint = "use VAR_IN_OUT only in function blocks, and only for variables that contain no function block instance";
     } else if (instances && unit.kind != Unit::Kind::Structure && (function || (!own_section && !codesys))) {
         what = "an instance in this section";
         hint = "declare it in VAR of a program or function block";
@@ -308,7 +308,8 @@ void Reader::declare_actions(std::size_t index) {
     if (!from.networks.empty()) declare_codesys(index, charts_[index].body, from.networks.front(), "");
 }
 
-/// Rejects variables with the same address: they share one value, but every cell has a separate value.
+/// Rejects variables with the same address: such variables share one value, but each cell of a Program has a separate
+/// value.
 void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
     std::map<std::string, const st::Variable*> seen;
     for (const st::Variable* variable : located) {

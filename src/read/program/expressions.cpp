@@ -202,8 +202,8 @@ Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
     return Typed{type.element.valid() ? add(Op::Convert, type.element, {node}, where) : node, false};
 }
 
-/// Returns an integer as a bit string of the same width. In CODESYS, operators that permit only bit strings convert
-/// integers.
+/// Returns an integer as a bit string of the same width. In CODESYS, bitwise operators also accept integers, which are
+/// converted to bit strings; in other dialects, this is an error.
 Reader::MaybeTyped Reader::as_bits(const Typed& value, Span where) {
     if (file_->dialect != st::Dialect::Codesys)
         return reject(where, "a bitwise operator of integers", "convert them to bit strings"), std::nullopt;

@@ -19,7 +19,7 @@ using Op = Program::Op;
 
 // -- calls ------------------------------------------------------------------------------------------------------------
 
-/// Returns the arguments of a standard function, which are positional or named `IN`, `IN1`, ... in order.
+/// Returns the arguments of a standard function. They are positional, or named `IN`, `IN1`, ... in this order.
 std::vector<Reader::Typed> Reader::arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok) {
     std::vector<Typed> values;
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, call);
@@ -116,7 +116,7 @@ Reader::MaybeTyped Reader::shift(Id<st::Expr> id, Op op) {
     }
     const auto places = value_of(values[1].node);
     if (!places || type(values[1]).kind != Type::Kind::Integer || *places < 0)
-        return reject(where, "a shift by this number of places", "use a constant number"), std::nullopt;
+        return reject(where, "a shift by this number of bits", "use a constant number"), std::nullopt;
     const std::int64_t width = std::popcount(static_cast<std::uint64_t>(type(values[0]).high));
     const bool rotates = op == Op::RotateLeft || op == Op::RotateRight;
     const Id<Node> count = number(rotates ? *places % width : std::min(*places, width), dint_, where);

@@ -41,7 +41,7 @@ public:
         const YAML::Node list = root.IsMap() ? root["properties"] : YAML::Node(YAML::NodeType::Undefined);
         if (!list.IsDefined() || !list.IsSequence()) {
             reject({source_, 0, 0}, "the file has no list `properties`",
-                   "add one, with an `id` and a `kind` per entry");
+                   "add the list, with an `id` and a `kind` per entry");
             return {};
         }
         for (const YAML::Node& one : list) property(one);

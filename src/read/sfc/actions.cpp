@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block, in the order of steps, is separately
-// converted to a Made:
+// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block is converted to a Made separately, in
+// the order of the steps:
 //
 //   N            a continuous action                        S, R     stored actions on activation
 //   D, L         a continuous action with a delay or limit  DS       a stored action after the time has elapsed
-//   P, P1, P0    the step sets a latch; in the additional partial chart the latch is the output and is then reset
-//   SD, SL       the step sets a latch; in the additional partial chart the output is true after or until its time
+//   P, P1, P0    the step sets a latch; in the additional partial chart the latch drives the output and is then reset
+//   SD, SL       the step sets a latch; the output is then true after (SD) or until (SL) the time has elapsed
 //   statements   stored actions for the assignments that bodies.cpp computes
 //
 // A latch is an internal variable, one for each output and qualifier, so that blocks of several steps share it. The
@@ -301,12 +301,12 @@ private:
             return once(where, target, effect, tree::StoredWhen::Activation);
         for (const auto& [name, other] : body.effects)
             if (body.reads.contains(name) && depends_on(effect, name)) {
-                refuse(where, "`" + name + "`, which every scan computes from the scan before,",
+                refuse(where, "`" + name + "`, whose value from the previous scan is read in every scan,",
                        "use P1 to execute it once");
                 return {};
             }
         if (!boolean) {
-            refuse(where, "the integer `" + target + "`, which is computed from others in every scan,",
+            refuse(where, "the integer `" + target + "`, which is computed from other variables in every scan,",
                    "use P1 to execute it once");
             return {};
         }
@@ -318,7 +318,8 @@ private:
             if (const Id<tree::Expr> when = value ? set : clear; when.valid() && !is_constant(when))
                 actions.emplace_back(on_rise(draft_, target, value, when, where));
         sfc_.differs(where, "N: the statements run in every scan; here `" + target +
-                                "` follows its term while the step is active, last in the scan that leaves it");
+                                "` follows its term while the step is active, for the last time in the scan that "
+                                "deactivates the step");
         return actions;
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps in the conversion of Sequential Function Charts that process a complete network.
+// Passes of the conversion of Sequential Function Charts, each over a complete network.
 #pragma once
 
 #include <vector>

@@ -83,7 +83,7 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
     if (entries.size() != 1 || exits.size() != 1) {
         sfc.draft.refuse(network.where, "a macro-step without exactly one first and one last step",
-                         "give it one of each");
+                         "give it exactly one first and one last step");
         return;
     }
     for (std::size_t i = 0; i < network.steps.size(); ++i) {

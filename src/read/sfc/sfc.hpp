@@ -5,9 +5,9 @@
 // - If several transitions after one step are enabled, SFC clears only the one with the highest priority. Therefore the
 //   conditions are made mutually exclusive.
 // - A Boolean variable with the qualifier N is true while its step is active; with D, only after the delay; with L,
-//   only until the limit. It becomes a continuous action. S and R set and reset a variable when their step becomes
-//   active. They become stored actions. For P, SD, SL and DS, a new variable is added, from which a partial chart with
-//   one permanently active step computes the output.
+//   only until the limit. These qualifiers become continuous actions. S and R set and reset a variable when their step
+//   becomes active; these become stored actions. For P, SD, SL and DS, a new variable is added, from which a partial
+//   chart with one permanently active step computes the output.
 // - Assignments with the qualifiers P1 and P0 become stored actions on activation and deactivation. Assignments with
 //   the qualifier N are executed in every scan. Constants are therefore stored once on activation, and Boolean terms on
 //   activation and whenever their value changes.

@@ -78,7 +78,7 @@ std::size_t line_of(const Mutant& mutant, const Sources& sources) {
 void print_scores(const Mutation& mutation, std::ostream& out) {
     const char* const yet = not_checked(mutation) > 0 ? " so far" : "";
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
-    // A run that was stopped early has not yet determined the properties.
+    // After a run that was stopped early, the list of properties may be empty although a loop contains the chart.
     if (mutation.properties.empty() && not_checked(mutation) == 0)
         out << "no properties: no closed loop contains this chart\n";
     else

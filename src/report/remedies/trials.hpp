@@ -11,15 +11,16 @@
 namespace grafverif {
 
 struct Trial {
-    std::string options = {};                  ///< they replace those of the same name
-    std::vector<PropertyResult> decided = {};  ///< among the open properties; without traces
-    double seconds = 0;                        ///< duration
+    std::string options = {};                  ///< added to the command; they replace options of the same name
+    std::vector<PropertyResult> decided = {};  ///< results for open properties, without traces
+    double seconds = 0;                        ///< duration of the trial
 
     bool operator==(const Trial&) const = default;
 };
 
-/// The trials as lines: a head, then one per remedy that decided a property, then the others together. Empty without
-/// trials. `durations`: with those of the trials.
+/// Returns the trials as lines: a heading, a line for each remedy that decided a property, and one line for all other
+/// remedies. The result is empty if there are no trials. If `durations` is true, the lines contain the durations of the
+/// trials.
 std::vector<std::string> remedies_text(const std::vector<Trial>& trials, bool durations = true);
 
 void print_remedies(const std::vector<Trial>& trials, std::ostream& out);

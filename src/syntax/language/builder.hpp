@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Builder: semantic actions of the grammar. Adds expressions to the table of the file and declarations to its list, and
-// records if the current declaration contains a syntax error.
+// records whether the current declaration contains a syntax error.
 #pragma once
 
 #include <cstdint>

@@ -42,23 +42,24 @@ std::string result_text(const MealyMachine& machine, Id<MealyMachine::OutputWord
 void print_automaton(std::ostream& out, const LocationAutomaton& automaton, bool details);
 void print_mealy(std::ostream& out, const MealyMachine& machine, bool details);
 
-/// `{"name", "mode", "locations", "evolutions", "evolutions_from_init", "unstable", "unstable_from_init"}`; with
+/// Prints `{"name", "mode", "locations", "evolutions", "evolutions_from_init", "unstable", "unstable_from_init"}`; with
 /// details also `"inputs", "outputs", "assumed", "location_table": [{"location", "situation", "values", "outputs"}],
 /// "evolution_table": [{"from", "to", "condition", "restarted"}], "instability_table": [{"from", "condition",
 /// "witness", "cycle"}]`; location 0 is INIT.
 void print_automaton_json(std::ostream& out, const LocationAutomaton& automaton, bool details);
 
-/// `{"name", "mode", "states", "transitions", "unstable_pairs", "combinations", "initial"}`; with details also
+/// Prints `{"name", "mode", "states", "transitions", "unstable_pairs", "combinations", "initial"}`; with details also
 /// `"inputs", "outputs", "assumed", "activation", "state_table", "transition_table": [{"from", "to", "condition",
 /// "outputs", "wait_ms"}], "unstable_table"`.
 void print_mealy_json(std::ostream& out, const MealyMachine& machine, bool details);
 
-/// `{"chart", "mode", "cover", "hold", "steps", "lower_bound", "proven_least", "covered", "to_cover", "inputs",
+/// Prints `{"chart", "mode", "cover", "hold", "steps", "lower_bound", "proven_least", "covered", "to_cover", "inputs",
 /// "outputs", "sequences": [[{"step", "wait_ms", "cycles", "inputs": {}, "outputs": {}, "situation"}]]}`; step 0 is the
 /// activation.
 void print_test_json(std::ostream& out, const TestSequence& test);
 
-/// Returns one sentence that states the length of the test, its coverage, and if the length is proved to be minimal.
+/// Returns one sentence that states the length of the test, its coverage, and whether the length is proved to be
+/// minimal.
 std::string summary(const TestSequence& test);
 
 }  // namespace grafverif

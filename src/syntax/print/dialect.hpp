@@ -2,9 +2,9 @@
 // Expression printer for all dialects. A dialect is a function that maps operators to spellings: token and precedence.
 // A new operator causes a compile error in each dialect to which it is not added.
 //
-// Brackets are printed where precedence requires them, and around an `and` below an `or`, for readability. The grouping
-// of arithmetic terms is kept: `a - (b - c)` and `a + (b + c)` keep their brackets, but `(a - b) - c` does not.
-// Comparisons are not associative, so that a comparison of comparisons always has brackets.
+// Brackets are printed where precedence requires them, and, for readability, around an `and` that is an operand of an
+// `or`. The grouping of arithmetic terms is kept: `a - (b - c)` and `a + (b + c)` keep their brackets, but `(a - b) -
+// c` does not. Comparisons are not associative, so that a comparison of comparisons always has brackets.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace grafverif {
 
-/// Spelling of an operator in a dialect. Leaves and numbers have no token. Their precedence determines if they need
-/// brackets as operands; for example, `3s/X2` needs brackets. A Conditional with the precedence `atom_precedence`
+/// Spelling of an operator in a dialect. Leaves and numbers have no token. Their precedence determines whether they
+/// need brackets as operands; for example, `3s/X2` needs brackets. A Conditional with the precedence `atom_precedence`
 /// always has brackets. An operand enclosed by `open` and `close` needs no outer brackets; in this case, `precedence`
 /// applies to the text between `open` and `close`.
 struct Spelling {

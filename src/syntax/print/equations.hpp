@@ -18,12 +18,12 @@ std::string equation_text(const Equations& equations, Id<Equations::Variable> va
 void print_equations(std::ostream& out, const Equations& equations);
 void print_equations_latex(std::ostream& out, const Equations& equations);
 
-/// `{"name", "firing_conditions": [{"variable", "transition", "equation"}],
+/// Prints `{"name", "firing_conditions": [{"variable", "transition", "equation"}],
 ///   "steps": [{"variable", "step", "initial", "equation"}],
 ///   "stored": [{"variable", "equation", "first", "race", "first_race"}],
 ///   "conflicts": [equation], "previous": [{"variable", "equation"}], "watches": [{"variable", "equation"}],
 ///   "timers": [{"name", "watched", "rise_ms", "fall_ms", "end", "equation"}],
-///   "outputs": [{"variable", "equation"}], "stable"}`, equations as plain text.
+///   "outputs": [{"variable", "equation"}], "stable"}`, with the equations as plain text.
 void print_equations_json(std::ostream& out, const Equations& equations);
 
 }  // namespace grafverif

@@ -115,7 +115,7 @@ bool has_single_underscores(std::string_view name) {
     return !name.ends_with('_') && name.find("__") == std::string_view::npos;
 }
 
-/// Returns `name` with all characters replaced that are not allowed in identifiers.
+/// Returns `name`, in which all characters that are not allowed in identifiers are replaced.
 std::string spelled(Target target, std::string_view name) {
     const std::string ascii = in_ascii(name);
     std::string text;

@@ -16,9 +16,8 @@
 
 namespace grafverif {
 
-/// UppaalLocal: names that cannot occur in queries, such as parameters of a template. Keywords of queries are allowed
-/// as such names. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing
-/// `_`.
+/// UppaalLocal: names that cannot occur in queries, such as parameters of a template. Such names can be keywords of
+/// queries. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing `_`.
 enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText };
 
 /// True if `name` has another meaning in the target: a keyword, a built-in, or an operator of its properties.

@@ -208,7 +208,7 @@ std::vector<std::string> traps(const TestSequence& test) {
     return found;
 }
 
-/// Returns `; nothing leads back from {2} and {4,5}`.
+/// Returns text such as `; no transition leads back from {2} and {4,5}`.
 std::string traps_text(const TestSequence& test) {
     constexpr std::size_t most = 5;
     const std::vector<std::string> found = traps(test);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Texts of properties in the input language.
 #pragma once
 
 #include <string>

@@ -53,7 +53,7 @@ struct WrittenChart {
 
 // -- variables.cpp
 void resolve_variables(ChartScope& scope, const tree::Variables& written);
-/// Reports variables whose names are step variables of steps, or `X` followed by a digit.
+/// Reports variables whose name is that of a step variable, or begins with `X` and a digit.
 void check_step_like(ChartScope& scope);
 
 // -- steps.cpp: steps, partial charts and their owners

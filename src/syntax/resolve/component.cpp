@@ -43,8 +43,8 @@ std::string summary(const tree::File& file, const tree::Component& written) {
     return first == after ? std::string() : first_line(first->text);
 }
 
-/// A constraint states a guarantee about the outputs of the component. A constraint reads only outputs, so that it can
-/// be assumed in a model in which the outputs are free.
+/// Resolves a constraint, which states a guarantee about the outputs of the component. A constraint reads only outputs,
+/// so that it can be assumed in a model in which the outputs are free.
 void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
     const Id<Expr> condition = all_terms(scope).resolve(written.condition, TermKind::Boolean, "a constraint");
     if (!condition.valid()) return;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resolves names and time conditions in the conditions of a chart: variables, step variables (IEC 60848), time
-// conditions.
+// Resolves the names in the conditions of a chart (variables and step variables, IEC 60848) and the time conditions.
 #include <array>
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves the named constants of a closed loop. The value of a constant may read earlier constants, and the user can
-// set it. Terms contain the value instead of the name, so that constants do not exist in later stages.
+// Resolves the named constants of a closed loop. The value of a constant may depend on earlier constants, and the user
+// can override it. Terms contain the value instead of the name, so that constants do not exist in later stages.
 #include <charconv>
 #include <string>
 #include <vector>

@@ -161,7 +161,7 @@ void resolve_schedule(LoopScope& scope, const tree::Schedule& written) {
                                             {"sequenced", Schedule::Sequenced}});
 }
 
-/// Checks a formula for an external tool, which is copied unchanged into models.
+/// Checks a formula that is written for an external tool and is copied unchanged into models.
 void check_formula(LoopScope& scope, const tree::Property& written) {
     const auto language = formula_language(written.pattern);
     if (!language) return;

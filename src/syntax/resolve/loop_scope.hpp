@@ -30,7 +30,7 @@ struct LoopScope {
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Instance>> instances = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
-    /// For each shared variable: the instance that writes it; may be empty.
+    /// For each shared variable: the name of the instance that writes it; empty if no instance writes it.
     std::vector<std::string> instance_writers = {};
     std::unordered_set<std::string_view> excused = {};    ///< names that instances with errors bind and may drive
     std::unordered_set<std::string_view> below = {};      ///< constants that have not been declared yet

@@ -82,8 +82,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Returns the partial charts whose steps can never become active. Reports each of them that is an enclosure or plain
-/// and whose owner, if any, can be active.
+/// Returns the partial charts whose steps can never become active. Reports each such chart that is plain or enclosed,
+/// if it has no owner or its owner can be active.
 std::vector<bool> never_started(const Chart& chart, const std::vector<bool>& active, Diagnostics& diagnostics) {
     std::vector<bool> some(chart.partial_charts.size()), alive(some.size()), owner_active(some.size(), true);
     for (const Id<Chart::Step> id : chart.steps.ids()) {

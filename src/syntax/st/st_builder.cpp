@@ -40,7 +40,7 @@ void Builder::structure(Name name, std::vector<Variable> members, Span where) {
     file_->types.push_back({name, {}, {}, true, where, std::move(members)});
 }
 
-/// A range that is not written as `LOW..HIGH` makes the dimension invalid.
+/// Returns the type of an array. A range that is not written as `LOW..HIGH` makes its dimension invalid.
 Type Builder::array(const std::vector<Id<Expr>>& ranges, Type element) const {
     element.composite = true;
     std::vector<std::array<Id<Expr>, 2>> dimensions;

@@ -496,8 +496,8 @@ TEST(Analyse, RepeatedAnalysisGivesTheSameResult) {
 }
 
 TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
-    // If only part b is considered, it reaches b1 in its second instant. The other part races in the first instant for
-    // all inputs.
+    // If only part b is considered, it reaches b1 in its second instant. In the complete chart, the race in part a
+    // aborts every run in the first instant.
     const Analysis found = analysed(R"(
         input x; output o, p;
         partial a {
@@ -597,7 +597,7 @@ TEST(Analyse, TwoPartsThatFallOutOfStepAreARegionThatIsNeverLeft) {
 }
 
 TEST(Analyse, PathBackThroughARaceIsNotExcluded) {
-    // The states after the race are not explored: they may lead back to 0.
+    // The states after the race are not explored: they may lead back to step 0.
     const Analysis found = analysed(R"(
         input a, b;
         internal m: bool = false;

@@ -194,7 +194,7 @@ TEST(Bounds, EveryCommandEndsOnInterrupt) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(3, 1)) {
         SCOPED_TRACE(command.front());
-        const double at_work = sanitized ? 1 : 0.1;  // the program listens after this time
+        const double at_work = sanitized ? 1 : 0.1;  // by this time, the program handles the signal
         const Ended ended = run_bounded(inputs.folder, command, {.interrupt_after = at_work});
         expect_bounded(ended, "[stopped]");
         EXPECT_NE(ended.err.find("Ctrl-C"), std::string::npos) << ended.err;

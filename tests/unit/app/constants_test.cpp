@@ -101,7 +101,7 @@ TEST(Constants, AreNotSetForAChartAloneWhichReadsNone) {
         EXPECT_NE(result.err.find("a chart alone, which has none"), std::string::npos) << verb << result.err;
         EXPECT_TRUE(result.out.empty()) << verb;
     }
-    // The mutated chart is a chart of the loop.
+    // `mutate` checks the mutants of the chart in its loop, which declares N.
     EXPECT_NE(grafverif({"mutate", file, "--chart", "filling", "--limit", "1", "--set", "N=3"}).code, ExitCode::Input);
 }
 

@@ -44,7 +44,7 @@ std::vector<Cells> matrix() {
     return rows;
 }
 
-/// Returns `steps` for `[steps, initial steps](tests/unit/app/elements/steps.grafcet)`.
+/// Returns the name of the linked chart: `steps` for `[steps, initial steps](tests/unit/app/elements/steps.grafcet)`.
 std::string element_of(const std::string& cell) {
     const std::size_t begin = cell.rfind('/') + 1;
     return cell.substr(begin, cell.rfind(".grafcet") - begin);

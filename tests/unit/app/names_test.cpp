@@ -72,7 +72,7 @@ std::string loop(const std::string& properties) {
            properties + "}\n";
 }
 
-/// Returns `press.G1.3` as written in conditions, with an X before the step's own name (IEC 60848, 4.3).
+/// Returns the name of the step variable (IEC 60848, 4.3): `press.G1.X3` for the step `press.G1.3`.
 std::string variable(std::string step) { return step.insert(step.rfind('.') + 1, 1, 'X'); }
 
 /// The names of variables and steps in the JSON of a run or an automaton. Properties accept the names of variables.

@@ -242,7 +242,7 @@ TEST(Depfile, RepresentsNamesExactlyForCMake) {
               0);
     std::string expected = "result:";
     for (const std::string& name : files) expected += " \\\n  " + name;
-    // The output has the escapes of the installed version, which this function removes.
+    // The escapes in the output depend on the installed version of CMake. This function removes the escapes.
     const auto plain = [](std::string text) {
         for (const auto& [written, meant] : {std::pair{"\\ ", " "}, {"\\#", "#"}, {"$$", "$"}})
             for (std::size_t at = 0; (at = text.find(written, at)) != std::string::npos;) text.replace(at, 2, meant);
@@ -342,8 +342,7 @@ TEST(Outputs, RejectNamesOfFormatsThatAreNotWrittenWithRemedy) {
     EXPECT_EQ(grafverif({"draw", file, "-o", x + ".drawing"}).code, ExitCode::Done);
 }
 
-// -- standard streams, for every command in the table
-// ------------------------------------------------------------------
+// -- standard streams, for every command in the table -----------------------------------------------------------------
 
 using Words = std::vector<std::string>;
 

@@ -143,7 +143,7 @@ TEST(Untimely, RunThatNoClockProducesIsMarked) {
     EXPECT_EQ(grafverif({"check", file("5s/X0 && !(3s/X0)"), "--time", "discrete", "--untimed"}).code, ExitCode::Done);
 }
 
-/// Each command, with arguments whose output distinguishes the two modes; FILE is a placeholder.
+/// Tests each command with arguments for which the output depends on the mode; FILE is a placeholder.
 TEST(Mode, OfAChartWithoutItsLoopIsThatOfTheLoopInEveryCommand) {
     const std::string text =
         "grafcet c { input a; output L; initial step 0; step 1 { L; } step 2;\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Remedies that `check` prints for an unfinished check: each was tried on the model, and a user who follows it gets the
-// printed result.
+// Tests the remedies that `check` prints for an unfinished check: a check with the options of a remedy gives the
+// verdicts that are printed for it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// `arguments` with the options of a remedy in place of those of the same name.
+/// Returns `arguments` with the options of a remedy, which replace options of the same name.
 std::vector<std::string> followed(std::vector<std::string> arguments, const std::vector<std::string>& remedy) {
     for (const std::string& word : remedy) {
         if (!word.starts_with("--")) continue;
@@ -114,7 +114,7 @@ TEST(Remedies, OfTheUntimedModelAreValidForTheTimedLoop) {
         if (remedy["options"].get<std::string>().find("--untimed") == std::string::npos) continue;
         for (const Json& decided : remedy["decided"]) {
             seen = true;
-            EXPECT_EQ(decided["verdict"], "holds") << decided;  // a violation need not be one of the timed loop
+            EXPECT_EQ(decided["verdict"], "holds") << decided;  // a violation need not exist in the timed loop
             EXPECT_TRUE(decided["preservation"].get<std::string>().starts_with("valid for the timed loop")) << decided;
         }
     }

@@ -106,7 +106,7 @@ TEST(Signals, EndAControllerUnderTestAndItsChildProcesses) {
     }
 }
 
-/// A high load of the machine has the same effect as this slow reading of the report.
+/// The test reads the report slowly. A high load of the machine has the same effect.
 TEST(Signals, LeaveASlowlyReadReportComplete) {
     const Folder folder;
     fs::create_directory(folder.file("tmp"));
@@ -125,7 +125,9 @@ TEST(Signals, LeaveASlowlyReadReportComplete) {
     EXPECT_TRUE(waited_for([&] { return pids_in(folder).size() == 3; }));
     program.send(SIGTERM);
     text.clear();
-    std::this_thread::sleep_for(std::chrono::seconds(1));  // this is longer than a run without output may take
+    // This is longer than the grace period after which the watchdog ends an interrupted run that is not printing, but
+    // shorter than the watchdog's limit for a reader.
+    std::this_thread::sleep_for(std::chrono::seconds(1));
     for (std::array<char, 4096> part;;) {
         const ssize_t count = ::read(out.read.number(), part.data(), part.size());
         if (count <= 0) break;
@@ -242,7 +244,7 @@ TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {
         EXPECT_TRUE(fs::exists(folder.file(name))) << name;
 }
 
-/// A folder whose name must be quoted in command lines and scripts.
+/// Names of folders that must be quoted in command lines and scripts.
 const std::vector<std::string> odd_names = {"a b",        "it's", "\"",       "$HOME;*", "back\\slash",
                                             "line\nfeed", "-o",   "\xC3\xBC", "#"};
 

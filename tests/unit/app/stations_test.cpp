@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests the stations of bench/stations. Their charts have no findings, and their properties are those of an operator
-// panel.
+// Tests the stations of bench/stations: each file is in canonical form and has at least ten properties, and its charts
+// have no findings.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ Result tested(const std::string& controller, std::vector<std::string> options = 
     return grafverif(options);
 }
 
-/// Returns a controller with correct outputs, except that it executes `what` instead of its second response.
+/// Returns a controller with correct responses, except that it executes `what` instead of printing the second response.
 std::string faulty(const std::string& what) {
     return "read x; echo 0,0,0,0; read x; " + what + "; read x; echo 0,0,1,1";
 }

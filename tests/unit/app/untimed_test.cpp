@@ -352,7 +352,8 @@ TEST(Models, TermOfMoreThan32BitsIsRejectedAtItsLocation) {
         EXPECT_NE(refused.err.find("[beyond-32-bits]"), std::string::npos);
         EXPECT_EQ(refused.out, "");
     }
-    // UPPAAL evaluates a constant term directly; grafverif evaluates it when an instance is translated to a model.
+    // UPPAAL evaluates the constant term itself, with 32 bits. For NuSMV, grafverif evaluates the term when it
+    // translates the instance.
     std::string text = counter("", "");
     text.replace(text.find("mover(S = A)"), 12, "mover(S = A, K = 50000)");
     const std::string plant = folder.write("plant.grafcet", text);

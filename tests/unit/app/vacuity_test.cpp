@@ -52,8 +52,8 @@ const std::vector<Form>& forms() {
             {"A precedes X1", ""},
             {"always !X2", ""},
         };
-        // The properties with scopes that are never opened, never closed, or contain no such state come first.
-        // Properties that are not vacuous follow.
+        // The next properties have scopes that are never opened or never closed, or premises that are never true within
+        // a scope.
         for (const std::string never : {"never M", "always !M", "inevitable M"}) {
             made.push_back({never + " before X2", closes});
             for (const char* scope : {" after X2", " between X2 and X0", " after X2 until X0"})
@@ -119,7 +119,7 @@ TEST(Vacuity, EveryFormIsMarkedInDiscreteTime) {
             const Result result = grafverif(one);
             const VacuityJson all = VacuityJson::parse(result.out)["properties"];
             ASSERT_EQ(all.size(), 1U) << "probes are not properties";
-            if (engine == "pdr" && all[0]["verdict"] == "unknown") continue;  // a property about runs
+            if (engine == "pdr" && all[0]["verdict"] == "unknown") continue;  // PDR decides only state properties
             expect_verdict(all[0], form, engine);
         }
     }

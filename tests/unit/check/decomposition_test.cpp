@@ -186,7 +186,7 @@ TEST(Decomposition, ErrorOfOnePartPreservesVerdictsThatDoNotNeedIt) {
     EXPECT_EQ(outcome_text(result, "on"), "unknown (faulty)");
 }
 
-/// The path to `dark` needs a unit of time in which the faulty part is not quiescent.
+/// Process `brief` can violate `dark` only after two units of time, when the faulty process is not quiescent.
 TEST(Decomposition, ErrorOfOnePartInvalidatesVerdictsAboutQuiescentStates) {
     Sketch s;
     const auto brief = s.process("brief", 3, 1), breaking = s.process("breaking", 3, 1);
@@ -274,8 +274,9 @@ TEST(Decomposition, ARunInWhichOthersMoveTooOftenIsNotShown) {
     const TimedResult result = check_timed_by_parts(s.network);
     EXPECT_EQ(outcome_text(result, "never"), "violated");
     EXPECT_FALSE(verdict(result, "never").run);
-    EXPECT_EQ(verdict(result, "never").notes,
-              std::vector<std::string>{"no trace is given: with the other sub-loops, it has too many moves"});
+    EXPECT_EQ(
+        verdict(result, "never").notes,
+        std::vector<std::string>{"no trace is given: combined with the other sub-loops, the trace has too many moves"});
 }
 
 /// One part stops time, and the other part counts for a long time within that instant.
@@ -295,8 +296,9 @@ TEST(Decomposition, FiniteRunNextToAVeryLongOneIsNotShown) {
     const TimedResult result = check_timed_by_parts(s.network);
     EXPECT_EQ(outcome_text(result, "ends"), "violated");
     EXPECT_FALSE(verdict(result, "ends").run);
-    EXPECT_EQ(verdict(result, "ends").notes,
-              std::vector<std::string>{"no trace is given: with the other sub-loops, it has too many moves"});
+    EXPECT_EQ(
+        verdict(result, "ends").notes,
+        std::vector<std::string>{"no trace is given: combined with the other sub-loops, the trace has too many moves"});
 }
 
 TEST(Decomposition, BoundOfOneSearchIsReportedAsThatOfTheCompleteSearch) {

@@ -266,7 +266,8 @@ TEST(InputAbstraction, ProvesNoAbsenceOfTimelockIfAnEvolutionMayNotEnd) {
         << "the test would not detect that the premise is violated";
 }
 
-/// A plant with two clocks. The bound that is reached first decides the target of `both`. It is always the bound of t.
+/// Returns a loop with a plant of two clocks. In `both`, the bound that is reached first decides the next location;
+/// this is always the bound of t.
 std::string race_of_bounds(const std::string& property) {
     return "component two(input P; output S, F) { clock t, u; initial location off; location one invariant u <= 1s && "
            "t <= 2s; location both invariant u <= 2s && t <= 2s; location good; location bad; "
@@ -305,7 +306,7 @@ TEST(InputAbstraction, ProvesNoResponseThatAnObserverDecides) {
     EXPECT_NE(decided(text("inevitable X1 after X2")).outcome, Outcome::Holds) << "its operands are X1 and X2";
 }
 
-/// Two urgent edges, one of which repeats forever within an instant: time may pass, but need not.
+/// Two urgent edges of the plant can be taken alternately forever within an instant: time may pass, but need not.
 TEST(InputAbstraction, ProvesNoResponseIfUrgentEdgesMayRepeat) {
     const std::string text =
         "component turning(input P; output S) { initial location off; location on; location done; "

@@ -72,7 +72,7 @@ TEST(Localization, PropertyGuaranteedByANeighbourAddsTheNeighbour) {
     Sketch s;
     const auto x = s.boolean("x"), y = s.boolean("y");
     const auto a = s.process("A", 2, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
-    // The edge that writes x has no reachable source location.
+    // The edge that writes x is never enabled.
     s.edge(a, {.to = 1, .when = {{0, Op::GreaterEqual, 1}}});
     s.edge(a, {.from = 1, .guard = s.network.exprs.constant(false), .set = {{x, s.yes()}}});
     s.edge(b, {.guard = s.is(x), .set = {{y, s.yes()}}});
@@ -161,8 +161,9 @@ TEST(Localization, GuardThatKeepsAValueInRangeIsDetected) {
     EXPECT_FALSE(terms_have_values(expand(s.network)));
 }
 
-/// Returns a network of three periodic clocks with a property about the race. The variable that `b` sets is subject to
-/// a race if and only if `by_b`.
+/// Returns a network of three periodic clocks with the property that `race` is never true. If `by_b`, process B has an
+/// edge that sets `race` if `x` is true, and an edge that would set `x` but is never enabled; otherwise no edge sets
+/// `race`.
 Network may_race(bool by_b) {
     Sketch s;
     const auto race = s.boolean("race"), x = s.boolean("x");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proofs that time passes and that a state remains possible, on loops small enough to see which premise each of them
-// needs.
+// Tests proofs that time passes and that a state remains possible, on loops that are small enough to show which
+// premises each proof needs.
 #include "check/inputs/possible.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ const std::string plant_components =
     "component counter(input P; output S) { variable N: int 0..3; clock t; initial location any; "
     "timed any -> any when P && t >= 1s do N := N + 1, S := true, t := 0; }\n";
 
-/// A chart with a button A and a plant, whose order is Q and whose sensor is D.
+/// Returns a loop of a chart, a button A and the plant `plant`, whose order is Q and whose sensor is D.
 std::string with_plant(const std::string& plant, const std::string& property = "always possible X1") {
     return plant_components +
            "grafcet c { input A, D; output Q; initial step 0; step 1 { Q; } step 2; transition t0: 0 -> 1 when A; "
@@ -126,8 +126,8 @@ TEST(PossibleProof, FailsIfAStepIsLeftForGood) {
     EXPECT_EQ(proof.proves(network.properties[Id<Property>{1}], {}), true);
 }
 
-/// A plant of two clocks: from `both`, the bound that is reached first decides the location. That is always the bound
-/// of t, so S never becomes true.
+/// Returns a loop with a plant of two clocks. In `both`, the bound that is reached first decides the next location;
+/// this is always the bound of t, so S never becomes true.
 std::string race(const std::string& property) {
     return "component two(input P; output S, F) { clock t, u; initial location off; location one invariant t <= 2s; "
            "location both invariant u <= 2s && t <= 2s; location good; location bad; "
@@ -148,7 +148,7 @@ TEST(PossibleProof, NeedsAnEdgeForEachBound) {
     EXPECT_TRUE(is_proved(race("always possible X2 || F")));
 }
 
-/// A plant that leaves `wait` towards S only early.
+/// The only edge of the plant that leaves `wait` and sets S is enabled while t <= 1s; t may exceed 1s in `wait`.
 TEST(PossibleProof, NeedsAnEdgeThatIsPossibleForAllValuesOfTheClocks) {
     const std::string text =
         "component early(input P; output S) { clock t; initial location off; location wait; "
@@ -158,7 +158,7 @@ TEST(PossibleProof, NeedsAnEdgeThatIsPossibleForAllValuesOfTheClocks) {
     EXPECT_TRUE(is_proved(text, {.any_edge = true})) << "the test would not detect that the premise is violated";
 }
 
-/// The result on the first property of the loop.
+/// Returns the result of prove_response for the first property of the loop.
 ResponseResult response(const std::string& text) {
     const Network network = network_of(text);
     return prove_response(network, abstractable_processes(network), network.properties[Id<Property>{0}], {});

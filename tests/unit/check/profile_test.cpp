@@ -98,7 +98,7 @@ TEST(StateProfile, OfManyStatesIsEqualByClassesAndReportsProgress) {
     }
 }
 
-// The test computes the same numbers from sets of complete states.
+// The following test computes the numbers of a profile independently, from sets of complete states.
 
 using Values = std::vector<std::int64_t>;
 

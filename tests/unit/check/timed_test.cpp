@@ -223,8 +223,8 @@ TEST(TimedEngine, GivesNoLivenessVerdictOnOperandsWithoutAValue) {
 }
 
 TEST(TimedEngine, RequiresMoreOfABoundForTimeThanForRuns) {
-    // The process must leave the location at its bound, but the clock is bounded again without a reset. No run ends,
-    // but time stops.
+    // At the bound, the process must leave its location, but two of the edges lead to a location with the same bound
+    // and do not reset the clock. No run ends, but the engine cannot exclude that time stops.
     Sketch s;
     const auto p = s.process("p", 2, 2);
     s.invariant(p, 0, {0, Op::LessEqual, 2});
@@ -241,7 +241,7 @@ TEST(TimedEngine, RequiresMoreOfABoundForTimeThanForRuns) {
 }
 
 TEST(TimedEngine, RequiresThatUrgentEdgesAloneLeadToStatesInWhichTimePasses) {
-    // The only exit of the urgent loop is an edge that may wait forever. In integer time this exit is sufficient.
+    // The only edge that leaves the urgent loop is not urgent. It is sufficient in integer time, but not in dense time.
     Sketch s;
     const auto p = s.process("p", 2);
     s.edge(p, {.from = 0, .to = 0, .urgent = true});

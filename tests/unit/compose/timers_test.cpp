@@ -71,7 +71,7 @@ TEST(Timers, AStepThatIsLeftInTimeNeverEndsItsTimer) {
     ASSERT_EQ(network.time_unit_ms, 1000);
     Bench bench(network);
     const auto press = [&](std::int64_t value) {
-        bench.set("EVOL_PL", 1);  // the flag and the input change in the same instant, as on an edge of a plant
+        bench.set("EVOL_PL", 1);  // an edge of a plant would set this flag together with the input
         bench.set("a", value);
         bench.set("EVOL_PL", 1);
     };

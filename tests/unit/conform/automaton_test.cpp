@@ -185,7 +185,7 @@ TEST(LocationAutomaton, TimersOfOneStepExpireInOrderOfDuration) {
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 && !b; transition t2: 2 -> 4 when 5s/X2 && "
         "3s/X2;"
         "transition t3: 3 -> 1 when !a; transition t4: 4 -> 1 when !a;");
-    bool seen = false;  // 5s/X2 is sufficient
+    bool seen = false;  // true for a condition that contains 5s/X2 without 3s/X2, which 5s/X2 implies
     for (const LocationAutomaton::Evolution& evolution : found.evolutions)
         seen = seen || condition_text(found, evolution.condition) == "a and b and 5s/X2";
     EXPECT_TRUE(seen) << printed(found);

@@ -14,7 +14,7 @@
 namespace grafverif {
 namespace {
 
-/// Returns the report on a loop of one chart, whose inputs are buttons and whose outputs are lamps.
+/// Returns the report on a closed loop of the chart `c`, whose input `a` is bound to a push button.
 Report report_of(const std::string& chart, const std::string& properties, Grain grain = Grain::Phased) {
     ParseResult reading = read_string(
         chart + " closed_loop requested { controller c; environment A = push_button(OUT = a); " + properties + " }\n",
@@ -26,7 +26,7 @@ Report report_of(const std::string& chart, const std::string& properties, Grain 
     return report.value_or(Report{});
 }
 
-/// Returns the report for the chart with free inputs.
+/// Returns the report on the untimed model of the same loop; by default, its inputs are free.
 Report untimed_report_of(const std::string& chart, const std::string& properties,
                          PlantApproach plant = PlantApproach::None) {
     ParseResult reading = read_string(

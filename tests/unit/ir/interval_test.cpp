@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// Generates integer terms over some integers, whose ranges and constants are small, near 32 bits, or beyond.
+/// Generates integer terms over some variables. Ranges and constants are small, near the limits of 32 bits, or beyond.
 struct IntegerTerms {
     Exprs exprs = {};
     std::vector<Type> types = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests the reference semantics on the small examples of CEP13 section 2. Other tests compare all other components with
-// these semantics.
+// Tests the reference semantics on the small examples of CEP13 section 2. Other tests compare engines, emitters and
+// library components with these semantics.
 #include "support/naive_tadd.hpp"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,8 @@ namespace {
 
 using System = TransitionSystem;
 
-/// A free input, an instance of a module with a parameter, a state and a definition, a member, and one property.
+/// A system with a free input, a member, one property, and an instance of a module with a parameter, a state and a
+/// definition.
 struct Small {
     System system = {};
     Id<System::Module> module = {};
@@ -91,7 +92,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
          [](Small& s) { s.system.instances[s.instance].arguments = {{7}}; }},
         {"no module that can be instantiated", [](Small& s) { s.system.instances[s.instance].module = s.system.main; }},
         {"`P` has the wrong number of operands", [](Small& s) { s.system.properties[{0}].pattern = Pattern::LeadsTo; }},
-        {"`P` is not an operator of transition systems",
+        {"`P` has a pattern that transition systems do not support",
          [](Small& s) {
              s.system.properties[{0}].pattern = Pattern::NoDeadlock;
              s.system.properties[{0}].operands.clear();

@@ -19,7 +19,7 @@ TEST(LspText, CountsUnitsOfUtf16) {
     EXPECT_EQ(text.lines(), 4U);
     EXPECT_EQ(text.position(7), (Position{0, 4}));
     EXPECT_EQ(text.offset({0, 4}), 7U);
-    EXPECT_EQ(text.offset({0, 3}), 3U);  // a column inside a character means its beginning
+    EXPECT_EQ(text.offset({0, 3}), 3U);  // a column inside a character denotes the beginning of the character
     EXPECT_EQ(text.offset({0, 99}), 8U);
     EXPECT_EQ(text.offset({1, 0}), 10U);
     EXPECT_EQ(text.position(12), (Position{2, 0}));

@@ -14,7 +14,7 @@
 
 namespace grafverif {
 
-/// A page, with the parse result, which must outlive it.
+/// The page of a text, with the parse result and with the JSON data in the page.
 struct Made {
     ParseResult reading = {};
     std::string page = {};

@@ -336,7 +336,7 @@ TEST(PublicApi, ProgressCallbackMayEndTheWork) {
     std::atomic<bool> stop = false;
     std::string words;
     CheckOptions options;
-    options.jobs = 1;  // with several threads the engines might end before the request of the callback reaches them
+    options.jobs = 1;  // with several threads, the engines might end before the callback sets `stop`
     options.limits.stop = &stop;
     options.limits.progress = [&](const Progress& now) {
         words = now.words();

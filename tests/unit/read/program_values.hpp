@@ -34,7 +34,7 @@ struct ReadProgram {
     }
 };
 
-/// Returns the values of `variable` after each scan, with one input for each scan.
+/// Returns the values of `variable` after each scan. `inputs` contains the values of all inputs for each scan.
 inline std::string values(const std::string& program, const std::string& variable,
                           const std::vector<std::vector<std::int64_t>>& inputs, std::int64_t elapsed = 10) {
     const ReadProgram reading(program);

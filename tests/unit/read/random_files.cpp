@@ -237,7 +237,7 @@ public:
         return dice.pick(all);
     }
     static bool is_timed(const std::string& qualifier) { return qualifier.find_first_of("DL") != std::string::npos; }
-    /// Writes the Boolean variables and the action `work`.
+    /// Returns the name of a Boolean variable or of the action `work`.
     std::string acted() {
         static constexpr std::array all = {"lamp", "motor", "horn", "m", "lamp", "motor", "work"};
         return dice.pick(all);

@@ -10,16 +10,16 @@ namespace grafverif {
 
 using FileRandom = std::mt19937_64;
 
-/// Returns a GRAFCET in AGRAFE's meta-model, with partial grafcets, macro-steps, enclosing steps, orders, and actions
-/// and terms of every kind.
+/// Returns a GRAFCET in AGRAFE's meta-model, with partial grafcets, macro-steps, enclosing steps, forcing orders, and
+/// actions and terms of every kind.
 std::string random_agrafe(FileRandom& random);
 /// Returns a Sequential Function Chart as text, with all qualifiers, statements, times and branches.
 std::string random_sfc(FileRandom& random);
 /// Returns the same kind of chart in PLCopen XML.
 std::string random_plcopen(FileRandom& random);
 
-/// Returns `text` with some lines removed, duplicated or exchanged, and with values of attributes and words from other
-/// positions.
+/// Returns `text` with some lines removed, duplicated or exchanged, and with some attribute values and words replaced
+/// by those at other positions.
 std::string mutated(const std::string& text, FileRandom& random);
 
 }  // namespace grafverif

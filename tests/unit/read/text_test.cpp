@@ -88,7 +88,7 @@ TEST(ReadText, WithoutAModelOnceItIsStopped) {
     ReadContext context;
     context.stop = &stop;
     context.load = [&](const std::string&, std::string&) -> std::optional<std::string> {
-        stop = true;  // the text after this point would be correct
+        stop = true;  // the returned text is correct, but reading stops
         return "grafcet b { initial step 0; transition t: 0 -> 0 when true; }\n";
     };
     EXPECT_FALSE(read_text(main, sources, context, diagnostics));
@@ -254,7 +254,7 @@ TEST(ReadComponent, PartsClocksFromData) {
                                      .components.begin();
     const Component::Edge& edge = component.edges[{0}];
     ASSERT_EQ(edge.constraint.size(), 2u);
-    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);  // the relation is reversed
+    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);  // `T <= t` is stored as t >= T
     EXPECT_EQ(edge.constraint[1].relation, Op::Equal);
     EXPECT_EQ(component.exprs.operands(edge.guard).size(), 2u);
     EXPECT_EQ(edge.resets.size(), 1u);

@@ -65,7 +65,7 @@ constexpr const char* enclosure =
 
 TEST(EnclosingSteps, ActivateTheirLinksAndNotTheInitialSteps) {
     Play chart = play(enclosure);
-    // Step 20 is not an initial step of the situation at power-on, because step 6 is inactive.
+    // Initial step 20 is not active at power-on, because its enclosing step 6 is inactive.
     EXPECT_EQ(situation(chart), "1");
     run(chart);
     run(chart, "a");
@@ -127,7 +127,7 @@ TEST(ForcingOrders, OfAllFourFormsForceAndHold) {
     EXPECT_EQ(forced_to("INIT"), "2 20");
     EXPECT_EQ(forced_to("22, 20"), "2 20 22");
     EXPECT_EQ(forced_to("*", &afterwards), "2 21");
-    EXPECT_EQ(afterwards, "1 21");  // the order has ended, and the edge is over
+    EXPECT_EQ(afterwards, "1 21");  // the rise of b during the order has no effect afterwards
 }
 
 TEST(ForcingOrders, ForceInTheEvolutionThatActivatesTheirStep) {

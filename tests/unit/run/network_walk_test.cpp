@@ -44,7 +44,7 @@ TEST(NetworkWalk, AnInvariantLimitsHowFarTimeGoes) {
     const auto hurried = impatient(loop.network, state);
     ASSERT_EQ(hurried.size(), 1u);
     EXPECT_EQ(loop.network.processes[hurried[0]].name, "Valve");
-    state = rested(loop.network, state);  // now the valve is open, the order has ended, and the valve is to close
+    state = rested(loop.network, state);  // the valve is open and about to close, because the order has ended
     ASSERT_EQ(leeway(loop.network, state), (Leeway{true, travel, travel}));
     ASSERT_EQ(perform(loop.network, state, Delay{travel}).result, Step::Result::Done);
     EXPECT_EQ(leeway(loop.network, rested(loop.network, state)), (Leeway{true, {}, {}}));

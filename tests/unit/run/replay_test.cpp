@@ -92,8 +92,8 @@ TEST(RandomizedReplay, EveryWalkThroughARandomLoopReplays) {
 }
 
 TEST(RandomizedReplay, DelayMayEndInTheInstantInWhichItsTermFalls) {
-    // The term falls after the inputs were sampled and before the evolution. For the second action, an earlier fall
-    // still counts at the time of the evolution.
+    // PART may fall after the inputs were sampled and before the evolution. For LONG, the fall time of an earlier fall
+    // of PART may still be running at the evolution.
     constexpr const char* text = R"(
         grafcet light {
             input PART;
@@ -140,7 +140,8 @@ TEST(Replay, DetectsAnOmittedAssignment) {
             caught += seen;
         }
     }
-    // Some mutants are not detected: no step needs some of the variables, and some resets only distinguish states.
+    // Some mutants are not detected, because no evolution reads some of the variables, and because the omission of some
+    // resets only produces additional states.
     EXPECT_GT(mutants, 20);
     EXPECT_GE(caught * 10, mutants * 6) << caught << " of " << mutants;
 }
@@ -166,9 +167,8 @@ TEST(Replay, RejectsAnImpossibleMove) {
     EXPECT_EQ(found->what, "the move is not possible in this state");
 }
 
-/// This is CEP13 Fig. 33b as published: after the first 5 s the pulse is repeated continuously. The evolutions follow
-/// the rules, so the replay has to detect the error of the timer. The loop is accepted because the published timer is
-/// one of the ablations.
+/// If the timer of the pulse chart has a wrong duration, the evolutions still follow the rules. Therefore, the replay
+/// must also compare the timer with the time for which step 1 has been active.
 TEST(Replay, ChecksTimersAgainstTheActivityTimesOfSteps) {
     const std::string pulse = R"(
         grafcet pulse {

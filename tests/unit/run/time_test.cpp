@@ -42,7 +42,7 @@ TEST(TimeOfAnInput, EndsAtOnceWithoutAFallTime) {
     Play chart = play("input a; output O; initial step 1 { O if 3s/a; } step 2; transition t1: 1 -> 2 when 3s/a;");
     run(chart, "a");
     EXPECT_EQ(later(chart, 3000), "");
-    EXPECT_EQ(situation(chart), "1");  // when both terms expire, 3s/a is not true
+    EXPECT_EQ(situation(chart), "1");  // a falls when 3 s have elapsed, so 3s/a never becomes true
 }
 
 TEST(TimeOfAnInput, StartsAtOnceWithoutARiseTime) {

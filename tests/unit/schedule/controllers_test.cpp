@@ -79,7 +79,7 @@ TEST(ScheduleControllers, OmitsPropertiesThatNeedThePlantWithAReason) {
         {"property P: never level == 3;", "`level` is a variable of the plant"},
         {"property P: never X0 && lamp_1.on;", "`lamp_1.on` is a location of the plant"},
         {"property P: no deadlock;",
-         "the transition relation of this model is total, whether or not that of the closed loop is"},
+         "the transition relation of this model is total, even if the closed loop can deadlock"},
         {"property P: no timelock;", "this model has no time"},
         {"property P: uppaal \"A[] true\";", "it is a formula for UPPAAL"},
     };

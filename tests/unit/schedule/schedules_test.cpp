@@ -20,7 +20,7 @@ std::map<std::string, Outcome> verdicts(const TransitionSystem& system) {
     return found;
 }
 
-/// One button feeds two sensors.
+/// Two sensors read the same push button.
 const char* const button = R"(
 grafcet watcher {
     input a, c;

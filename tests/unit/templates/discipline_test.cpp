@@ -31,8 +31,8 @@ Setting setting(const std::string& name) {
     return {};
 }
 
-/// Computes all states that a single component can reach while its inputs change at arbitrary times. For each state, it
-/// also computes the successors by a change of an input or by a move.
+/// The states that a single component can reach while its inputs change at arbitrary times. `out_of_range` is true if a
+/// move causes a model error.
 struct Closure {
     std::set<TaddState> states = {};
     bool out_of_range = false;
@@ -115,7 +115,7 @@ TEST_P(EveryComponent, HasTheNameOfItsFileAndASummary) {
 TEST_P(EveryComponent, ReachesEachOfItsLocations) {
     std::set<std::string> reached;
     for (const TaddState& state : all.states) reached.insert(tadd.location(state, "it"));
-    // This location is reachable only if the duration is infinite.
+    // The location `sliding` is reachable only if ENDLESS is true.
     if (GetParam() == "part_feeder") reached.insert("sliding");
     for (const Component::Location& location : component.locations)
         EXPECT_TRUE(reached.contains(location.name)) << location.name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `watch`: executes another command, and executes it again whenever its inputs change. Each execution is a separate
-// process, which may end in any way. This process first reads the inputs and then polls them.
+// process, so that a crash of the command does not end this process. This process first reads the inputs and then polls
+// them.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `compare`: checks that two charts or PLC programs have equal outputs for all inputs, and lists other textual
+// `compare`: checks that two charts or PLC programs have equal outputs for all inputs, and lists the textual
 // differences of charts.
 #include "pipeline/variants/compare.hpp"
 

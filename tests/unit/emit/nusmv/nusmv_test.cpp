@@ -66,7 +66,7 @@ std::string emitted(const System& system) {
     return out.str();
 }
 
-/// Compares the lines of `text` from the line `first` on with the lines of `expected`.
+/// Checks that `expected` occurs in `text` at the beginning of a line.
 void expect_lines(const std::string& text, const std::string& expected) {
     EXPECT_NE(("\n" + text).find("\n" + expected), std::string::npos) << "in:\n" << text;
 }

@@ -22,7 +22,7 @@ std::string queries_text(const Network& network) {
     return out.str();
 }
 
-/// Returns the queries by the name at the beginning of their comment.
+/// Returns the queries, indexed by the name at the beginning of their comment.
 std::map<std::string, Query> queries(const Network& network) {
     pugi::xml_document document;
     EXPECT_TRUE(document.load_string(test::project(network).c_str()));

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Excludes files that other files include.
+/// True if the file contains a closed loop; false for files that are only included by others.
 bool has_loop(const fs::path& file) {
     std::ifstream in(file);
     return std::string(std::istreambuf_iterator<char>(in), {}).find("closed_loop") != std::string::npos;
