@@ -43,7 +43,7 @@ struct ProcessClocks {
     std::vector<std::vector<bool>> bounded = {};      ///< true if the clock is bounded, per location and clock
     std::vector<std::int64_t> greatest = {};          ///< maximum cap per clock over all locations
     /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is
-    /// none. `clock == d` is a comparison of both kinds.
+    /// none. `clock == d` is a comparison with a lower and with an upper bound.
     std::vector<std::vector<std::int64_t>> lower = {};
     /// Greatest constant d of a comparison `clock <= d` before the next reset, per location and clock; `no_upper` if
     /// there is none.

@@ -167,8 +167,8 @@ TEST(RandomizedCovering, UpperBoundsAreNeeded) {
 }
 
 TEST(RandomizedCovering, DepthIsNeeded) {
-    // A state of l2 with c0 == 2 and c1 == 2 is reached by a delay, and one with c0 == 0 and c1 == 2 by an edge, both in
-    // the same level. The second one simulates the first one, but its delay is an additional move.
+    // In one level, a delay reaches l2 with c0 == 2 and c1 == 2, and an edge reaches l2 with c0 == 0 and c1 == 2. The
+    // second state simulates the first one, but its delay is an additional move.
     Sketch sketch;
     const auto process = sketch.process("p", 5, 2);
     sketch.invariant(process, 0, {1, Op::LessEqual, 1});
