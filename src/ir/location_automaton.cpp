@@ -8,7 +8,6 @@
 namespace grafverif {
 
 using Location = LocationAutomaton::Location;
-using Step = LocationAutomaton::Step;
 
 namespace {
 
@@ -57,9 +56,9 @@ struct LocationAutomatonCheck {
             fault(std::string(what) + " is never true");
     }
 
-    bool situation(const std::vector<Id<Step>>& situation) {
-        const bool known =
-            std::ranges::all_of(situation, [&](Id<Step> step) { return automaton.steps.contains(step); });
+    bool situation(const std::vector<Id<LocationAutomaton::Step>>& situation) {
+        const bool known = std::ranges::all_of(
+            situation, [&](Id<LocationAutomaton::Step> step) { return automaton.steps.contains(step); });
         if (!known) fault("a situation has a step that does not exist");
         if (std::ranges::adjacent_find(situation, std::greater_equal{}) != situation.end())
             fault("the steps of a situation are not in increasing order");
@@ -67,7 +66,7 @@ struct LocationAutomatonCheck {
     }
 
     void locations() {
-        std::set<std::pair<std::vector<Id<Step>>, std::vector<std::int64_t>>> known;
+        std::set<std::pair<std::vector<Id<LocationAutomaton::Step>>, std::vector<std::int64_t>>> known;
         if (!automaton.locations.contains(automaton.init)) fault("the location INIT does not exist");
         for (const Id<Location> id : automaton.locations.ids()) {
             const Location& location = automaton.locations[id];
@@ -137,9 +136,10 @@ std::string watched_text(const LocationAutomaton& automaton, const LocationAutom
     return timer.timed.valid() ? "step " + automaton.steps[timer.timed].name : automaton.stored[timer.watched].name;
 }
 
-std::string situation_text(const LocationAutomaton& automaton, const std::vector<Id<Step>>& situation) {
+std::string situation_text(const LocationAutomaton& automaton,
+                           const std::vector<Id<LocationAutomaton::Step>>& situation) {
     std::string text = "{";
-    for (const Id<Step> step : situation) {
+    for (const Id<LocationAutomaton::Step> step : situation) {
         if (text.size() > 1) text += ',';
         text += automaton.steps[step].name;
     }
