@@ -46,7 +46,8 @@ private:
         if (!program_->fault() && side_.settled) answer.stop = repeat(inputs);
         for (const std::size_t cell : side_.outputs) answer.outputs.push_back(program_->cells()[cell]);
         if (program_->fault()) answer.stop = side_.fault_text(*program_->fault());
-        else if (is_stopped()) answer.stop = "the output for a stop is not zero";
+        else if (is_stopped())
+            answer.stop = fmt::format("the output `{}` is not zero", program_->layout().cells[*side_.stop].name);
         return answer;
     }
 

@@ -35,6 +35,8 @@ struct Comparison {
     struct Variable {
         std::string name = {};
         Type type = {};
+        std::vector<std::string> values = {};  ///< names of the values of an enumeration, from 0; otherwise empty
+        bool duration = false;                 ///< true for a duration in milliseconds
         bool operator==(const Variable&) const = default;
     };
     struct Scan {
@@ -63,6 +65,8 @@ struct Comparison {
     /// `ignored`: outputs that are not compared. `restricted`: inputs of a program that have only the values of the
     /// chart's input.
     std::vector<std::string> ignored = {}, restricted = {};
+    /// Output of each program whose value other than 0 reports a stop; empty if there is none.
+    std::array<std::string, 2> stop_outputs = {};
     bool settles = false;                      ///< programs repeat each scan until nothing changes
     bool faulty = false, constrained = false;  ///< a run-time fault is in the last scan; constraints are assumed
     std::vector<Variable> inputs = {}, outputs = {};

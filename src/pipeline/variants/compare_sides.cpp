@@ -62,6 +62,17 @@ void add_unsupported_outputs(CompareSide& side, Id<Program::Unit> unit, const st
     }
 }
 
+bool is_of_kind(const Plug& plug, Program::Type::Kind kind) {
+    return plug.program_type != nullptr && plug.program_type->kind == kind;
+}
+
+/// Returns the type for the report.
+Comparison::Variable variable_of(const Plug& plug) {
+    Comparison::Variable made{plug.name, plug.type, {}, is_of_kind(plug, Program::Type::Kind::Time)};
+    if (plug.program_type != nullptr) made.values = plug.program_type->values;
+    return made;
+}
+
 /// True if the values of both can be compared exactly. A chart and a program may have different ranges, but an input of
 /// the program must accept each value of the chart's input.
 bool comparable(const Plug& a, const Plug& b, bool input) {
@@ -109,7 +120,8 @@ private:
     void take_stop() {
         if (options_.stop.empty()) return;
         bool found = false;
-        for (CompareSide& side : sides_) {
+        for (const std::size_t k : {0U, 1U}) {
+            CompareSide& side = sides_[k];
             const auto plug = std::ranges::find_if(
                 side.outputs, [&](const Plug& one) { return side.is_program() && same_word(one.name, options_.stop); });
             if (plug == side.outputs.end()) continue;
@@ -118,6 +130,7 @@ private:
             const Id<Expr> value = side.scan->after[plug->own];
             side.stop = plug->type.boolean ? value : exprs.apply(Op::NotEqual, value, exprs.integer(0));
             side.stop_cell = plug->own;
+            result_.stop_outputs[k] = plug->name;
             side.scan->equations.variables[plug->variable].role = Equations::Role::Internal;
             side.outputs.erase(plug);
         }
@@ -212,7 +225,7 @@ private:
                 if (!plug.type.boolean) result_.restricted.push_back(plug.name);
                 plug.type = twin->type = range;
             }
-            common.push_back({plug.name, plug.type});
+            common.push_back(variable_of(plug));
             of_b.push_back(std::move(*twin));
             rest.erase(twin);
         }

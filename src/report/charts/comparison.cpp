@@ -18,13 +18,20 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the nonzero variables, such as `START, N = 3`; `none` if there are none.
+/// Returns a value of a variable that is not Boolean, as a program writes it: `3`, `T#1500ms`, `Heating`.
+std::string value_text(const Comparison::Variable& variable, std::int64_t value) {
+    if (variable.duration) return "T#" + duration_text(value);
+    const bool named = value >= 0 && static_cast<std::size_t>(value) < variable.values.size();
+    return named ? variable.values[static_cast<std::size_t>(value)] : std::to_string(value);
+}
+
+/// Returns the nonzero variables and all enumerations, such as `START, N = 3, Mode = Off`; `none` if there are none.
 std::string standing(const std::vector<Comparison::Variable>& variables, const std::vector<std::int64_t>& values) {
     std::string text;
     for (std::size_t k = 0; k < variables.size(); ++k) {
-        if (values[k] == 0) continue;
+        if (values[k] == 0 && variables[k].values.empty()) continue;
         text += (text.empty() ? "" : ", ") + variables[k].name;
-        if (!variables[k].type.boolean) text += fmt::format(" = {}", values[k]);
+        if (!variables[k].type.boolean) text += " = " + value_text(variables[k], values[k]);
     }
     return text.empty() ? "none" : text;
 }
@@ -134,6 +141,10 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
         out << fmt::format("  a starts in {{{}}} and b in {{{}}}\n", printable(comparison.from[0]),
                            printable(comparison.from[1]));
     if (comparison.constrained) out << "  the constraints of both charts are assumed\n";
+    for (const std::size_t k : {0U, 1U})
+        if (!comparison.stop_outputs[k].empty())
+            out << fmt::format("  {} stops at the end of a scan if its output `{}` is not zero\n", k == 0 ? "a" : "b",
+                               printable(comparison.stop_outputs[k]));
     if (!comparison.restricted.empty())
         out << "  these inputs have only the values of the chart: " << printable(names_text(comparison.restricted))
             << '\n';
@@ -161,8 +172,10 @@ nlohmann::ordered_json values_json(const std::vector<Comparison::Variable>& vari
                                    const std::vector<std::int64_t>& values) {
     auto object = nlohmann::ordered_json::object();
     for (std::size_t k = 0; k < variables.size(); ++k)
-        object[variables[k].name] =
-            variables[k].type.boolean ? nlohmann::ordered_json(values[k] != 0) : nlohmann::ordered_json(values[k]);
+        object[variables[k].name] = variables[k].type.boolean ? nlohmann::ordered_json(values[k] != 0)
+                                    : variables[k].values.empty()
+                                        ? nlohmann::ordered_json(values[k])
+                                        : nlohmann::ordered_json(value_text(variables[k], values[k]));
     return object;
 }
 
@@ -224,6 +237,7 @@ std::string comparison_json(const Comparison& comparison) {
                                      {"constrained", comparison.constrained},
                                      {"restricted", comparison.restricted},
                                      {"ignored", comparison.ignored},
+                                     {"stop_outputs", nlohmann::ordered_json::array()},
                                      {"outcome", word(comparison.outcome)},
                                      {"reason", text_or_null(comparison.reason)},
                                      {"faulty", comparison.faulty},
@@ -234,6 +248,7 @@ std::string comparison_json(const Comparison& comparison) {
     if (!comparison.from[0].empty()) object["from"] = comparison.from;
     if (comparison.resolution_ms > 0) object["resolution_ms"] = comparison.resolution_ms;
     if (comparison.interval_ms) object["interval_ms"] = *comparison.interval_ms;
+    for (const std::string& output : comparison.stop_outputs) object["stop_outputs"].push_back(text_or_null(output));
     for (const ChartChange& change : comparison.changes)
         object["changes"].push_back({{"kind", word(change.kind)},
                                      {"subject", change.subject},

@@ -7,8 +7,8 @@
 // JSON: missing values are null.
 //
 //   {"charts":[a, b], "programs":[a, b], "mode", "settled", "from":[a, b], "resolution_ms", "interval_ms",
-//   "constrained", "restricted":[name], "ignored":[name], "outcome", "reason", "faulty", "shortest", "seconds",
-//   "scans":[SCAN], "changes":[{"kind", "subject", "before", "after"}]}
+//   "constrained", "restricted":[name], "ignored":[name], "stop_outputs":[a, b], "outcome", "reason", "faulty",
+//   "shortest", "seconds", "scans":[SCAN], "changes":[{"kind", "subject", "before", "after"}]}
 //   SCAN  {"wait_ms", "time_ms", "inputs":{name:value}, "answers":[{"outputs":{name:value}, "situation", "stop"}, ...]}
 #pragma once
 

@@ -149,6 +149,34 @@ TEST(ComparePrograms, ARunTimeFaultInWhichBothStopIsAModelError) {
               std::string::npos);
 }
 
+TEST(ComparePrograms, TheOutputForStopsIsStated) {
+    const std::string stopping = with(latch, "L : BOOL", "L, Halt : BOOL");
+    const Result both = compared(stopping, stopping, {"--stop-output", "HALT"});
+    EXPECT_EQ(both.code, ExitCode::Done) << both.err;
+    EXPECT_NE(both.out.find("  a stops at the end of a scan if its output `Halt` is not zero\n"
+                            "  b stops at the end of a scan if its output `Halt` is not zero\n"),
+              std::string::npos)
+        << both.out;
+    const Result one = compared(lamp, stopping, {"--stop-output", "Halt", "--format", "json"});
+    EXPECT_EQ(one.code, ExitCode::Done) << one.err;
+    EXPECT_EQ(nlohmann::json::parse(one.out)["stop_outputs"], nlohmann::json({nullptr, "Halt"}));
+}
+
+const std::string heater =
+    "TYPE Mode : (Idle, Heating); END_TYPE\nPROGRAM heater\nVAR_INPUT on : BOOL; END_VAR\n"
+    "VAR_OUTPUT m : Mode; t : TIME; END_VAR\n"
+    "IF on THEN m := Heating; t := T#1s500ms; ELSE m := Idle; t := T#2s; END_IF;\nEND_PROGRAM\n";
+
+TEST(ComparePrograms, DurationsAndEnumerationsArePrintedAsInPrograms) {
+    const std::string wrong = with(heater, "m := Heating; t := T#1s500ms", "m := Idle; t := T#1s");
+    const Result result = compared(heater, wrong);
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_NE(result.out.find("  0 s   on      m = Heating, t = T#1500ms  m = Idle, t = T#1s\n"), std::string::npos)
+        << result.out;
+    const auto json = nlohmann::json::parse(compared(heater, wrong, {"--format", "json"}).out);
+    EXPECT_EQ(json["scans"][0]["answers"][0]["outputs"], nlohmann::json({{"m", "Heating"}, {"t", 1500}}));
+}
+
 TEST(ComparePrograms, TheTimeBetweenScansIsStated) {
     const Result any = compared(delay, with(delay, "T#2s", "T#1s"), {"--format", "json"});
     EXPECT_EQ(any.code, ExitCode::Verdict) << any.err;
