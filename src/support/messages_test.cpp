@@ -72,8 +72,8 @@ Diagnostic misplaced_activation(Span where) {
 
 Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name, std::string_view owner) {
     return error("not-comparable", where,
-                 fmt::format("the {} `{}` exists only in `{}`; compare charts with the same inputs and outputs", kind,
-                             clipped(name), clipped(owner)));
+                 fmt::format("the {} `{}` exists only in {}; compare charts with the same inputs and outputs", kind,
+                             clipped(name), owner));
 }
 
 Diagnostic other_type(Span where, std::string_view kind, std::string_view name, std::string_view range,

@@ -106,11 +106,11 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
     }
     if (times.empty() && !timed_program) return true;  // nothing depends on time
     if (intervals[0] && intervals[1] && *intervals[0] != *intervals[1]) {
-        diagnostics.add(messages::not_comparable(
-            sides[0].origin,
-            fmt::format("the task of `{}` is executed every {} ms, and that of `{}` every {} ms", sides[0].name,
-                        *intervals[0], sides[1].name, *intervals[1]),
-            "give both tasks the same INTERVAL"));
+        diagnostics.add(
+            messages::not_comparable(sides[0].origin,
+                                     fmt::format("the task of {} is executed every {} ms, and that of {} every {} ms",
+                                                 sides[0].label, *intervals[0], sides[1].label, *intervals[1]),
+                                     "give both tasks the same INTERVAL"));
         return false;
     }
     result.interval_ms = intervals[0] ? intervals[0] : intervals[1];
@@ -118,8 +118,8 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
         const CompareSide& owner = sides[intervals[0] ? 0 : 1];
         diagnostics.add(messages::not_comparable(
             owner.origin,
-            fmt::format("`{}` cannot be used, because the task of `{}` is executed every {} ms",
-                        result.settles ? "--compare settled" : "--resolution", owner.name, *result.interval_ms),
+            fmt::format("`{}` cannot be used, because the task of {} is executed every {} ms",
+                        result.settles ? "--compare settled" : "--resolution", owner.label, *result.interval_ms),
             "remove the option, or remove INTERVAL from the task"));
         return false;
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "derive/program/scan.hpp"
 #include "pipeline/program/check.hpp"
@@ -13,6 +14,7 @@
 #include "schedule/program/scan_module.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
+#include "support/wording.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 #include "syntax/st/st_tree.hpp"
 
@@ -22,6 +24,7 @@ namespace {
 
 using Plug = CompareSide::Plug;
 using Plugs = std::vector<Plug>;
+using Entry = std::pair<std::string, std::string>;  ///< of `--map`
 
 bool same_word(std::string_view a, std::string_view b) { return st::capitals(a) == st::capitals(b); }
 
@@ -66,6 +69,8 @@ bool is_of_kind(const Plug& plug, Program::Type::Kind kind) {
     return plug.program_type != nullptr && plug.program_type->kind == kind;
 }
 
+std::string entry_text(const Entry& entry) { return fmt::format("`--map {}={}`", entry.first, entry.second); }
+
 /// Returns the type for the report.
 Comparison::Variable variable_of(const Plug& plug) {
     Comparison::Variable made{plug.name, plug.type, {}, is_of_kind(plug, Program::Type::Kind::Time)};
@@ -73,14 +78,16 @@ Comparison::Variable variable_of(const Plug& plug) {
     return made;
 }
 
-/// True if the values of both can be compared exactly. A chart and a program may have different ranges, but an input of
-/// the program must accept each value of the chart's input.
+/// True if the values of both can be compared exactly. Two enumerations must have the same values in the same order. The
+/// case of their names is ignored, because identifiers of IEC 61131-3 do not depend on case. A chart and a program may
+/// have different ranges, but an input of the program must accept each value of the chart's input.
 bool comparable(const Plug& a, const Plug& b, bool input) {
     if (a.type.boolean != b.type.boolean) return false;
     if (a.type.boolean) return true;
     if ((a.program_type == nullptr) == (b.program_type == nullptr))
-        return a.type == b.type && (a.program_type == nullptr || (a.program_type->kind == b.program_type->kind &&
-                                                                  a.program_type->values == b.program_type->values));
+        return a.type == b.type && (a.program_type == nullptr ||
+                                    (a.program_type->kind == b.program_type->kind &&
+                                     std::ranges::equal(a.program_type->values, b.program_type->values, same_word)));
     const Plug& of_program = a.program_type != nullptr ? a : b;
     const Plug& of_chart = a.program_type != nullptr ? b : a;
     const Program::Type::Kind kind = of_program.program_type->kind;
@@ -97,9 +104,10 @@ public:
 
     bool match() {
         const std::size_t before = diagnostics_.errors();
+        set_labels();
         take_stop();
         take_ignored();
-        if (!are_known()) return false;
+        if (!is_valid_map()) return false;
         for (const CompareSide& side : sides_)
             for (const Plug& plug : side.unsupported)
                 diagnostics_.add(messages::not_comparable(
@@ -115,6 +123,15 @@ public:
 
 private:
     bool with_programs() const { return sides_[0].is_program() || sides_[1].is_program(); }
+
+    /// Sets the names for messages. If both names are equal, `(a)` and `(b)` distinguish them, as in the report.
+    void set_labels() {
+        const bool equal = same_word(sides_[0].name, sides_[1].name);
+        for (const std::size_t k : {0U, 1U}) {
+            const std::string_view mark = k == 0 ? " (a)" : " (b)";
+            sides_[k].label = fmt::format("`{}`{}", messages::clipped(sides_[k].name), equal ? mark : "");
+        }
+    }
 
     /// Makes the output for stops internal.
     void take_stop() {
@@ -163,27 +180,79 @@ private:
         result_.ignored.erase(std::ranges::unique(result_.ignored).begin(), result_.ignored.end());
     }
 
+    static bool same_name(const CompareSide& side, std::string_view a, std::string_view b) {
+        return side.is_program() ? same_word(a, b) : a == b;
+    }
     static bool is_called(const CompareSide& side, const Plug& plug, std::string_view name) {
-        return side.is_program() ? same_word(plug.name, name) : plug.name == name;
+        return same_name(side, plug.name, name);
     }
 
-    /// True if the names of `--map` exist. Otherwise errors are added.
-    bool are_known() {
+    /// True if the entries of `--map` name inputs or outputs that exist, and assign each of them once. Otherwise errors
+    /// are added.
+    bool is_valid_map() {
         const std::size_t before = diagnostics_.errors();
-        for (const auto& [first, second] : options_.map)
-            for (const auto& [side, name] : {std::pair(&sides_[0], &first), std::pair(&sides_[1], &second)}) {
-                std::vector<std::string> known;
-                bool found = false;
-                for (const Plugs* plugs : {&side->inputs, &side->outputs})
-                    for (const Plug& plug : *plugs) {
-                        known.push_back(plug.name);
-                        found = found || is_called(*side, plug, *name);
-                    }
-                if (!found)
-                    diagnostics_.add(
-                        messages::no_such_choice("input or output", *name, known, nearest_of(*name, known)));
-            }
+        for (std::size_t i = 0; i < options_.map.size(); ++i) {
+            check_names(options_.map[i]);
+            for (std::size_t j = 0; j < i; ++j) check_conflict(options_.map[j], options_.map[i]);
+        }
         return diagnostics_.errors() == before;
+    }
+
+    void check_names(const Entry& entry) {
+        const std::array<std::string_view, 2> names = {entry.first, entry.second};
+        std::array<std::string_view, 2> kinds;
+        for (const std::size_t k : {0U, 1U}) {
+            kinds[k] = kind_of(sides_[k], names[k]);
+            if (kinds[k].empty()) report_unknown(sides_[k], names[k], entry);
+        }
+        if (kinds[0].empty() || kinds[1].empty() || kinds[0] == kinds[1]) return;
+        diagnostics_.add(
+            messages::not_comparable({},
+                                     fmt::format("{} assigns the {} `{}` to the {} `{}`", entry_text(entry), kinds[0],
+                                                 names[0], kinds[1], names[1]),
+                                     "name two inputs or two outputs"));
+    }
+
+    /// Adds an error if two entries of `--map` name the same input or output.
+    void check_conflict(const Entry& one, const Entry& other) {
+        const bool first = same_name(sides_[0], one.first, other.first);
+        const bool second = same_name(sides_[1], one.second, other.second);
+        if (!first && !second) return;
+        const std::string both = fmt::format("{} and {}", entry_text(one), entry_text(other));
+        diagnostics_.add(messages::not_comparable(
+            {},
+            first && second ? both + " are the same assignment"
+                            : fmt::format("{} assign two names to `{}` of {}", both, first ? one.first : one.second,
+                                          sides_[first ? 0 : 1].label),
+            "remove one of them"));
+    }
+
+    /// Returns `input` or `output`; empty if the side has neither with this name.
+    static std::string_view kind_of(const CompareSide& side, std::string_view name) {
+        const auto has_name = [&](const Plug& plug) { return is_called(side, plug, name); };
+        if (std::ranges::any_of(side.inputs, has_name)) return "input";
+        return std::ranges::any_of(side.outputs, has_name) ? "output" : "";
+    }
+
+    void report_unknown(const CompareSide& side, std::string_view name, const Entry& entry) {
+        if (const std::string option = omitting_option(side, name); !option.empty()) {
+            diagnostics_.add(messages::not_comparable({},
+                                                      fmt::format("`{}` omits the output `{}` of {}, which {} assigns",
+                                                                  option, name, side.label, entry_text(entry)),
+                                                      "remove one of these options"));
+            return;
+        }
+        std::vector<std::string> known;
+        for (const Plugs* plugs : {&side.inputs, &side.outputs})
+            for (const Plug& plug : *plugs) known.push_back(plug.name);
+        diagnostics_.add(messages::no_such_choice("input or output", name, known, nearest_of(name, known)));
+    }
+
+    /// Returns the option that omits this output from the comparison; empty if there is none.
+    std::string omitting_option(const CompareSide& side, std::string_view name) const {
+        for (const std::string& ignored : options_.ignored)
+            if (same_name(side, ignored, name)) return "--ignore " + ignored;
+        return side.is_program() && same_word(options_.stop, name) ? "--stop-output " + options_.stop : "";
     }
 
     /// Returns the name of the counterpart in the second side that the user has selected.
@@ -237,7 +306,7 @@ private:
     void report_missing(std::string_view kind, const Plug& plug, std::size_t k) {
         const CompareSide& owner = sides_[k];
         if (!with_programs() && options_.map.empty()) {
-            diagnostics_.add(messages::not_in_both(plug.origin, kind, plug.name, owner.name));
+            diagnostics_.add(messages::not_in_both(plug.origin, kind, plug.name, owner.label));
             return;
         }
         const std::string pair = k == 0 ? plug.name + "=NAME" : "NAME=" + plug.name;
@@ -245,7 +314,7 @@ private:
         if (kind == "output") remedy += fmt::format(" or `--ignore {}`", plug.name);
         if (kind == "output" && owner.is_program()) remedy += fmt::format(" or `--stop-output {}`", plug.name);
         diagnostics_.add(messages::not_comparable(
-            plug.origin, fmt::format("the {} `{}` exists only in `{}`", kind, plug.name, owner.name), remedy));
+            plug.origin, fmt::format("the {} `{}` exists only in {}", kind, plug.name, owner.label), remedy));
     }
 
     void report_types(std::string_view kind, const Plug& a, const Plug& b) {
@@ -253,11 +322,33 @@ private:
             diagnostics_.add(messages::other_type(a.origin, kind, a.name, type_text(a), type_text(b)));
             return;
         }
+        if (is_of_kind(a, Program::Type::Kind::Enumeration) && is_of_kind(b, Program::Type::Kind::Enumeration)) {
+            report_values(kind, a, b);
+            return;
+        }
+        const bool only_in_programs = std::ranges::any_of(std::array{&a, &b}, [](const Plug* one) {
+            return is_of_kind(*one, Program::Type::Kind::Enumeration) || is_of_kind(*one, Program::Type::Kind::Time);
+        });
+        const bool with_chart = a.program_type == nullptr || b.program_type == nullptr;
         diagnostics_.add(
             messages::not_comparable(a.origin,
-                                     fmt::format("the {} `{}` is {} in `{}` and {} in `{}`", kind, a.name, type_text(a),
-                                                 sides_[0].name, type_text(b), sides_[1].name),
-                                     "declare it with the same type in both"));
+                                     fmt::format("the {} `{}` is {} in {} and {} in {}", kind, a.name, type_text(a),
+                                                 sides_[0].label, type_text(b), sides_[1].label),
+                                     with_chart && only_in_programs ? "declare it as an integer in the program"
+                                                                    : "declare it with the same type in both"));
+    }
+
+    /// Reports the first value that differs between two enumerations.
+    void report_values(std::string_view kind, const Plug& a, const Plug& b) {
+        const std::vector<std::string>&of_a = a.program_type->values, &of_b = b.program_type->values;
+        const auto [first, second] = std::ranges::mismatch(of_a, of_b, same_word);
+        const std::string one = first == of_a.end() ? "missing" : "`" + *first + "`";
+        const std::string other = second == of_b.end() ? "missing" : "`" + *second + "`";
+        diagnostics_.add(messages::not_comparable(
+            a.origin,
+            fmt::format("value {} of the enumeration of the {} `{}` is {} in {} and {} in {}", first - of_a.begin() + 1,
+                        kind, a.name, one, sides_[0].label, other, sides_[1].label),
+            "declare the same values in the same order in both"));
     }
 
     /// Renames the inputs and outputs of the second side to the names of the first side. Other variables of the second

@@ -38,6 +38,7 @@ struct CompareSide {
     };
 
     std::string name = {};
+    std::string label = {};  ///< name in messages; set by match_sides
     Span origin = {};
     std::optional<Chart> chart = {};
     std::optional<Equations> chart_equations = {};

@@ -115,9 +115,10 @@ TEST(ComparePrograms, StructuredTextOfAChartIsEqualToIt) {
     }
     const Result fault = grafverif({"compare", chart, program});
     EXPECT_EQ(fault.code, ExitCode::Input);
-    EXPECT_NE(fault.err.find("the output `FAULT` exists only in `lamp`; declare it in both, or pass `--map NAME=FAULT` "
-                             "or `--ignore FAULT` or `--stop-output FAULT` [not-comparable]"),
-              std::string::npos)
+    EXPECT_NE(
+        fault.err.find("the output `FAULT` exists only in `lamp` (b); declare it in both, or pass `--map NAME=FAULT` "
+                       "or `--ignore FAULT` or `--stop-output FAULT` [not-comparable]"),
+        std::string::npos)
         << fault.err;
     EXPECT_EQ(grafverif({"compare", chart, program, "--ignore", "fault", "--resolution", "1s"}).code, ExitCode::Done);
 }
@@ -175,6 +176,49 @@ TEST(ComparePrograms, DurationsAndEnumerationsArePrintedAsInPrograms) {
         << result.out;
     const auto json = nlohmann::json::parse(compared(heater, wrong, {"--format", "json"}).out);
     EXPECT_EQ(json["scans"][0]["answers"][0]["outputs"], nlohmann::json({{"m", "Heating"}, {"t", 1500}}));
+}
+
+TEST(ComparePrograms, EnumerationsAreComparedWithoutRegardToCase) {
+    const std::string upper = with(with(heater, "(Idle, Heating)", "(IDLE, heating)"), "m := Idle", "m := idle");
+    const Result same = compared(heater, upper);
+    EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
+    const Result apart = compared(heater, with(upper, "m := Heating", "m := IDLE"));
+    EXPECT_EQ(apart.code, ExitCode::Verdict) << apart.err;
+    EXPECT_NE(apart.out.find("m = Heating, t = T#1500ms  m = Idle, t = T#1500ms\n"), std::string::npos) << apart.out;
+}
+
+TEST(ComparePrograms, TheMapAssignsEachNameOnce) {
+    const std::string wide = with(latch, "on, off", "on, off, up");
+    struct Case {
+        std::vector<std::string> options;
+        std::string message;
+    };
+    for (const Case& one : std::vector<Case>{
+             {{"--map", "on=off", "--map", "On=on"},
+              "`--map on=off` and `--map On=on` assign two names to `on` of `latch` (a); remove one of them"},
+             {{"--map", "on=up", "--map", "off=UP"},
+              "`--map on=up` and `--map off=UP` assign two names to `up` of `latch` (b); remove one of them"},
+             {{"--map", "on=up", "--map", "ON=up"},
+              "`--map on=up` and `--map ON=up` are the same assignment; remove one of them"},
+             {{"--map", "on=L"},
+              "`--map on=L` assigns the input `on` to the output `L`; name two inputs or two outputs"},
+             {{"--map", "L=up"},
+              "`--map L=up` assigns the output `L` to the input `up`; name two inputs or two outputs"},
+             {{"--map", "L=l", "--ignore", "L"},
+              "`--ignore L` omits the output `L` of `latch` (a), which `--map L=l` assigns; remove one of these "
+              "options"},
+             {{"--map", "L=l", "--stop-output", "l"}, "`--stop-output l` omits the output `L` of `latch` (a)"},
+         }) {
+        SCOPED_TRACE(one.message);
+        const Result result = compared(latch, wide, one.options);
+        EXPECT_EQ(result.code, ExitCode::Input) << result.out;
+        EXPECT_NE(result.err.find(one.message), std::string::npos) << result.err;
+        EXPECT_EQ(result.err.find("exists only in"), std::string::npos) << result.err;
+    }
+    // Names of charts depend on case.
+    const std::string both = with(lamp, "on, off", "on, off, ON");
+    const Result charts = compared(both, both, {"--map", "on=ON", "--map", "ON=on"});
+    EXPECT_EQ(charts.code, ExitCode::Verdict) << charts.err;
 }
 
 TEST(ComparePrograms, TheTimeBetweenScansIsStated) {
@@ -270,16 +314,34 @@ TEST(ComparePrograms, WhatCannotBeComparedIsRejectedWithARemedy) {
         "PROGRAM p\nVAR_INPUT on : BOOL; n : INT; END_VAR\nVAR_OUTPUT L : BOOL; END_VAR\n"
         "L := on AND n > 3;\nEND_PROGRAM\n";
     const std::string task = every(delay, "delay", "T#500ms");
+    const std::string colours =
+        "TYPE Colour : (Red, Green); END_TYPE\nPROGRAM p\nVAR_OUTPUT c : Colour; END_VAR\nc := Red;\nEND_PROGRAM\n";
     for (const Case& one : std::vector<Case>{
              {wide,
               with(wide, "n : INT", "n : DINT"),
               {},
-              "the input `n` is an integer from -32768 to 32767 in `p` and an "
-              "integer from -2147483648 to 2147483647 in `p`; declare it "
+              "the input `n` is an integer from -32768 to 32767 in `p` (a) and an "
+              "integer from -2147483648 to 2147483647 in `p` (b); declare it "
               "with the same type in both"},
              {wide, with(with(wide, "n : INT", "n : BOOL"), "n > 3", "n"), {}, "the input `n` is an integer"},
-             {wide, with(with(wide, "n : INT", "n : TIME"), "n > 3", "n > T#3ms"), {}, "a duration in `p`"},
-             {latch, with(latch, "L : BOOL", "M : BOOL; L : BOOL"), {}, "the output `M` exists only in `latch`"},
+             {colours,
+              with(colours, "Green)", "Blue)"),
+              {},
+              "value 2 of the enumeration of the output `c` is `Green` in `p` (a) and `Blue` in `p` (b); declare the "
+              "same "
+              "values in the same order in both"},
+             {colours,
+              with(colours, "Green)", "Green, Blue)"),
+              {},
+              "value 3 of the enumeration of the output `c` is missing in `p` (a) and `Blue` in `p` (b)"},
+             {"grafcet g { output c: int 0..1; initial step 0; }\n",
+              colours,
+              {},
+              "the output `c` is an integer from 0 to 1 in `g` and an enumeration in `p`; declare it as an integer in "
+              "the "
+              "program"},
+             {wide, with(with(wide, "n : INT", "n : TIME"), "n > 3", "n > T#3ms"), {}, "a duration in `p` (b)"},
+             {latch, with(latch, "L : BOOL", "M : BOOL; L : BOOL"), {}, "the output `M` exists only in `latch` (b)"},
              {latch, latch, {"--ignore", "L"}, "`latch` has no outputs and cannot be compared"},
              {latch, latch, {"--ignore", "K"}, "`--ignore K` names no output of the compared files; name an output"},
              {latch, latch, {"--stop-output", "K"}, "`--stop-output K` names no output of a program"},
@@ -292,12 +354,12 @@ TEST(ComparePrograms, WhatCannotBeComparedIsRejectedWithARemedy) {
              {task,
               every(delay, "delay", "T#1s"),
               {},
-              "the task of `delay` is executed every 500 ms, and that of `delay` "
+              "the task of `delay` (a) is executed every 500 ms, and that of `delay` (b) "
               "every 1000 ms; give both tasks the same INTERVAL"},
              {task,
               delay,
               {"--resolution", "500ms"},
-              "`--resolution` cannot be used, because the task of `delay` is "
+              "`--resolution` cannot be used, because the task of `delay` (a) is "
               "executed every 500 ms"},
              {task, delay, {"--compare", "settled"}, "`--compare settled` cannot be used"},
              {latch, "PROGRAM p\nVAR x : LREAL; END_VAR\nx := x + 1.0;\nEND_PROGRAM\n", {}, "b:3:"},
