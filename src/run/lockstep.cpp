@@ -45,6 +45,7 @@ private:
         program_->scan(inputs, wait_ms);
         if (!program_->fault() && side_.settled) answer.stop = repeat(inputs);
         for (const std::size_t cell : side_.outputs) answer.outputs.push_back(program_->cells()[cell]);
+        answer.run_time_fault = program_->fault().has_value();
         if (program_->fault()) answer.stop = side_.fault_text(*program_->fault());
         else if (is_stopped())
             answer.stop = fmt::format("the output `{}` is not zero", program_->layout().cells[*side_.stop].name);

@@ -14,7 +14,7 @@
 //   timer        counts down in units of `unit_ms`: the remaining t1 while its term holds, the remaining t2 after it
 //                fell; scans occur at multiples of the unit. The caller chooses the unit, and hence the resolution
 //   same         never: both have completed the scan, and exactly one has a fault, or an output differs
-//   run_time_fault   never: a program has a run-time fault
+//   run_time_fault   never: a program has a run-time fault, and has not stopped in an earlier scan
 //   possible     reachable: there are inputs that satisfy the constraints of both
 //   a_follows, b_follows   if b has completed the scan without a fault, a completes it eventually. The property is
 //                violated if a never becomes stable although b does. A fault in one chart and instability of the other

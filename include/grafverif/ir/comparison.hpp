@@ -49,6 +49,7 @@ struct Comparison {
         std::vector<std::int64_t> outputs = {};  ///< values in the order of Comparison::outputs
         std::string situation = {};              ///< situation after the scan: `{2, 5}`
         std::string stop = {};                   ///< reason why there are no outputs; empty if outputs exist
+        bool run_time_fault = false;             ///< true if the reason is a run-time fault of a program
         /// True if both responses have equal outputs, or both have stopped.
         bool same(const ScanOutputs& other) const {
             return stop.empty() == other.stop.empty() && (!stop.empty() || outputs == other.outputs);

@@ -141,6 +141,12 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
     return true;
 }
 
+/// Returns the reason for an unknown result if both have stopped, at least one of them because of a run-time fault.
+std::string fault_reason(const Comparison::ScanOutputs& a, const Comparison::ScanOutputs& b) {
+    const std::string_view who = a.run_time_fault && b.run_time_fault ? "" : a.run_time_fault ? ", a" : ", b";
+    return fmt::format("in the last scan, both stop{} because of a run-time fault, which is a model error", who);
+}
+
 /// True if the side is known to complete every scan for all inputs, so that the comparison need not check this.
 bool surely_stable(const CompareSide& side, bool settles, const Limits& limits) {
     if (side.is_program()) return !settles;
@@ -231,7 +237,7 @@ private:
     }
 
     /// Reports a possible run-time fault as a model error. Both sides were found equal, so they stop in the same scan,
-    /// but this is not equality.
+    /// but this is not equality. A fault after both have stopped has no effect.
     void report_faults() {
         if (std::ranges::none_of(
                 sides_, [](const CompareSide& side) { return side.is_program() && !side.scan->faults.empty(); }))
@@ -241,21 +247,21 @@ private:
         result_.outcome = Comparison::Outcome::Unknown;
         result_.reason = found.reason;
         if (found.outcome != Comparison::Outcome::Different) return;
-        result_.reason = "both stop because of a run-time fault; they are equal in all scans before a fault";
-        result_.faulty = true;
         const Lockstep rules = lockstep();
-        result_.answers = rules.answers(found.scans);
-        const bool confirmed = !result_.answers[0].empty() && !result_.answers[0].back().stop.empty() &&
-                               !result_.answers[1].back().stop.empty() && !rules.difference(found.scans);
-        if (confirmed) {
-            result_.scans = found.scans;
-            result_.scans.resize(result_.answers[0].size());
+        std::array<std::vector<Comparison::ScanOutputs>, 2> answers = rules.answers(found.scans);
+        const bool confirmed = !found.scans.empty() && !answers[0].back().stop.empty() &&
+                               !answers[1].back().stop.empty() && !rules.difference(found.scans) &&
+                               (answers[0].back().run_time_fault || answers[1].back().run_time_fault);
+        if (!confirmed) {
+            result_.reason = "internal error: the interpreter does not confirm the run-time fault";
+            result_.failures.emplace_back(result_.reason);
             return;
         }
-        result_.answers = {};
-        result_.faulty = false;
-        result_.reason = "internal error: the interpreter does not confirm the run-time fault";
-        result_.failures.emplace_back(result_.reason);
+        result_.faulty = true;
+        result_.reason = fault_reason(answers[0].back(), answers[1].back());
+        result_.scans = found.scans;
+        result_.scans.resize(answers[0].size());
+        result_.answers = std::move(answers);
     }
 
     Lockstep lockstep() const {

@@ -152,19 +152,26 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
         out << "  these outputs are not compared: " << printable(names_text(comparison.ignored)) << '\n';
 }
 
+/// Returns the claim of a proof that no scan distinguishes both.
+std::string equality_text(const Comparison& comparison) {
+    return fmt::format("for all inputs{}, both write the same outputs in every scan, or both stop in the same scan",
+                       comparison.resolution_ms > 0 && !comparison.interval_ms ? " and all times between scans" : "");
+}
+
 void print_sentence(const Comparison& comparison, std::ostream& out) {
     const std::size_t scans = comparison.scans.size();
     switch (comparison.outcome) {
-    case Comparison::Outcome::Equal:
-        out << "  for all inputs"
-            << (comparison.resolution_ms > 0 && !comparison.interval_ms ? " and all times between scans" : "")
-            << ", both write the same outputs in every scan, or both stop in the same scan\n";
-        return;
+    case Comparison::Outcome::Equal: out << "  " << equality_text(comparison) << '\n'; return;
     case Comparison::Outcome::Different:
         out << fmt::format("  distinguished by {} scan{}{}, replayed {}:\n", scans, scans == 1 ? "" : "s",
                            comparison.shortest ? ", the minimum" : "", replay_text(comparison));
         return;
-    case Comparison::Outcome::Unknown: out << fmt::format("  inconclusive: {}\n", printable(comparison.reason)); return;
+    case Comparison::Outcome::Unknown:
+        out << fmt::format("  inconclusive: {}\n", printable(comparison.reason));
+        if (comparison.faulty)
+            out << fmt::format("  proved: {}\n  found: a run-time fault in scan {}, replayed {}:\n",
+                               equality_text(comparison), scans, replay_text(comparison));
+        return;
     }
 }
 

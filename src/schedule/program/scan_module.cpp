@@ -34,8 +34,10 @@ public:
         for (const Scan::Event& event : scan_.faults) faults.push_back(copy_(event.condition));
         const Id<Expr> fault = exprs().disjunction(faults);
         const Id<Expr> stops = stop_.valid() ? copy_(stop_) : exprs().constant(false);
-        made_.race = add_flag("run_time_fault", fault);
         made_.out_of_range = add_flag("stopped", stops);
+        const Id<Expr> runs =
+            made_.out_of_range.valid() ? exprs().negation(draft_.leaf(made_.out_of_range)) : exprs().constant(true);
+        made_.race = add_flag("run_time_fault", exprs().conjunction(runs, fault));
         if (settles) {
             made_.settled = draft_.define("settled", exprs().conjunction(unchanged),
                                           "another scan with the same inputs would change nothing");

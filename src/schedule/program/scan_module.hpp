@@ -12,8 +12,9 @@
 namespace grafverif::schedule {
 
 /// Returns the module. `race` is set after a run-time fault, and `out_of_range` after a scan in which `stop` was true;
-/// both are permanent. `stop` is a term over the values before the scan, or invalid. `settled` (one more scan with the
-/// same inputs would change no variable) and `faulting` are defined only if `settles` is true.
+/// both are permanent. A fault in a scan after `out_of_range` was set does not set `race`. `stop` is a term over the
+/// values before the scan, or invalid. `settled` (one more scan with the same inputs would change no variable) and
+/// `faulting` are defined only if `settles` is true.
 ControllerModule scan_module(const Scan& scan, Id<Expr> stop, bool settles, Exprs& exprs);
 
 /// For each variable of the equations: true if an output, a fault or `stop` depends on it.

@@ -127,9 +127,14 @@ TEST(ComparePrograms, ARunTimeFaultInWhichBothStopIsAModelError) {
     const std::string dividing = with(counter, "IF e.Q", "IF a THEN q := q + 6 / n; END_IF;\nIF e.Q");
     const Result result = compared(dividing, with(dividing, "6 / n", "6 / (n + 0)"));
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
-    EXPECT_NE(result.out.find("unknown\n  inconclusive: both stop because of a run-time fault; they are equal in all "
-                              "scans before a fault\n"),
-              std::string::npos)
+    EXPECT_NE(
+        result.out.find("unknown\n"
+                        "  inconclusive: in the last scan, both stop because of a run-time fault, which is a "
+                        "model error\n"
+                        "  proved: for all inputs, both write the same outputs in every scan, or both stop in the "
+                        "same scan\n"
+                        "  found: a run-time fault in scan 1, replayed on the interpreter of programs:\n"),
+        std::string::npos)
         << result.out;
     const Result exact = compared(dividing, dividing, {"--format", "json"});
     const auto json = nlohmann::json::parse(exact.out);
@@ -148,6 +153,35 @@ TEST(ComparePrograms, ARunTimeFaultInWhichBothStopIsAModelError) {
                                    "VAR v : ARRAY[0..3] OF BOOL; END_VAR v[i] := on;");
     EXPECT_NE(compared(array, array, {"--format", "json"}).out.find("the program uses an index outside of its array"),
               std::string::npos);
+}
+
+TEST(ComparePrograms, AFaultAfterAStopHasNoEffect) {
+    const std::string stopping =
+        "PROGRAM p\nVAR_INPUT a : BOOL; n : USINT; END_VAR\nVAR_OUTPUT S : BOOL; q : INT; END_VAR\n"
+        "IF S THEN q := 6 / n; END_IF;\nS := S OR a;\nEND_PROGRAM\n";
+    const std::string other = with(stopping, "6 / n", "6 / (n + 0)");
+    for (const std::string mode : {"scans", "settled"}) {
+        const Result after = compared(stopping, other, {"--stop-output", "S", "--compare", mode});
+        EXPECT_EQ(after.code, ExitCode::Done) << after.out << after.err;
+    }
+    EXPECT_NE(compared(stopping, other).out.find("both stop because of a run-time fault"), std::string::npos);
+}
+
+TEST(ComparePrograms, TheSideWithARunTimeFaultIsNamed) {
+    const std::string faulty =
+        "PROGRAM p\nVAR_INPUT a : BOOL; n : USINT; END_VAR\nVAR_OUTPUT S : BOOL; q : INT; END_VAR\n"
+        "IF a AND n = 0 THEN q := 6 / n; END_IF;\nEND_PROGRAM\n";
+    const std::string stopping = with(faulty, "q := 6 / n", "S := TRUE");
+    for (const bool turned : {false, true}) {
+        const Result result = turned ? compared(stopping, faulty, {"--stop-output", "S"})
+                                     : compared(faulty, stopping, {"--stop-output", "S"});
+        EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+        EXPECT_NE(result.out.find(turned ? "both stop, b because of a run-time fault, which is a model error\n"
+                                         : "both stop, a because of a run-time fault, which is a model error\n"),
+                  std::string::npos)
+            << result.out;
+        EXPECT_NE(result.out.find("`S` is not"), std::string::npos) << result.out;
+    }
 }
 
 TEST(ComparePrograms, TheOutputForStopsIsStated) {
