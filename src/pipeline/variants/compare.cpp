@@ -177,7 +177,7 @@ public:
     /// Returns the result for two charts or programs with the same equations: equal, provided that the constraints
     /// permit some inputs.
     void answer_identical() {
-        const ProductMachine both = product({});
+        const ProductMachine& both = unrestricted();
         PdrOptions engine;
         engine.method = PdrOptions::Method::Bmc;
         engine.max_steps = 0;
@@ -215,6 +215,12 @@ private:
         ProductOptions made{result_.mode, unit(), fewer_scans, result_.interval_ms, result_.settles, {}};
         for (const Comparison::Variable& output : result_.outputs) made.outputs.push_back(output.name);
         return schedule_both(sides_[0].product(), sides_[1].product(), made);
+    }
+
+    /// Returns the product without a restriction of the number of scans; built once.
+    const ProductMachine& unrestricted() {
+        if (!product_) product_ = product({});
+        return *product_;
     }
 
     /// True if both sides complete every scan under stability search; computed once.
@@ -272,7 +278,9 @@ private:
     }
 
     Answered check_properties(const std::vector<std::string>& properties, std::optional<std::int64_t> fewer_scans) {
-        const ProductMachine both = product(fewer_scans);
+        std::optional<ProductMachine> shorter;
+        if (fewer_scans) shorter = product(fewer_scans);
+        const ProductMachine& both = shorter ? *shorter : unrestricted();
         PortfolioOptions engines;
         engines.properties = properties;
         engines.witnesses = false;
@@ -372,6 +380,7 @@ private:
     const Sources* sources_;
     Comparison& result_;
     std::optional<bool> stable_ = {};
+    std::optional<ProductMachine> product_ = {};
 };
 
 std::string steps_text(const Chart& chart, const std::vector<Id<Chart::Step>>& steps) {
