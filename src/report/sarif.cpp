@@ -70,7 +70,7 @@ Json result(const Finding& finding, std::size_t rule, const Sources& sources) {
     if (finding.evidence) message += ". Inputs: " + inputs_text(*finding.evidence) + ": " + finding.evidence_shows;
     Json object = {
         {"ruleId", finding.code}, {"ruleIndex", rule}, {"level", word(finding.level)}, {"message", text_json(message)}};
-    if (sources.contains(finding.origin.source)) object["locations"] = {location(finding.origin, sources)};
+    if (sources.contains(finding.origin.source)) object["locations"] = Json::array({location(finding.origin, sources)});
     for (const Finding::Related& related : finding.related) {
         if (!sources.contains(related.where.source)) continue;
         Json place = location(related.where, sources);
@@ -128,7 +128,7 @@ Json result(std::string_view rule, std::size_t index, std::string_view kind, std
                    {"kind", kind},
                    {"level", kind == "fail" ? "error" : "none"},
                    {"message", text_json(message)}};
-    if (written.sources.contains(where.source)) object["locations"] = {location(where, written.sources)};
+    if (written.sources.contains(where.source)) object["locations"] = Json::array({location(where, written.sources)});
     return object;
 }
 
@@ -158,7 +158,7 @@ void add_result(const Report& report, const PropertyResult& answer, const Report
     const std::size_t index = rule_index(log, rule, meaning(rule), open ? "warning" : "error");
     Json object = result(rule, index, open ? "open" : "fail", message, origin(written, verdict), written);
     if (answer.trace && !answer.trace->rows.empty())
-        object["codeFlows"] = {code_flow(*answer.trace, end_of(verdict), written)};
+        object["codeFlows"] = Json::array({code_flow(*answer.trace, end_of(verdict), written)});
     log.results.push_back(std::move(object));
     if (!open) return;
     // As for the exit code, an undecided property counts only if it is declared.
@@ -197,7 +197,7 @@ void add_report(const Report& report, const ReportSource& written, SarifLog& log
         const std::size_t index = rule_index(log, breakdown.code, "model error", "error");
         Json object = result(breakdown.code, index, "fail", report.model + ": model error: " + breakdown.message,
                              origin(written), written);
-        if (!breakdown.trace.rows.empty()) object["codeFlows"] = {code_flow(breakdown.trace, "", written)};
+        if (!breakdown.trace.rows.empty()) object["codeFlows"] = Json::array({code_flow(breakdown.trace, "", written)});
         log.results.push_back(std::move(object));
     }
     for (const PropertyResult& answer : report.answers) add_result(report, answer, written, log);
@@ -216,7 +216,8 @@ void add_diagnostics(const std::vector<Diagnostic>& diagnostics, const Sources& 
                        {"ruleIndex", rule},
                        {"level", level(diagnostic.severity)},
                        {"message", text_json(diagnostic.message)}};
-        if (sources.contains(diagnostic.where.source)) object["locations"] = {location(diagnostic.where, sources)};
+        if (sources.contains(diagnostic.where.source))
+            object["locations"] = Json::array({location(diagnostic.where, sources)});
         for (const Diagnostic& note : diagnostic.notes) {
             if (!sources.contains(note.where.source)) continue;
             Json place = location(note.where, sources);
@@ -236,7 +237,7 @@ void print_sarif(const SarifLog& log, const std::string& version, std::ostream& 
         {"version", "2.1.0"},
         {"runs",
          {{{"tool", {{"driver", {{"name", "grafverif"}, {"version", version}, {"rules", log.rules}}}}},
-           {"invocations", {std::move(invocation)}},
+           {"invocations", Json::array({std::move(invocation)})},
            {"columnKind", "unicodeCodePoints"},
            {"results", log.results}}}}};
     out << json_text(document) << '\n';

@@ -24,11 +24,6 @@ namespace {
 using Words = std::vector<std::string>;
 using std::chrono::steady_clock;
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool sanitized = true;  // the memory of a sanitized program cannot be limited
 #else
