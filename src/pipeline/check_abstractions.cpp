@@ -20,7 +20,8 @@ namespace {
 
 /// Returns the time at which the abstractions must end: after a third of the remaining time, and at most 20 s. The
 /// remaining time is for other engines.
-std::chrono::steady_clock::time_point end_of_abstractions(std::optional<std::chrono::steady_clock::time_point> deadline) {
+std::chrono::steady_clock::time_point end_of_abstractions(
+    std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
     const auto now = std::chrono::steady_clock::now();
     return deadline ? std::min(now + most, now + (*deadline - now) / 3) : now + most;
@@ -44,7 +45,7 @@ void decide_by_inputs(const Network& network, const TimedOptions& options, Timed
 std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const CheckOptions& options,
                                              const LocalizationLimits& limits) {
     if (options.whole || !check.network || !check.network()) return {};
-    const Network network = check.system.ticks.valid() ? *check.network() : without_clocks(*check.network());
+    Network network = check.system.ticks.valid() ? *check.network() : without_clocks(*check.network());
     const auto is_observer = [](const Network::Process& process) {
         return process.kind == Network::ProcessKind::Observer;
     };
@@ -71,6 +72,9 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
         timed.properties.push_back(property.name);
     }
     if (requested.empty()) return {};
+    // A declared `no timelock` would be decided in each search, although its verdict is not used.
+    for (const Property& property : std::exchange(network.properties, {}))
+        if (requested.contains(property.name)) network.properties.add(property);
     // A short search, because other engines search the complete network.
     const auto first_look = [&](const Network& whole, TimedOptions look) {
         look.max_states = std::min(look.max_states, limits.whole);
@@ -81,8 +85,9 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
     std::vector<Verdict> decided;
     for (Verdict& found : result.verdicts) {
         const bool is_proof = found.scope.cells || (found.abstraction && !found.run);
-        if (!is_proof || found.outcome == Outcome::Unknown) continue;
-        const Id<Property> id = requested.at(found.property);
+        const auto at = requested.find(found.property);
+        if (!is_proof || found.outcome == Outcome::Unknown || at == requested.end()) continue;
+        const Id<Property> id = at->second;
         Verdict& verdict = decided.emplace_back(verdict_on(id, check.system.properties[id]));
         verdict.outcome = found.outcome;
         verdict.vacuous = found.vacuous;

@@ -295,6 +295,8 @@ private:
         main_.system.properties.add({.name = "same", .pattern = Pattern::Never, .operands = {differ}});
         main_.system.properties.add(
             {.name = "possible", .pattern = Pattern::Reachable, .operands = {exprs().constant(true)}});
+        main_.system.properties.add(
+            {.name = "continues", .pattern = Pattern::Reachable, .operands = {exprs().conjunction(waits(), sound)}});
         if (!searches()) return;
         const auto with_outputs = [&](std::size_t k, Id<Expr> fault) {
             return exprs().conjunction(answered_[k], exprs().negation(fault));
@@ -304,6 +306,11 @@ private:
         main_.system.properties.add(
             {.name = "b_follows", .pattern = Pattern::LeadsTo, .operands = {with_outputs(0, of_a), answered_[1]}});
         if (!options_.settles) return;
+        for (const std::size_t k : {0U, 1U})
+            main_.system.properties.add(
+                {.name = k == 0 ? "b_settles_after_stop" : "a_settles_after_stop",
+                 .pattern = Pattern::LeadsTo,
+                 .operands = {exprs().conjunction(answered_[k], k == 0 ? of_a : of_b), answered_[1 - k]}});
         main_.system.properties.add(
             {.name = "one_follows",
              .pattern = Pattern::LeadsTo,

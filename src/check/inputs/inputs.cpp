@@ -220,7 +220,7 @@ void InputAbstractionCheck::search(const Task& task) {
     std::vector<Id<Network::Process>> rounded;
     for (const Id<Network::Process> id : observed.processes.ids())
         if (task.rounded && observed.processes[id].kind == Network::ProcessKind::Observer) rounded.push_back(id);
-    const Network network = in_longest_unit(observed, abstraction.paced, rounded, ablations_);
+    Network network = in_longest_unit(observed, abstraction.paced, rounded, ablations_);
     const bool is_stronger =
         network.time_unit_ms != in_longest_unit(std::move(observed), abstraction.paced).time_unit_ms;
     TimedOptions options = options_;
@@ -231,6 +231,10 @@ void InputAbstractionCheck::search(const Task& task) {
         if (std::ranges::find(options.properties, name) == options.properties.end()) options.properties.push_back(name);
     }
     if (options.properties.empty()) return;
+    // A declared `no timelock` would be decided in each search, although its verdict is not used.
+    for (const Property& property : std::exchange(network.properties, {}))
+        if (std::ranges::find(options.properties, property.name) != options.properties.end())
+            network.properties.add(property);
     options.timelock = false;
     options.paths = true;
     options.until_decided = true;

@@ -305,13 +305,15 @@ Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>
     const auto is_in = [](const std::vector<Id<Network::Process>>& list, Id<Network::Process> id) {
         return std::ranges::find(list, id) != list.end();
     };
-    std::int64_t others = 0, all = 0;
+    std::int64_t others = 0, not_paced = 0, all = 0;
     each_constraint(network, [&](Id<Network::Process> id, const Network::ClockConstraint& constraint) {
         const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
         all = std::gcd(all, bound);
-        if (!is_in(paced, id) && !is_in(rounded, id)) others = std::gcd(others, bound);
+        if (is_in(paced, id)) return;
+        not_paced = std::gcd(not_paced, bound);
+        if (!is_in(rounded, id)) others = std::gcd(others, bound);
     });
-    const std::int64_t unit = std::max<std::int64_t>(others != 0 ? others : all, 1);
+    const std::int64_t unit = std::max<std::int64_t>(others != 0 ? others : not_paced != 0 ? not_paced : all, 1);
     for (const Id<Network::Process> id : paced) {
         const Network::Process process = network.processes[id];
         Network::Template automaton = network.templates[process.automaton];

@@ -194,6 +194,8 @@ public:
         if (same.outcome == Comparison::Outcome::Equal && searches && !both_stable())
             same = check_properties({"a_follows", "b_follows"}, {});
         if (same.outcome == Comparison::Outcome::Equal && result_.settles) same = ask_settling();
+        if (same.outcome == Comparison::Outcome::Equal && (sides_[0].stop.valid() || sides_[1].stop.valid()))
+            same = ask_stopping();
         result_.outcome = same.outcome;
         result_.reason = same.reason;
         if (same.outcome == Comparison::Outcome::Equal) report_faults();
@@ -231,15 +233,30 @@ private:
         return *stable_;
     }
 
-    /// Returns Equal if the outputs of at least one program always settle with constant inputs. If the outputs of
-    /// neither program settle, they cannot be compared.
+    /// Returns Equal if the outputs of at least one program always settle with constant inputs, and the outputs of a
+    /// program settle if the other one stops. If the outputs of neither program settle, they cannot be compared.
     Answered ask_settling() {
         Answered one = check_properties({"one_follows"}, {});
         if (one.outcome == Comparison::Outcome::Different)
-            one = {Comparison::Outcome::Unknown,
-                   "with constant inputs, the outputs of neither settle, so they cannot be compared",
-                   {}};
+            return {Comparison::Outcome::Unknown,
+                    "with constant inputs, the outputs of neither settle, so they cannot be compared",
+                    {}};
+        if (one.outcome != Comparison::Outcome::Equal) return one;
+        one = check_properties({"a_settles_after_stop", "b_settles_after_stop"}, {});
+        if (one.outcome == Comparison::Outcome::Different)
+            return {Comparison::Outcome::Unknown, "one stops, and the outputs of the other one do not settle", {}};
         return one;
+    }
+
+    /// Returns Equal if some scan ends without a stop. Otherwise no outputs are compared: the option `--stop-output` may
+    /// name an output that is not zero in normal operation.
+    Answered ask_stopping() {
+        Answered one = check_properties({"continues"}, {});
+        if (one.outcome != Comparison::Outcome::Different) return one;
+        return {Comparison::Outcome::Unknown,
+                "both stop in the first scan for all inputs, so no outputs are compared; `--stop-output` must name an "
+                "output that is zero in normal operation",
+                {}};
     }
 
     /// Reports a possible run-time fault as a model error. Both sides were found equal, so they stop in the same scan,
@@ -318,6 +335,8 @@ private:
                     answer = {Comparison::Outcome::Unknown, verdict.reason, {}};
             } else if (queries_inputs && verdict.outcome == Outcome::Violated) {
                 return contradiction();
+            } else if (verdict.property == "continues" && verdict.outcome == Outcome::Violated) {
+                answer = {Comparison::Outcome::Different, {}, {}};
             } else if (!queries_inputs && verdict.outcome == Outcome::Violated) {
                 if (!found.runs[k]) return {Comparison::Outcome::Unknown, "an engine has no run for its verdict", {}};
                 answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};

@@ -143,8 +143,10 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
     if (comparison.constrained) out << "  the constraints of both charts are assumed\n";
     for (const std::size_t k : {0U, 1U})
         if (!comparison.stop_outputs[k].empty())
-            out << fmt::format("  {} stops at the end of a scan if its output `{}` is not zero\n", k == 0 ? "a" : "b",
-                               printable(comparison.stop_outputs[k]));
+            out << fmt::format(
+                "  {} stops at the end of a scan if its output `{}` is not zero; outputs of this scan and of "
+                "later scans are not compared\n",
+                k == 0 ? "a" : "b", printable(comparison.stop_outputs[k]));
     if (!comparison.restricted.empty())
         out << "  these inputs have only the values of the chart: " << printable(names_text(comparison.restricted))
             << '\n';

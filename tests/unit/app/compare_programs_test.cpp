@@ -188,13 +188,42 @@ TEST(ComparePrograms, TheOutputForStopsIsStated) {
     const std::string stopping = with(latch, "L : BOOL", "L, Halt : BOOL");
     const Result both = compared(stopping, stopping, {"--stop-output", "HALT"});
     EXPECT_EQ(both.code, ExitCode::Done) << both.err;
-    EXPECT_NE(both.out.find("  a stops at the end of a scan if its output `Halt` is not zero\n"
-                            "  b stops at the end of a scan if its output `Halt` is not zero\n"),
+    EXPECT_NE(both.out.find("  a stops at the end of a scan if its output `Halt` is not zero; outputs of this scan "
+                            "and of later scans are not compared\n"
+                            "  b stops at the end of a scan if its output `Halt` is not zero; outputs of this scan "
+                            "and of later scans are not compared\n"),
               std::string::npos)
         << both.out;
     const Result one = compared(lamp, stopping, {"--stop-output", "Halt", "--format", "json"});
     EXPECT_EQ(one.code, ExitCode::Done) << one.err;
     EXPECT_EQ(nlohmann::json::parse(one.out)["stop_outputs"], nlohmann::json({nullptr, "Halt"}));
+}
+
+TEST(ComparePrograms, AStopInTheFirstScanMakesTheResultUnknown) {
+    const std::string on =
+        "PROGRAM p\nVAR_INPUT on : BOOL; END_VAR\nVAR_OUTPUT OK, L : BOOL; END_VAR\n"
+        "OK := TRUE; L := on;\nEND_PROGRAM\n";
+    for (const std::string mode : {"scans", "settled"}) {
+        const Result result =
+            compared(on, with(on, "L := on", "L := FALSE"), {"--stop-output", "OK", "--compare", mode});
+        EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+        EXPECT_NE(result.out.find("both stop in the first scan for all inputs, so no outputs are compared"),
+                  std::string::npos)
+            << result.out;
+    }
+}
+
+TEST(ComparePrograms, AStopMakesTheResultUnknownIfTheOtherDoesNotSettle) {
+    const std::string stopping =
+        "PROGRAM p\nVAR_INPUT on : BOOL; END_VAR\nVAR_OUTPUT S : BOOL; END_VAR\n"
+        "VAR m : BOOL; END_VAR\nIF on THEN S := TRUE; END_IF;\nEND_PROGRAM\n";
+    const std::string other = with(stopping, "S := TRUE", "m := NOT m");
+    for (const bool turned : {false, true}) {
+        const Result result = compared(turned ? other : stopping, turned ? stopping : other,
+                                       {"--stop-output", "S", "--compare", "settled"});
+        EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+        EXPECT_EQ(result.out.find("equal\n"), std::string::npos) << result.out;
+    }
 }
 
 const std::string heater =
