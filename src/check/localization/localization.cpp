@@ -182,24 +182,33 @@ bool LocalizationCheck::about_race(const Property& property) const {
     return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
-/// Searches the fragments that each query reads, and each fragment that may have a model error.
+/// Searches the fragments that each query reads, and each fragment that may have a model error. Verdicts are valid only
+/// if no model error is possible. Therefore, the second searches precede those of additional fragments, which may use all
+/// of the time.
 void LocalizationCheck::search_locally() {
-    std::set<std::uint32_t> searched_cells;
-    const auto work = [&] {
-        while (!tasks_.empty()) {
-            for (; !tasks_.empty(); tasks_.pop_front()) {
-                searched_cells.insert(tasks_.front().cells.begin(), tasks_.front().cells.end());
-                search(tasks_.front());
-            }
+    const auto search_tasks = [&] {
+        for (; !tasks_.empty(); tasks_.pop_front()) search(tasks_.front());
+    };
+    const auto search_wider = [&] {
+        search_tasks();
+        while (!open_.empty()) {
             for (Open& open : std::exchange(open_, {})) go_on_with(std::move(open));
+            search_tasks();
         }
     };
-    work();
-    for (const std::uint32_t cell : may_err_) {
-        if (found_.empty() && !race_) return;
-        if (!faultless_.contains(cell)) tasks_.push_back({{cell}, {}});
-        work();
-    }
+    std::set<std::uint32_t> tried;
+    const auto search_cells_that_may_err = [&](const auto& run) {
+        for (const std::uint32_t cell : may_err_) {
+            if (found_.empty() && !race_) return;
+            if (faultless_.contains(cell) || !tried.insert(cell).second) continue;
+            tasks_.push_back({{cell}, {}});
+            run();
+        }
+    };
+    search_tasks();
+    search_cells_that_may_err(search_tasks);
+    search_wider();
+    search_cells_that_may_err(search_wider);
 }
 
 void LocalizationCheck::search(const Task& task) {
