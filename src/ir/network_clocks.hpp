@@ -10,7 +10,7 @@
 // A clock is bounded at l if an invariant can limit it before its next reset.
 //
 // The constants of lower and of upper bounds are also computed separately. They define which clock values simulate
-// others (check/timed/covering.hpp).
+// others (check/timed/store/covering.hpp).
 #pragma once
 
 #include <cstdint>

@@ -104,7 +104,8 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 /// model error, as the network from which it was derived (without clocks if time is abstract). If a model error is
 /// possible, no verdict is returned. The search takes at most a third of the remaining time, and at most 20 seconds.
 std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const CheckOptions& options,
-                                             const LocalizationLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
+                                             const LocalizationLimits& limits = {.whole = 1U << 15U,
+                                                                                 .local = 1U << 18U});
 
 /// Checks with the symbolic engine, and also with localization, input abstraction, PDR and BMC if the symbolic engine takes long. `alone`
 /// is the number of steps that the symbolic engine first makes alone (see PortfolioOptions); the default takes about a

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares searches with and without covering (src/check/timed/covering.hpp) on random networks and closed loops. The
+// Compares searches with and without covering (src/check/timed/store/covering.hpp) on random networks and closed loops. The
 // verdicts and the lengths of runs must be equal. If a model error is reachable, both searches find one. Each premise of
 // the covering is omitted once, which must change a result.
 #include <gtest/gtest.h>

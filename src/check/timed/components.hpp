@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/timed/column.hpp"
+#include "check/timed/store/column.hpp"
 #include "check/timed/explore.hpp"
 
 namespace grafverif::timed {

@@ -15,10 +15,10 @@
 #include <optional>
 #include <vector>
 
-#include "check/timed/column.hpp"
-#include "check/timed/covering.hpp"
+#include "check/timed/store/column.hpp"
+#include "check/timed/store/covering.hpp"
 #include "check/timed/machine.hpp"
-#include "check/timed/store.hpp"
+#include "check/timed/store/store.hpp"
 #include "check/timed/timed.hpp"
 #include "grafverif/ir/verdict.hpp"
 

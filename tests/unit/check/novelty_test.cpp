@@ -50,7 +50,8 @@ TEST(Novelty, FindsARunThatABreadthFirstSearchOfAsManyStatesDoesNot) {
     const auto run = loop.search.run_of(0);
     ASSERT_TRUE(run);
     EXPECT_TRUE(replay(loop.network, *run));
-    const TimedResult breadth_first = check_timed(loop.network, {.max_states = bound, .timelock = false, .covering = false});
+    const TimedResult breadth_first =
+        check_timed(loop.network, {.max_states = bound, .timelock = false, .covering = false});
     EXPECT_EQ(breadth_first.verdicts.front().outcome, Outcome::Unknown);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests that the state store returns stored states unchanged, and finds them again.
-#include "check/timed/store.hpp"
+#include "check/timed/store/store.hpp"
 
 #include <gtest/gtest.h>
 

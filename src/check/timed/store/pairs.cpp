@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/timed/pairs.hpp"
+#include "check/timed/store/pairs.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -16,9 +16,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "check/timed/column.hpp"
+#include "check/timed/store/column.hpp"
 #include "check/timed/layout.hpp"
-#include "check/timed/store.hpp"
+#include "check/timed/store/store.hpp"
 #include "check/timed/timed.hpp"
 
 namespace grafverif::timed {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "check/timed/layout.hpp"
-#include "check/timed/pairs.hpp"
+#include "check/timed/store/pairs.hpp"
 
 namespace grafverif::timed {
 

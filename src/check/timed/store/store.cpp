@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/timed/store.hpp"
+#include "check/timed/store/store.hpp"
 
 #include <algorithm>
 #include <utility>

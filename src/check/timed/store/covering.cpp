@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/timed/covering.hpp"
+#include "check/timed/store/covering.hpp"
 
 #include <algorithm>
 #include <limits>
