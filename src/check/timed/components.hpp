@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "check/timed/store/column.hpp"
 #include "check/timed/explore.hpp"
+#include "check/timed/store/column.hpp"
 
 namespace grafverif::timed {
 

@@ -15,9 +15,9 @@
 #include <optional>
 #include <vector>
 
+#include "check/timed/machine.hpp"
 #include "check/timed/store/column.hpp"
 #include "check/timed/store/covering.hpp"
-#include "check/timed/machine.hpp"
 #include "check/timed/store/store.hpp"
 #include "check/timed/timed.hpp"
 #include "grafverif/ir/verdict.hpp"

@@ -16,8 +16,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "check/timed/store/column.hpp"
 #include "check/timed/layout.hpp"
+#include "check/timed/store/column.hpp"
 #include "check/timed/store/store.hpp"
 #include "check/timed/timed.hpp"
 
