@@ -74,6 +74,7 @@ private:
         bool rounded = false;  // true if bounds of observers are rounded to the time unit of all others
     };
 
+    bool has_observer() const { return observed_.processes.size() != loop_.processes.size(); }
     bool stopped() const { return is_over(deadline_, options_.stop); }
     /// Returns the bound on the states of a complete search for the task.
     std::uint64_t bound_of(const Task& task) const {

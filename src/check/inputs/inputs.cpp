@@ -47,7 +47,7 @@ void InputAbstractionCheck::collect() {
         Task& task = groups[{!coarse, levels}];
         task.levels = std::move(levels);
         task.coarse = coarse;
-        task.rounded = observed_.processes.size() != loop_.processes.size();
+        task.rounded = has_observer();
         task.verdicts.push_back(k);
     }
     for (auto& [order, task] : groups) tasks_.push_back(std::move(task));
@@ -62,8 +62,8 @@ void InputAbstractionCheck::collect() {
 /// observers is not searched, because observers multiply the number of states.
 bool InputAbstractionCheck::explore() {
     const std::uint64_t states = std::min(round_, limits_.explored);
-    const bool looks = observed_.processes.size() == loop_.processes.size() && states > 0 &&
-                       std::ranges::any_of(explored_, [&](std::size_t k) { return is_open(k); });
+    const bool looks =
+        !has_observer() && states > 0 && std::ranges::any_of(explored_, [&](std::size_t k) { return is_open(k); });
     if (looks && search_for_runs(states) && states < limits_.explored) return true;
     explored_.clear();
     novelty_.reset();
@@ -120,7 +120,6 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
         const std::set<std::uint32_t>& writers = writers_[variable];
         if (writers.size() == 1) processes.insert(*writers.begin());
     }
-    const bool has_observer = observed_.processes.size() != loop_.processes.size();
     Levels levels;
     for (const AbstractableProcess& process : instances_) {
         bool is_stored = process.valuations.empty() || processes.contains(process.process.index);
@@ -130,7 +129,7 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
         if (!by_itself && !coarse) levels.push_back(InputLevel::Complete);
         else if (!is_stored) levels.push_back(InputLevel::Chosen);
         // An observer reads each state, and the PLC need not sample a value that lasts no time.
-        else levels.push_back(has_observer && process.autonomous ? InputLevel::Paced : InputLevel::Untimed);
+        else levels.push_back(has_observer() && process.autonomous ? InputLevel::Paced : InputLevel::Untimed);
     }
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
     limit_choices(levels);
@@ -222,6 +221,7 @@ void InputAbstractionCheck::search(const Task& task) {
         if (task.rounded && observed.processes[id].kind == Network::ProcessKind::Observer) rounded.push_back(id);
     Network network = in_longest_unit(observed, abstraction.paced, rounded, ablations_);
     const bool is_stronger =
+        !rounded.empty() &&
         network.time_unit_ms != in_longest_unit(std::move(observed), abstraction.paced).time_unit_ms;
     TimedOptions options = options_;
     options.properties.clear();

@@ -296,21 +296,20 @@ private:
         if (entry.number != Store::none) return entry.number;
         if (graph_.covering)
             if (const std::uint32_t other = simulating(words_of(slice, index), by); other != Store::none) return other;
-        entry.number = discover(entry.root, parent);
-        if (graph_.covering) graph_.covering->add(entry.number);
+        discover(entry, parent);
         if (new_state.needed) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
         return entry.number;
     }
 
-    /// Adds a new state with its parent. If memory is exhausted, nothing is changed.
-    std::uint32_t discover(Word root, std::uint32_t parent) {
+    /// Adds the new state of the entry with its parent. If memory is exhausted, the state is complete or not added.
+    void discover(NewStates::Entry& entry, std::uint32_t parent) {
         if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may have very many successors
         graph_.parent.free_memory(1);
         graph_.kinds.free_memory(1);
-        const std::uint32_t state = graph_.store.roots().append(root);
+        entry.number = graph_.store.roots().append(entry.root);
         graph_.parent.push_back(parent);
         graph_.kinds.push_back(0);
-        return state;
+        if (graph_.covering) graph_.covering->add(entry.number);
     }
 
     /// Returns the number of the state in `now_.words`, or of a state that simulates it. A new state that no other
@@ -322,8 +321,7 @@ private:
             new_states_[new_states_.meet(new_states_.part_of(graph_.store.roots().shard_of(root)), root).entry];
         if (entry.number != Store::none) return entry.number;
         if (const std::uint32_t other = simulating(now_.words.data(), By::Delay); other != Store::none) return other;
-        entry.number = discover(root, parent);
-        if (graph_.covering) graph_.covering->add(entry.number);
+        discover(entry, parent);
         if (watch_.needs(graph_.machine, now_.words.data(), registers_))
             watch_.look(graph_.machine, entry.number, now_.words.data(), registers_);
         return entry.number;

@@ -46,7 +46,6 @@ struct CoveringAblations {
     bool lower = false;  ///< lower bounds of clocks are ignored
     bool upper = false;  ///< upper bounds of clocks are ignored
     bool depth = false;  ///< a state is omitted although the run to the state that simulates it may be longer
-    bool operator==(const CoveringAblations&) const = default;
 };
 
 struct TimedOptions {
