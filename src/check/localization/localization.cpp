@@ -183,19 +183,26 @@ bool LocalizationCheck::about_race(const Property& property) const {
 }
 
 /// Searches the fragments that each query reads, and each fragment that may have a model error. Verdicts are valid only
-/// if no model error is possible. Therefore, the second searches precede those of additional fragments, which may use all
-/// of the time.
+/// if no model error is possible. Therefore the searches for model errors precede those that add fragments for a query,
+/// which may use all of the time.
 void LocalizationCheck::search_locally() {
     const auto search_tasks = [&] {
         for (; !tasks_.empty(); tasks_.pop_front()) search(tasks_.front());
     };
-    const auto search_wider = [&] {
+    // adds fragments to the open tasks that `selects` selects, until each has a result or cannot be continued
+    const auto search_wider = [&](const auto& selects) {
         search_tasks();
-        while (!open_.empty()) {
-            for (Open& open : std::exchange(open_, {})) go_on_with(std::move(open));
+        for (;;) {
+            std::vector<Open> now;
+            std::ranges::partition_copy(std::exchange(open_, {}), std::back_inserter(now), std::back_inserter(open_),
+                                        selects);
+            if (now.empty()) return;
+            for (Open& open : now) go_on_with(std::move(open));
             search_tasks();
         }
     };
+    const auto concerns_errors = [](const Open& open) { return open.task.requested.empty(); };
+    const auto search_each = [](const Open&) { return true; };
     std::set<std::uint32_t> tried;
     const auto search_cells_that_may_err = [&](const auto& run) {
         for (const std::uint32_t cell : may_err_) {
@@ -207,8 +214,9 @@ void LocalizationCheck::search_locally() {
     };
     search_tasks();
     search_cells_that_may_err(search_tasks);
-    search_wider();
-    search_cells_that_may_err(search_wider);
+    search_wider(concerns_errors);
+    search_wider(search_each);
+    search_cells_that_may_err([&] { search_wider(search_each); });
 }
 
 void LocalizationCheck::search(const Task& task) {
