@@ -50,9 +50,7 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
         step(i, [&](StagedSearch& search) {
             LocalizationLimits bounds;
             if (i > 0 && searches.front()->is_large()) bounds.whole >>= 3U;
-            // the first search has most of the properties
-            const std::size_t shares = i == 0 ? std::min<std::size_t>(searches.size(), 2) : searches.size() - i;
-            search.begin(share_of(abstract, shares), bounds);
+            search.begin(share_of(abstract, searches.size() - i), bounds);
         });
     std::vector<std::size_t> open(searches.size());
     std::iota(open.begin(), open.end(), std::size_t{0});

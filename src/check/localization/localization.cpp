@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -22,6 +23,9 @@ namespace {
 
 /// Name of the property that some state is quiescent, which is added to the first search of the complete network.
 constexpr const char* settled_probe = "some state is quiescent";
+
+/// Bounds on the number of states in successive rounds of localization; `LocalizationLimits::local` also applies.
+constexpr std::uint64_t local_rounds[] = {1U << 14U, 1U << 17U, std::numeric_limits<std::uint64_t>::max()};
 
 using Cells = std::vector<std::uint32_t>;
 
@@ -101,6 +105,7 @@ private:
     void collect_queries();
     bool about_race(const Property& property) const;
     void search_locally();
+    void search_round();
     void search(const Task& task);
     void go_on_with(Open open);
     void know(const Property& property);
@@ -118,11 +123,14 @@ private:
     // The property of each verdict, if localization can decide the property.
     std::vector<std::optional<Property>> questions_ = {};
     std::deque<Task> tasks_ = {};
+    std::vector<Task> postponed_ = {};  // tasks whose searches ended at the bound of the round
     std::vector<Open> open_ = {};
     std::vector<Invariant> known_ = {};
     std::map<std::size_t, Verdict> found_ = {};  // verdicts found by localization
     std::optional<std::size_t> race_ = {};       // index of the verdict on action races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
+    std::set<std::uint32_t> tried_ = {};  // fragments that may have a model error and have been searched
+    std::uint64_t round_ = 0;             // maximum number of states of a search in the current round
     bool searched_whole_ = false;
     Deadline local_deadline_ = {};                                    // deadline of the searches of fragments
     std::uint64_t local_states_ = 0;                                  // number of states of all searches of fragments
@@ -182,10 +190,21 @@ bool LocalizationCheck::about_race(const Property& property) const {
     return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
-/// Searches the fragments that each query reads, and each fragment that may have a model error. Verdicts are valid only
-/// if no model error is possible. Therefore the searches for model errors precede those that add fragments for a query,
-/// which may use all of the time.
+/// Searches the fragments that each query reads, and each fragment that may have a model error, in rounds with growing
+/// bounds on states. A search that ends at the bound of a round is repeated in the next round. Therefore a small search
+/// does not wait for a large one.
 void LocalizationCheck::search_locally() {
+    for (const std::uint64_t states : local_rounds) {
+        round_ = std::min(states, limits_.local);
+        search_round();
+        std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
+        if (tasks_.empty() || round_ == limits_.local || is_over(local_deadline_)) return;
+    }
+}
+
+/// Performs the searches of one round. Verdicts are valid only if no model error is possible. Therefore the searches for
+/// model errors precede those that add fragments for a query, which may use all of the time.
+void LocalizationCheck::search_round() {
     const auto search_tasks = [&] {
         for (; !tasks_.empty(); tasks_.pop_front()) search(tasks_.front());
     };
@@ -203,11 +222,10 @@ void LocalizationCheck::search_locally() {
     };
     const auto concerns_errors = [](const Open& open) { return open.task.requested.empty(); };
     const auto search_each = [](const Open&) { return true; };
-    std::set<std::uint32_t> tried;
     const auto search_cells_that_may_err = [&](const auto& run) {
         for (const std::uint32_t cell : may_err_) {
             if (found_.empty() && !race_) return;
-            if (faultless_.contains(cell) || !tried.insert(cell).second) continue;
+            if (faultless_.contains(cell) || !tried_.insert(cell).second) continue;
             tasks_.push_back({{cell}, {}});
             run();
         }
@@ -233,14 +251,17 @@ void LocalizationCheck::search(const Task& task) {
     options.timelock = false;
     options.many = {};
     options.deadline = local_deadline_;
-    options.max_states = std::min(options_.max_states, limits_.local);
+    options.max_states = std::min(options_.max_states, round_);
     const TimedResult found = check_timed(local.network, options);
     result_.states += found.states;
     local_states_ += found.states;
     result_.transitions += found.transitions;
     result_.bytes = std::max(result_.bytes, found.bytes);
     result_.seconds += found.seconds;
-    if (!found.complete) return;
+    if (!found.complete) {
+        if (found.states >= round_) postponed_.push_back(task);
+        return;
+    }
     if (!found.errors.empty() && !ablations_.break_off) return open(task);
     faultless_.insert(task.cells.begin(), task.cells.end());
     faultless_states_ += found.states;
