@@ -75,6 +75,12 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, co
     inputs_.emplace(expanded_, observe_, abstract_, complete_->found(), inputs);
 }
 
+bool StagedSearch::refine(std::uint64_t states, const Deadline& deadline) {
+    const bool cells = complete_ && complete_->refine(states, share_of(deadline, 3));
+    const bool inputs = inputs_ && inputs_->run(states, deadline);
+    return cells || inputs;
+}
+
 bool StagedSearch::needs_whole() {
     return complete_ && complete_->needs_whole() &&
            std::ranges::any_of(complete_->found().verdicts, [&](const Verdict& verdict) {

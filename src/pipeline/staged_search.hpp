@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Staged search of the timed engine: the steps by which the properties of one network are decided.
 //
-//   begin            a bounded search of the complete loop, then localization
-//   refine           rounds of input abstraction, with growing bounds on states
+//   begin            a bounded search of the complete loop, then the first round of localization
+//   refine           rounds of localization and input abstraction, with growing bounds on states
 //   search_complete  a search of the complete loop for undecided properties
 //
 // Callers interleave the steps of several searches that share a limit.
@@ -36,11 +36,11 @@ public:
     StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options,
                  bool timelock = true);
 
-    /// Performs the first step: the bounded search and localization.
+    /// Performs the first step: the bounded search and the first round of localization.
     void begin(const Deadline& deadline, LocalizationLimits limits = {}, const InputLimits& inputs = {});
 
-    /// Performs one round of input abstraction. Returns false if no further round is possible.
-    bool refine(std::uint64_t states, const Deadline& deadline) { return inputs_ && inputs_->run(states, deadline); }
+    /// Performs one round of localization and of input abstraction. Returns false if no further round is possible.
+    bool refine(std::uint64_t states, const Deadline& deadline);
 
     /// True if the last step can decide a requested property that is still undecided.
     bool needs_whole();

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,9 +23,6 @@ namespace {
 /// Name of the property that some state is quiescent, which is added to the first search of the complete network.
 constexpr const char* settled_probe = "some state is quiescent";
 
-/// Bounds on the number of states in successive rounds of localization; `LocalizationLimits::local` also applies.
-constexpr std::uint64_t local_rounds[] = {1U << 14U, 1U << 17U, std::numeric_limits<std::uint64_t>::max()};
-
 using Cells = std::vector<std::uint32_t>;
 
 bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
@@ -40,7 +36,9 @@ bool has_local(const Network& network, const TimedOptions& options) {
                const Pattern pattern = property.pattern;
                return timed::is_selected(options, property) &&
                       (is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps ||
-                       pattern == Pattern::NoDeadlock || pattern == Pattern::NoTimelock);
+                       pattern == Pattern::NoDeadlock || pattern == Pattern::NoTimelock ||
+                       pattern == Pattern::AlwaysPossible || pattern == Pattern::Inevitable ||
+                       pattern == Pattern::LeadsTo);
            });
 }
 
@@ -64,14 +62,15 @@ public:
         // unknown or vacuous in the complete network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
         collect_queries();
-        if (tasks_.empty() && !race_) return;
         may_err_ = cells_that_may_err(network_, cells_);
-        if (may_err_.contains(NetworkFragments::none)) return;
-        local_deadline_ = share_of(options_.deadline, 3);  // the rest of the time is reserved for the complete network
-        search_locally();
-        const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
-        if (ablations_.break_off || std::ranges::all_of(may_err_, is_faultless)) take_local();
+        if (may_err_.contains(NetworkFragments::none)) {
+            tasks_.clear();
+            race_.reset();
+        }
+        refine(localization_rounds[0], share_of(options_.deadline, 3));
     }
+
+    bool refine(std::uint64_t states, const Deadline& deadline);
 
     TimedResult& found() { return result_; }
     bool needs_whole();
@@ -104,9 +103,10 @@ private:
     bool is_open() const;
     void collect_queries();
     bool about_race(const Property& property) const;
-    void search_locally();
     void search_round();
-    void search(const Task& task);
+    bool awaits_verdict() const;
+    bool is_open(std::size_t k) const { return result_.verdicts[k].outcome == Outcome::Unknown; }
+    void search(Task task);
     void go_on_with(Open open);
     void know(const Property& property);
     std::string assumed_behaviour(const LocalNetwork& local) const;
@@ -123,7 +123,7 @@ private:
     // The property of each verdict, if localization can decide the property.
     std::vector<std::optional<Property>> questions_ = {};
     std::deque<Task> tasks_ = {};
-    std::vector<Task> postponed_ = {};  // tasks whose searches ended at the bound of the round
+    std::vector<Task> postponed_ = {};  // tasks whose searches ended at the bound or the deadline of the round
     std::vector<Open> open_ = {};
     std::vector<Invariant> known_ = {};
     std::map<std::size_t, Verdict> found_ = {};  // verdicts found by localization
@@ -190,23 +190,30 @@ bool LocalizationCheck::about_race(const Property& property) const {
     return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
-/// Searches the fragments that each query reads, and each fragment that may have a model error, in rounds with growing
-/// bounds on states. A search that ends at the bound of a round is repeated in the next round. Therefore a small search
-/// does not wait for a large one.
-void LocalizationCheck::search_locally() {
-    for (const std::uint64_t states : local_rounds) {
-        round_ = std::min(states, limits_.local);
+/// A search that ends at the bound of a round is repeated in the next round. Therefore a small search does not wait for
+/// a large one.
+bool LocalizationCheck::refine(std::uint64_t states, const Deadline& deadline) {
+    if (tasks_.empty() && !race_) return false;
+    if (const std::uint64_t bound = std::min(states, limits_.local); bound > round_) {
+        round_ = bound;
+        local_deadline_ = deadline;
         search_round();
         std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
-        if (tasks_.empty() || round_ == limits_.local || is_over(local_deadline_)) return;
+        const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
+        if (ablations_.break_off || std::ranges::all_of(may_err_, is_faultless)) take_local();
     }
+    return !tasks_.empty() && round_ < limits_.local;
 }
 
 /// Performs the searches of one round. Verdicts are valid only if no model error is possible. Therefore the searches for
 /// model errors precede those that add fragments for a query, which may use all of the time.
 void LocalizationCheck::search_round() {
     const auto search_tasks = [&] {
-        for (; !tasks_.empty(); tasks_.pop_front()) search(tasks_.front());
+        while (!tasks_.empty()) {
+            Task task = std::move(tasks_.front());
+            tasks_.pop_front();
+            search(std::move(task));
+        }
     };
     // adds fragments to the open tasks that `selects` selects, until each has a result or cannot be continued
     const auto search_wider = [&](const auto& selects) {
@@ -224,7 +231,7 @@ void LocalizationCheck::search_round() {
     const auto search_each = [](const Open&) { return true; };
     const auto search_cells_that_may_err = [&](const auto& run) {
         for (const std::uint32_t cell : may_err_) {
-            if (found_.empty() && !race_) return;
+            if (!awaits_verdict()) return;
             if (faultless_.contains(cell) || !tried_.insert(cell).second) continue;
             tasks_.push_back({{cell}, {}});
             run();
@@ -237,8 +244,17 @@ void LocalizationCheck::search_round() {
     search_cells_that_may_err([&] { search_wider(search_each); });
 }
 
-void LocalizationCheck::search(const Task& task) {
-    if (is_over(local_deadline_)) return;
+/// True if a verdict is open that requires only a proof that no model error is possible.
+bool LocalizationCheck::awaits_verdict() const {
+    return (race_ && is_open(*race_)) ||
+           std::ranges::any_of(found_, [&](const auto& entry) { return is_open(entry.first); });
+}
+
+void LocalizationCheck::search(Task task) {
+    if (is_over(local_deadline_)) return postponed_.push_back(std::move(task));
+    const bool concerns_errors = task.requested.empty();
+    std::erase_if(task.requested, [&](std::size_t k) { return !is_open(k); });
+    if (task.requested.empty() && !concerns_errors) return;
     std::vector<Property> properties;
     for (const std::size_t k : task.requested) properties.push_back(*questions_[k]);
     std::vector<Id<Expr>> invariants;
@@ -345,6 +361,7 @@ void LocalizationCheck::take_local() {
     }
     for (auto& [k, found] : found_) {
         Verdict& verdict = result_.verdicts[k];
+        if (!is_open(k)) continue;
         verdict.outcome = found.outcome;
         verdict.obstacle = UnknownReason::None;
         verdict.reason.clear();
@@ -440,6 +457,8 @@ CellSearch::~CellSearch() = default;
 
 void CellSearch::begin() { search_->begin(); }
 
+bool CellSearch::refine(std::uint64_t states, const Deadline& deadline) { return search_->refine(states, deadline); }
+
 TimedResult& CellSearch::found() { return search_->found(); }
 
 bool CellSearch::needs_whole() { return search_->needs_whole(); }
@@ -452,6 +471,7 @@ TimedResult check_timed_by_cells(const Network& network, const TimedOptions& opt
                                  const LocalAblations& ablations, const WholeSearch& whole) {
     CellSearch search(expand(network), options, limits, ablations, whole);
     search.begin();
+    for (const std::uint64_t states : localization_rounds) search.refine(states, share_of(options.deadline, 3));
     if (search.needs_whole()) search.search_complete();
     return search.result();
 }
