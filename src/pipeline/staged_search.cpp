@@ -73,12 +73,15 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, co
     abstract_ = options_;
     abstract_.max_states = TimedOptions{}.max_states;
     inputs_.emplace(expanded_, observe_, abstract_, complete_->found(), inputs);
+    refines_inputs_ = true;
 }
 
 bool StagedSearch::refine(std::uint64_t states, const Deadline& deadline) {
-    const bool cells = complete_ && complete_->refine(states, share_of(deadline, 3));
-    const bool inputs = inputs_ && inputs_->run(states, deadline);
-    return cells || inputs;
+    // While input abstraction continues, large searches of fragments would use its time.
+    const std::uint64_t local = refines_inputs_ ? std::min(states, localization_rounds[1]) : states;
+    const bool cells = complete_ && complete_->refine(local, share_of(deadline, 3));
+    refines_inputs_ = inputs_ && inputs_->run(states, deadline);
+    return cells || refines_inputs_;
 }
 
 bool StagedSearch::needs_whole() {

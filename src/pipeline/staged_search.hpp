@@ -63,6 +63,7 @@ private:
     Network expanded_ = {};
     std::optional<CellSearch> complete_ = {};
     std::optional<InputSearch> inputs_ = {};
+    bool refines_inputs_ = false;  // true if `inputs_` has a search for the next round
     TimedResult result_ = {};
 };
 
