@@ -129,6 +129,31 @@ TEST(Localization, InvariantOfANeighbourExcludesItsViolation) {
               "may do anything at any time that satisfies as_one, which holds; this is an over-approximation");
 }
 
+TEST(Localization, SmallSearchDoesNotWaitForALargeOne) {
+    Sketch s;
+    const auto n = s.integer("n", 0, 199), m = s.integer("m", 0, 199);
+    const auto x = s.boolean("x"), y = s.boolean("y");
+    const auto a = s.process("A", 1), b = s.process("B", 1, 1), c = s.process("C", 1, 1);
+    for (const auto variable : {n, m})
+        s.edge(a, {.guard = s.op(Op::Less, s.is(variable), s.number(199)),
+                   .set = {{variable, s.op(Op::Plus, s.is(variable), s.number(1))}}});
+    s.edge(b, {.when = {{0, Op::GreaterEqual, 1}}, .set = {{x, s.no(s.is(x))}, {y, s.is(x)}}, .reset = {0}});
+    s.edge(c, {.when = {{0, Op::Equal, 1}}, .reset = {0}});
+    s.property("large", Pattern::Never, {s.op(Op::Greater, s.op(Op::Plus, s.is(n), s.is(m)), s.number(398))});
+    s.property("small", Pattern::Always, {s.op(Op::Equal, s.is(x), s.is(y))});
+    const TimedOptions options;
+    CellSearch search(expand(s.network), options, {.whole = 2}, {}, check_timed);
+    search.begin();
+    const auto outcome = [&](const char* property) { return verdict(search.found(), property).outcome; };
+    EXPECT_EQ(outcome("small"), Outcome::Holds);
+    EXPECT_EQ(outcome("large"), Outcome::Unknown);
+    const std::uint64_t states = search.found().states;
+    EXPECT_TRUE(search.refine(localization_rounds[0], {})) << "the bound of the first round";
+    EXPECT_EQ(search.found().states, states);
+    EXPECT_FALSE(search.refine(localization_rounds[1], {}));
+    EXPECT_EQ(outcome("large"), Outcome::Holds);
+}
+
 TEST(Localization, NoVerdictIfAnotherFragmentMayHaveAModelError) {
     Sketch s;
     const auto x = s.boolean("x"), wake = s.boolean("wake");
