@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "grafverif/grafverif.hpp"
-#include "pipeline/variants/compare_sides.hpp"
+#include "pipeline/variants/match_sides.hpp"
 
 namespace grafverif {
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// CompareSide: a chart or a PLC program that is compared, with its inputs and outputs. match_sides determines which
-// inputs and outputs of two controllers correspond.
+// CompareSide: a chart or a PLC program that is compared, with its inputs and outputs.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "grafverif/ir/chart.hpp"
-#include "grafverif/ir/comparison.hpp"
+#include "grafverif/ir/equations.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "ir/program/scan.hpp"
 #include "read/program/program.hpp"
@@ -18,14 +15,6 @@
 #include "schedule/product.hpp"
 
 namespace grafverif {
-
-/// Options for the comparison of programs. Names of programs are compared without regard to case.
-struct ProgramCompareOptions {
-    bool settles = false;  ///< compare the outputs after programs have settled with constant inputs
-    std::vector<std::pair<std::string, std::string>> map = {};  ///< name in the first controller, name in the second
-    std::vector<std::string> ignored = {};                      ///< outputs that are not compared
-    std::string stop = {};  ///< output by which a program reports a stop: a value other than 0 at the end of a scan
-};
 
 struct CompareSide {
     struct Plug {
@@ -63,12 +52,6 @@ bool contains_program(Id<Source> source, Sources& sources);
 CompareSide side_of_chart(Chart chart, Equations equations);
 /// Reads a program; empty after an error.
 std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
-
-/// Assigns the inputs and outputs of both sides to each other. The inputs and outputs that remain have the same order
-/// in both, and the names of the first side; `result` lists them. Returns false after an error: an input or output has
-/// no counterpart, or one with another type.
-bool match_sides(std::array<CompareSide, 2>& sides, const ProgramCompareOptions& options, Comparison& result,
-                 Diagnostics& diagnostics);
 
 /// Returns the side for the replay; it must outlive the result. `sources` is required only for programs.
 LockstepSide lockstep_side(const CompareSide& side, bool settles, const Sources* sources);
