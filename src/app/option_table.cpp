@@ -321,8 +321,9 @@ std::vector<Option> options_for_checks() {
              "the first NAME, an input or output of FILE, corresponds to the second NAME in OTHER; repeatable"),
         list(OptionGroup::Compare, "ignore", "NAME", &Options::ignored_outputs,
              "do not compare this output; repeatable"),
-        text(OptionGroup::Compare, "stop-output", "NAME", &Options::stop_output,
-             "output of a program that reports a stop by a value other than 0 (`FAULT` in programs of `st`)"),
+        text(OptionGroup::Compare, "stop-output", "NAME[=NAME]", &Options::stop_output,
+             "output of a program that reports a stop by a value other than 0 (`FAULT` in programs of `st`); with two "
+             "names, the output of FILE and that of OTHER"),
         toggle(OptionGroup::Compare, "imported-charts", &Options::imported_charts,
                "compare the charts that `import` creates from Structured Text and PLCopen XML, not the programs"),
         number(OptionGroup::Mutants, "limit", "N", {}, &Options::limit, "check at most N mutants (default: all)"),

@@ -300,8 +300,8 @@ std::optional<Comparison> with_controller(const Chart& chart, const Chart& other
     CompareOptions options{.mode = mode};
     options.limits.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     options.resolution_ms = 500;
-    auto found = turned ? compare(program, of_chart, options, {.stop = "FAULT"}, sources, diagnostics)
-                        : compare(of_chart, program, options, {.stop = "FAULT"}, sources, diagnostics);
+    auto found = turned ? compare(program, of_chart, options, {.stop = {"FAULT"}}, sources, diagnostics)
+                        : compare(of_chart, program, options, {.stop = {"FAULT"}}, sources, diagnostics);
     std::ostringstream errors;
     render_text(diagnostics.all(), sources, Colour::Plain, errors);
     if (!found) error = std::move(errors).str() + *text;

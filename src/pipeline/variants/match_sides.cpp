@@ -75,7 +75,7 @@ public:
     bool match() {
         const std::size_t before = diagnostics_.errors();
         set_labels();
-        take_stop();
+        take_stops();
         take_ignored();
         if (!is_valid_map()) return false;
         for (const CompareSide& side : sides_)
@@ -103,28 +103,47 @@ private:
         }
     }
 
-    /// Makes the output for stops internal.
-    void take_stop() {
+    /// Returns the name that `--stop-output` gives for a side; empty if there is none.
+    std::string stop_name(std::size_t k) const {
+        if (options_.stop.empty() || !sides_[k].is_program()) return {};
+        return options_.stop.size() == 1 ? options_.stop.front() : options_.stop[k];
+    }
+    std::string stop_text() const { return fmt::format("--stop-output {}", fmt::join(options_.stop, "=")); }
+
+    void take_stops() {
         if (options_.stop.empty()) return;
-        bool found = false;
-        for (const std::size_t k : {0U, 1U}) {
-            CompareSide& side = sides_[k];
-            const auto plug = std::ranges::find_if(
-                side.outputs, [&](const Plug& one) { return side.is_program() && same_word(one.name, options_.stop); });
-            if (plug == side.outputs.end()) continue;
-            found = true;
-            Exprs& exprs = side.scan->equations.exprs;
-            const Id<Expr> value = side.scan->after[plug->own];
-            side.stop = plug->type.boolean ? value : exprs.apply(Op::NotEqual, value, exprs.integer(0));
-            side.stop_cell = plug->own;
-            result_.stop_outputs[k] = plug->name;
-            side.scan->equations.variables[plug->variable].role = Equations::Role::Internal;
-            side.outputs.erase(plug);
-        }
-        if (!found)
-            diagnostics_.add(messages::not_comparable(
-                {}, fmt::format("`--stop-output {}` names no output of a program", options_.stop),
-                "name an output of a program"));
+        const std::array<bool, 2> taken = {take_stop(0), take_stop(1)};
+        if (options_.stop.size() == 2) {
+            for (const std::size_t k : {0U, 1U})
+                if (!taken[k])
+                    reject_stop(fmt::format("needs a program with the output `{}`, but {} is not one", options_.stop[k],
+                                            sides_[k].label),
+                                "name an output of each program; pass one NAME if only one program has such an output");
+        } else if (!taken[0] && !taken[1]) reject_stop("names no output of a program", "name an output of a program");
+    }
+
+    void reject_stop(std::string_view problem, std::string_view remedy) {
+        const bool unsupported = has_unsupported(sides_[0], stop_name(0)) || has_unsupported(sides_[1], stop_name(1));
+        diagnostics_.add(messages::not_comparable(
+            {},
+            fmt::format("`{}` {}", stop_text(), unsupported ? "names an output whose type is not supported" : problem),
+            unsupported ? "use another type" : remedy));
+    }
+
+    /// Makes the output for stops internal. Returns false if the side does not have it.
+    bool take_stop(std::size_t k) {
+        CompareSide& side = sides_[k];
+        const auto plug =
+            std::ranges::find_if(side.outputs, [&](const Plug& one) { return same_word(one.name, stop_name(k)); });
+        if (plug == side.outputs.end()) return false;
+        Exprs& exprs = side.scan->equations.exprs;
+        const Id<Expr> value = side.scan->after[plug->own];
+        side.stop = plug->type.boolean ? value : exprs.apply(Op::NotEqual, value, exprs.integer(0));
+        side.stop_cell = plug->own;
+        result_.stop_outputs[k] = plug->name;
+        side.scan->equations.variables[plug->variable].role = Equations::Role::Internal;
+        side.outputs.erase(plug);
+        return true;
     }
 
     void take_ignored() {
@@ -142,12 +161,24 @@ private:
                 if (side.is_program()) side.scan->equations.variables[plug->variable].role = Equations::Role::Internal;
                 side.outputs.erase(plug);
             }
-            if (!found)
-                diagnostics_.add(messages::not_comparable(
-                    {}, fmt::format("`--ignore {}` names no output of the compared files", name), "name an output"));
+            if (!found) report_not_ignored(name);
         }
         std::ranges::sort(result_.ignored);
         result_.ignored.erase(std::ranges::unique(result_.ignored).begin(), result_.ignored.end());
+    }
+
+    void report_not_ignored(const std::string& name) {
+        for (const std::size_t k : {0U, 1U})
+            if (!result_.stop_outputs[k].empty() && same_word(result_.stop_outputs[k], name)) {
+                diagnostics_.add(messages::not_comparable(
+                    {},
+                    fmt::format("`--ignore {}` omits the output `{}` of {}, which reports a stop by `{}`", name,
+                                result_.stop_outputs[k], sides_[k].label, stop_text()),
+                    "remove one of these options"));
+                return;
+            }
+        diagnostics_.add(messages::not_comparable(
+            {}, fmt::format("`--ignore {}` names no output of the compared files", name), "name an output"));
     }
 
     static bool same_name(const CompareSide& side, std::string_view a, std::string_view b) {
@@ -155,6 +186,10 @@ private:
     }
     static bool is_called(const CompareSide& side, const Plug& plug, std::string_view name) {
         return same_name(side, plug.name, name);
+    }
+
+    static bool has_unsupported(const CompareSide& side, std::string_view name) {
+        return std::ranges::any_of(side.unsupported, [&](const Plug& one) { return is_called(side, one, name); });
     }
 
     /// True if the entries of `--map` name inputs or outputs that exist, and assign each of them once. Otherwise errors
@@ -212,6 +247,14 @@ private:
                                                       "remove one of these options"));
             return;
         }
+        if (has_unsupported(side, name)) {
+            diagnostics_.add(
+                messages::not_comparable({},
+                                         fmt::format("{} assigns the output `{}` of {}, whose type is not supported",
+                                                     entry_text(entry), name, side.label),
+                                         fmt::format("use another type, or pass `--ignore {}` instead", name)));
+            return;
+        }
         std::vector<std::string> known;
         for (const Plugs* plugs : {&side.inputs, &side.outputs})
             for (const Plug& plug : *plugs) known.push_back(plug.name);
@@ -222,7 +265,8 @@ private:
     std::string omitting_option(const CompareSide& side, std::string_view name) const {
         for (const std::string& ignored : options_.ignored)
             if (same_name(side, ignored, name)) return "--ignore " + ignored;
-        return side.is_program() && same_word(options_.stop, name) ? "--stop-output " + options_.stop : "";
+        const std::string& stop = result_.stop_outputs[&side == &sides_[0] ? 0 : 1];
+        return !stop.empty() && same_word(stop, name) ? stop_text() : "";
     }
 
     /// Returns the name of the counterpart in the second side that the user has selected.

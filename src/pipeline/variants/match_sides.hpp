@@ -18,7 +18,9 @@ struct ProgramCompareOptions {
     bool settles = false;  ///< compare the outputs after programs have settled with constant inputs
     std::vector<std::pair<std::string, std::string>> map = {};  ///< name in the first controller, name in the second
     std::vector<std::string> ignored = {};                      ///< outputs that are not compared
-    std::string stop = {};  ///< output by which a program reports a stop: a value other than 0 at the end of a scan
+    /// Outputs by which programs report a stop: a value other than 0 at the end of a scan. One name applies to each
+    /// program that has this output; two names apply to the first and to the second controller.
+    std::vector<std::string> stop = {};
 };
 
 /// Assigns the inputs and outputs of both sides to each other. The inputs and outputs that remain have the same order

@@ -74,13 +74,20 @@ bool set_program_options(const CompareOperand& a, const CompareOperand& b, Comma
         reject("`--compare settled` requires the mode `stability-search`", "remove `--mode` and `--all-modes`");
     set.settles = options.settled;
     set.ignored = options.ignored_outputs;
-    set.stop = options.stop_output;
-    for (const std::string& renaming : options.renamings) {
-        const std::size_t sign = renaming.find('=');
-        if (sign == std::string::npos || sign == 0 || sign + 1 == renaming.size())
-            reject(fmt::format("invalid value `{}` of `--map`", renaming), "use NAME=NAME");
-        else set.map.emplace_back(renaming.substr(0, sign), renaming.substr(sign + 1));
-    }
+    const auto read_pair = [&](const std::string& text, std::string_view option, std::string_view form) {
+        const std::size_t sign = text.find('=');
+        std::optional<std::pair<std::string, std::string>> pair;
+        if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+            reject(fmt::format("invalid value `{}` of `{}`", text, option), fmt::format("use {}", form));
+        else pair.emplace(text.substr(0, sign), text.substr(sign + 1));
+        return pair;
+    };
+    for (const std::string& renaming : options.renamings)
+        if (const auto pair = read_pair(renaming, "--map", "NAME=NAME")) set.map.push_back(*pair);
+    if (const std::string& stop = options.stop_output; stop.find('=') != std::string::npos) {
+        if (const auto pair = read_pair(stop, "--stop-output", "NAME or NAME=NAME"))
+            set.stop = {pair->first, pair->second};
+    } else if (!stop.empty()) set.stop = {stop};
     return job.diagnostics.errors() == before;
 }
 
