@@ -99,21 +99,4 @@ std::int64_t wrapped(const Program::Type& type, std::int64_t value) {
     return type.low + (rest < 0 ? rest + count : rest);
 }
 
-std::string value_text(const Program::Type& type, std::int64_t value) {
-    switch (type.kind) {
-    case Program::Type::Kind::Boolean: return value != 0 ? "TRUE" : "FALSE";
-    case Program::Type::Kind::Time: return "T#" + std::to_string(value) + "ms";
-    case Program::Type::Kind::Enumeration:
-        if (value >= 0 && static_cast<std::size_t>(value) < type.values.size())
-            return type.values[static_cast<std::size_t>(value)];
-        break;
-    case Program::Type::Kind::Integer:
-    case Program::Type::Kind::Bits:
-    case Program::Type::Kind::Block:
-    case Program::Type::Kind::Array:
-    case Program::Type::Kind::Unsupported: break;
-    }
-    return std::to_string(value);
-}
-
 }  // namespace grafverif

@@ -213,7 +213,4 @@ std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit
 /// Returns `value` wrapped to the range of the type: modulo the number of values of the type.
 std::int64_t wrapped(const Program::Type& type, std::int64_t value);
 
-/// Returns a value as written in the source: `TRUE`, `-3`, `T#250ms`, `Heating`.
-std::string value_text(const Program::Type& type, std::int64_t value);
-
 }  // namespace grafverif
