@@ -194,7 +194,7 @@ CliCommand check_usage() {
          "grafverif check station.grafcet --list", "grafverif check samples/oven_door/oven_door.grafcet --why",
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata",
-         "grafverif check samples/programs/drive.st --properties samples/programs/drive.yaml"},
+         "grafverif check docs/drive.st --properties docs/drive.yaml"},
         {OptionGroup::Search, OptionGroup::Verdicts, OptionGroup::All, OptionGroup::Loop, OptionGroup::Constants,
          OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed, OptionGroup::Format,
          OptionGroup::Traces, OptionGroup::Verbose, OptionGroup::Stats, OptionGroup::Ablations}};
