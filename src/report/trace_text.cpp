@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "report/trace_rows.hpp"
 #include "run/project.hpp"
@@ -86,19 +88,28 @@ std::string cause_text(const ChartRun& run, const ChartRun::Cause& cause) {
 
 std::string causes_text(const ChartRun& run) {
     constexpr std::size_t most = 8;
-    std::string text, last;
-    for (std::size_t k = 0; k < std::min(most, run.causes.size()); ++k) {
-        const ChartRun::Cause& cause = run.causes[k];
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // causes of each time or interval
+    for (const ChartRun::Cause& cause : run.causes) {
         std::string when = "at " + event_text(run, run.moments[cause.first].after);
         const bool lasts = cause.first < cause.last;
         if (lasts && cause.last + 1 < run.moments.size())
             when = "from" + when.substr(2) + " to " + event_text(run, run.moments[cause.last].after);
         else if (lasts) when = "from" + when.substr(2) + " on";
-        text += when == last ? ", " : (text.empty() ? "" : "; ") + when + ": ";
-        text += cause_text(run, cause);
-        last = when;
+        auto group = std::ranges::find_if(groups, [&](const auto& one) { return one.first == when; });
+        if (group == groups.end()) group = groups.insert(group, {std::move(when), {}});
+        // Causes after several events of one instant can have the same text.
+        std::string text = cause_text(run, cause);
+        if (std::ranges::find(group->second, text) == group->second.end()) group->second.push_back(std::move(text));
     }
-    return run.causes.size() > most ? fmt::format("{}; and {} more", text, run.causes.size() - most) : text;
+    std::string text;
+    std::size_t count = 0;
+    for (const auto& [when, causes] : groups)
+        for (const std::string& cause : causes) {
+            if (++count > most) continue;
+            text += &cause == &causes.front() ? (text.empty() ? "" : "; ") + when + ": " : ", ";
+            text += cause;
+        }
+    return count > most ? fmt::format("{}; and {} more", text, count - most) : text;
 }
 
 std::string counterfactual_text(const ChartRun& run) {

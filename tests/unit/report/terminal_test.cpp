@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "report/table.hpp"
+#include "report/trace_text.hpp"
 #include "traces.hpp"
 
 namespace grafverif {
@@ -88,6 +89,22 @@ TEST(Terminal, PrintsATraceAsATableWithItsLoopMarked) {
     EXPECT_EQ(table(finite).substr(table(finite).rfind("  1.5 s")),
               "  1.5 s  Slide: going_out, X 0 -> 4  LEVEL = 3              1, 2       GO\n")
         << "a delay is told by the time of what comes next";
+}
+
+TEST(Terminal, PrintsACauseOfSeveralEventsOfOneInstantOnce) {
+    ChartRun run = sample_run();
+    const Id<ChartRun::Signal> go{1}, level{2}, idle{3};
+    run.causes = {{.signal = go, .value = 1, .first = 1, .last = 1},
+                  {.signal = idle, .value = 0, .first = 1, .last = 4},
+                  {.signal = go, .value = 1, .first = 2, .last = 2},
+                  {.signal = level, .value = 2, .first = 2, .last = 2}};
+    EXPECT_EQ(causes_text(run), "at 0 s: GO, LEVEL = 2; from 0 s on: !IDLE");
+    run.causes.clear();
+    for (std::int64_t k = 0; k < 20; ++k)
+        run.causes.push_back({.signal = level, .value = k / 2, .first = 1, .last = 1});
+    EXPECT_EQ(causes_text(run),
+              "at 0 s: LEVEL = 0, LEVEL = 1, LEVEL = 2, LEVEL = 3, LEVEL = 4, LEVEL = 5, LEVEL = 6, LEVEL = 7; and 2 "
+              "more");
 }
 
 TEST(Terminal, FitsAHundredColumnsForAllNames) {
