@@ -19,8 +19,6 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t longest_continuation = 10'000;
-
 const Network::Template& automaton(const Network& network, Id<Network::Process> process) {
     return network.templates[network.processes[process].automaton];
 }
@@ -74,20 +72,7 @@ Standstill standstill(const Network& network, const Run& run) {
     if (!states) return {};
     Run whole = run;
     const std::size_t end = states->size() - 1;
-    bool done = whole.loop.has_value();
-    while (!done && states->size() - end <= longest_continuation) {
-        const std::vector<Fire> moves = enabled(network, states->back());
-        done = moves.empty();
-        if (done) break;
-        NetworkState next = states->back();
-        if (perform(network, next, moves.front()).result != Step::Result::Done) return {};
-        const auto seen = std::find(states->begin() + static_cast<std::ptrdiff_t>(end), states->end(), next);
-        done = seen != states->end();
-        if (done) whole.loop = static_cast<std::size_t>(seen - states->begin());
-        whole.moves.emplace_back(moves.front());
-        states->push_back(std::move(next));
-    }
-    if (!done) return {};
+    if (!whole.loop && !continue_without_delay(network, whole, *states)) return {};
 
     const std::size_t first = whole.loop.value_or(states->size() - 1);
     // Element k is true if process k does not block time: one of its edges is enabled, or its invariant allows a delay.

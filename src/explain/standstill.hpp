@@ -26,8 +26,8 @@ struct Standstill {
     bool continued = false;  ///< true if the run was continued by edges without delay up to this end
 };
 
-/// Continues a finite run by enabled edges until none is enabled or a state repeats. The result is empty if `run` is
-/// not a run of the network, if time may pass at the end of the run, or if the continuation becomes too long.
+/// Continues a finite run (see continue_without_delay). The result is empty if `run` is not a run of the network, if
+/// time may pass at the end of the run, or if the continuation becomes too long.
 Standstill standstill(const Network& network, const Run& run);
 
 /// Returns one sentence for each blocker, with its invariant and its edges, or one sentence that lists the repeating

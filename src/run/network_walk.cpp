@@ -98,4 +98,23 @@ std::vector<Id<Network::Process>> impatient(const Network& network, const Networ
     return found;
 }
 
+bool continue_without_delay(const Network& network, Run& run, std::vector<NetworkState>& states) {
+    constexpr std::size_t longest = 10'000;
+    const std::size_t end = states.size() - 1;
+    while (!run.loop) {
+        const std::vector<Id<Network::Process>> blocking = impatient(network, states.back());
+        const std::vector<Fire> moves = enabled(network, states.back());
+        const auto move = std::ranges::find_if(
+            moves, [&](const Fire& one) { return std::ranges::find(blocking, one.process) != blocking.end(); });
+        if (move == moves.end()) return true;
+        NetworkState next = states.back();
+        if (states.size() - end > longest || perform(network, next, *move).result != Step::Result::Done) return false;
+        const auto seen = std::find(states.begin() + static_cast<std::ptrdiff_t>(end), states.end(), next);
+        if (seen != states.end()) run.loop = static_cast<std::size_t>(seen - states.begin());
+        run.moves.emplace_back(*move);
+        states.push_back(std::move(next));
+    }
+    return true;
+}
+
 }  // namespace grafverif

@@ -29,4 +29,8 @@ std::vector<Network::ClockConstraint> reached_bounds(const Network& network, con
 /// Returns the processes that block delay: an urgent edge is enabled, or an invariant has reached its bound.
 std::vector<Id<Network::Process>> impatient(const Network& network, const NetworkState& state);
 
+/// Continues a finite run, whose states are `states`, by edges of processes that block delay, until no such edge is
+/// enabled or a state repeats. Returns false if an edge causes a model error, or after 10,000 edges.
+bool continue_without_delay(const Network& network, Run& run, std::vector<NetworkState>& states);
+
 }  // namespace grafverif

@@ -32,6 +32,20 @@ Network without_bounds(const Network& network, const std::vector<Standstill::Blo
     return relaxed;
 }
 
+/// True if edges lead from `state` to a state in which time passes, or to a model error.
+bool time_may_pass_again(const Network& network, const NetworkState& state) {
+    std::vector<NetworkState> found = {state};
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        if (may_delay(network, found[k])) return true;
+        for (const Fire& move : enabled(network, found[k])) {
+            NetworkState next = found[k];
+            if (perform(network, next, move).result != Step::Result::Done) return true;
+            if (std::ranges::find(found, next) == found.end()) found.push_back(std::move(next));
+        }
+    }
+    return false;
+}
+
 TEST(RandomizedAdvice, NamedInvariantsAndNoOthersBlockTimeAtTheEnd) {
     int blocked = 0, several = 0, repeating = 0;
     for (int seed = 1; seed <= test_size(3000); ++seed) {
@@ -47,8 +61,10 @@ TEST(RandomizedAdvice, NamedInvariantsAndNoOthersBlockTimeAtTheEnd) {
             const std::string words = standstill_words(network, found);
             const auto states = replay(network, *verdict.run);
             ASSERT_TRUE(states);
+            EXPECT_FALSE(time_may_pass_again(network, states->back()));
             if (result.errors.empty()) {
                 EXPECT_NE(words, "");
+                EXPECT_FALSE(found.continued);
             }
             if (found.continued) continue;
             if (!found.repeating.empty()) {

@@ -9,7 +9,9 @@
 #include "check/timed/components.hpp"
 #include "check/timed/dead_transitions.hpp"
 #include "check/timed/property_queries.hpp"
+#include "ir/network_run.hpp"
 #include "ir/patterns.hpp"
+#include "run/network_walk.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif::timed {
@@ -40,22 +42,13 @@ StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) 
     return set;
 }
 
-/// Returns a run to `state`, from which time never passes again. The run continues until a state is repeated or no move
-/// is possible.
-Lasso without_time(Graph& graph, std::uint32_t state) {
-    Lasso lasso{.path = graph.path_to(state)};
-    StateSet seen(graph.states());
-    for (std::uint32_t now = state; !seen.has(now);) {
-        seen.add(now);
-        std::uint32_t next = Store::none;
-        graph.each_action(now, [&](std::uint32_t other) { next = next == Store::none ? other : next; });
-        if (next == Store::none) return lasso;
-        lasso.path.push_back(next);
-        now = next;
-    }
-    const auto first = std::ranges::find(lasso.path, lasso.path.back());
-    lasso.loop = static_cast<std::size_t>(first - lasso.path.begin());
-    return lasso;
+/// Returns a run to `state`, from which time never passes again. The run continues by the edges that block delay, until
+/// only other edges are enabled or a state is repeated: a move that could also be omitted does not explain the timelock.
+Run without_time(Graph& graph, std::uint32_t state) {
+    Run run = graph.run_to(state);
+    if (auto states = replay(graph.machine.network(), run))
+        continue_without_delay(graph.machine.network(), run, *states);
+    return run;
 }
 
 }  // namespace
@@ -226,8 +219,7 @@ void PropertyQueries::decide_timelock(PropertyQuery& question, Graph& graph, con
     std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
     if (!locked->empty()) {
         if (inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
-        const Lasso lasso = without_time(graph, locked->front());
-        return violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
+        return violated(question.verdict, without_time(graph, locked->front()));
     }
     holds_if_dense(question, graph, graph.locked_bound);
     if (question.verdict.outcome != Outcome::Holds) return;

@@ -141,6 +141,22 @@ TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
     EXPECT_EQ(notes(*whole, "time"), blocked_belts);
 }
 
+TEST(Explain, TraceToATimelockContainsNoMovesThatCouldBeOmitted) {
+    std::string text = stuck_belts;
+    text.replace(text.find("input a,"), 8, "input b, a,");
+    text.replace(text.find("environment A"), 0, "environment B = free(OUT = b); ");
+    ParseResult reading = read_string(text, "c");
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
+    const auto report = check(*reading.model, {0}, {}, {.whole = true}, reading.diagnostics);
+    ASSERT_TRUE(report) << reading.diagnostics_text();
+    EXPECT_EQ(notes(*report, "time"), blocked_belts);
+    // The input `b` can always change, but no change of it ends the timelock.
+    const ChartRun& run = answer(*report, "time").trace.value();
+    EXPECT_FALSE(run.loop);
+    for (const ChartRun::Row& row : run.rows) EXPECT_NE(row.component, "B");
+    EXPECT_EQ(std::ranges::count(run.rows, std::string("A"), &ChartRun::Row::component), 1) << "the press at 1 s";
+}
+
 TEST(Explain, TimelockInDiscreteTimeNamesTheBlockingInvariants) {
     ParseResult reading = read_string(stuck_belts, "c");
     ASSERT_TRUE(reading.model) << reading.diagnostics_text();
