@@ -68,12 +68,13 @@ Group steps(const ChartRun& run, const Columns& columns) {
 class Drawing {
 public:
     Drawing(const ChartRun& run, std::string_view title, EventRange range) : run_(run), title_(title) {
-        const std::size_t last = run.rows.empty() ? 0 : run.rows.size() - 1;
-        for (const std::size_t index : shown_rows(run)) {
-            if (index < std::min(range.from, last) || index > range.to) continue;
+        const std::vector<std::size_t> shown = shown_rows(run);
+        const std::size_t last = shown.empty() ? 0 : shown.size() - 1;
+        for (std::size_t number = std::min(range.from, last); number < shown.size() && number <= range.to; ++number) {
+            const std::size_t index = shown[number];
             if (run.loop_from && index >= *run.loop_from && !loop_from_) loop_from_ = columns_.size();
             columns_.push_back(&run.after(run.rows[index]));
-            events_.push_back(index);
+            events_.push_back(number);
             const std::string cleared = cleared_text(run, run.rows[index]);
             labels_.push_back(
                 shortened(happening(run, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
@@ -83,7 +84,7 @@ public:
                    group("internals", columns_, run, ChartRun::Role::Internal),
                    group("plant", columns_, run, ChartRun::Role::Plant), steps(run, columns_)};
         foot_.push_back("Each column is an event of any duration; a time is shown where it advances.");
-        if (columns_.size() < shown_rows(run).size() && !columns_.empty())
+        if (columns_.size() < shown.size() && !columns_.empty())
             foot_.push_back(fmt::format("Events {} to {} of {}.", events_.front(), events_.back(), last));
         drop_idle();
         measure();
@@ -256,7 +257,7 @@ private:
     std::optional<std::size_t> loop_from_ = {};  ///< index of a column
     std::vector<Group> groups_ = {};
     std::vector<std::string> labels_ = {}, foot_ = {};
-    std::vector<std::size_t> events_ = {};          ///< for each column: index of the row of the run
+    std::vector<std::size_t> events_ = {};          ///< number of the event of each column
     std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_ is the number of characters of the longest label
     std::size_t first_ = 0, end_ = 0;               ///< columns of the current strip
     std::string ground_ = {};                       ///< elements of the background
