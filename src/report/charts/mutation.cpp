@@ -66,8 +66,12 @@ bool is_vacuous(const Mutation& mutation, const std::string& property) {
     return std::ranges::find(mutation.vacuous, property) != mutation.vacuous.end();
 }
 
+/// Returns the rounded percentage; 100 % and 0 % only if all mutants or no mutants were detected.
 std::string percent(const Score& score) {
-    return score.decided == 0 ? "" : fmt::format(", {} %", 100 * score.noticed / score.decided);
+    if (score.decided == 0) return "";
+    const std::size_t rounded = (200 * score.noticed + score.decided) / (2 * score.decided);
+    const std::size_t least = score.noticed > 0 ? 1 : 0, most = score.noticed < score.decided ? 99 : 100;
+    return fmt::format(", {} %", std::clamp(rounded, least, most));
 }
 
 std::size_t line_of(const Mutant& mutant, const Sources& sources) {
