@@ -25,7 +25,8 @@ ControllerParts parts_of(const ClosedLoop& loop, Id<ClosedLoop::Controller> id, 
     if (loop.controllers.size() > 1) parts.prefix = controller.name + "_";
     parts.mode = options.mode.value_or(controller.mode);
     if (options.ablations.cycle_unless_stable) parts.mode = ExecutionMode::EveryCycle;
-    parts.starts = starts(equations, parts.mode);
+    parts.cycle = controller.cycle;
+    parts.starts = parts.cycle || starts(equations, parts.mode);
     return parts;
 }
 
@@ -46,10 +47,12 @@ void check_writers(const Composition& composition, const ClosedLoop& loop, Diagn
     }
 }
 
+/// Finds the controllers whose scans are requested by changes of their inputs.
 void find_readers(Composition& composition) {
     composition.readers.resize(composition.network.variables.size());
     for (std::uint32_t controller = 0; controller < composition.controllers.size(); ++controller) {
         const ControllerParts& parts = composition.controllers[controller];
+        if (parts.cycle) continue;
         for (const Id<Equations::Variable> id : parts.equations->variables.ids())
             if (parts.equations->variables[id].role == Equations::Role::Input)
                 composition.readers[parts.variable[id.index].index].push_back(controller);

@@ -17,8 +17,16 @@
 //     P2 -> W  [stable] write()    outputs
 //     P2 -> W  [!stable]
 //   every_cycle: P2 -> W write(), whether stable or not.
-// All edges of the cycle are urgent. If the first evolution has an effect, an edge from the location `init` to W calls
-// start(). In mode every_cycle, this edge always exists and also writes the outputs.
+// With a task cycle LEAST..MOST, time begins a scan, and EVOL_PL and EVOL_TI do not exist. The clock clk is reset by
+// each edge to W:
+//     W  -> P0 [clk >= LEAST && no timer pending], not urgent; invariant of W: clk <= MOST
+// A scan that searches for stability samples the inputs on this edge, for all its evolutions, and sets `stable` to
+// false; the urgent edge W -> P0 [!stable && no timer pending] continues it. Its timers elapse only while `stable` is
+// true. The scan at power-on begins with the edge from `init`.
+//
+// All other edges of the cycle are urgent. If the first evolution has an effect, an edge from the location `init` to W
+// calls start(). In mode every_cycle and with a task cycle, this edge always exists; in mode every_cycle, it also writes
+// the outputs.
 //
 // Assignments are sequential. If an update would read a variable that an earlier update of the procedure has
 // overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer outputs that evolve() and

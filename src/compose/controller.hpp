@@ -2,6 +2,8 @@
 // ControllerParts: the elements of one controller in the network under construction.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,7 +18,8 @@ struct ControllerParts {
     std::string name = {};
     std::string prefix = {};  ///< prefix of the controller's names; empty if there is only one controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    bool starts = false;  ///< true if the first evolution has an effect and therefore a separate edge
+    std::optional<TaskCycle> cycle = {};  ///< empty: the cycle time is zero
+    bool starts = false;                  ///< true if the first evolution has an effect and therefore a separate edge
     Span origin = {};
 
     /// Three variables for each variable of the equations: the variable that other processes read, the variable that
@@ -26,10 +29,19 @@ struct ControllerParts {
     std::vector<Id<Equations::Variable>> sampled = {};  ///< variables of the equations with a sample, in order
     std::vector<bool> sample_written = {};              ///< for each variable: true if write() reads its sample
 
-    /// Flags of the controller. `evol_ti` is valid only if there are timers.
+    /// Flags of the controller. `evol_ti` is valid only if there are timers. With a task cycle, time starts the scans,
+    /// and EVOL_PL and EVOL_TI do not exist.
     Id<Network::Variable> evol_pl = {}, evol_ti = {}, stable = {};
     /// Request of each timer; empty if Ablations::timers_as_published.
     std::vector<Id<Network::Variable>> pending = {};
+
+    /// True if a scan of the task cycle can have several evolutions. Its inputs are then sampled once, at its start,
+    /// and `stable` is false until its last evolution.
+    bool holds_inputs() const { return cycle && mode == ExecutionMode::StabilitySearch; }
+    /// True if the variable is an input with a sample that is kept for all evolutions of a scan.
+    bool is_held(Id<Equations::Variable> id) const {
+        return holds_inputs() && equations->variables[id].role == Equations::Role::Input;
+    }
 };
 
 /// Data shared while a network is composed.
@@ -38,11 +50,11 @@ struct Composition {
     UniqueNames names = {};  ///< names of variables, templates and processes
     Ablations ablations = {};
     std::vector<ControllerParts> controllers = {};
-    /// For each variable of the plant: controllers with this input.
+    /// For each variable of the plant: controllers with this input whose cycle time is zero.
     std::vector<std::vector<std::uint32_t>> readers = {};
     Id<Network::Variable> race = {};  ///< valid only if a race of stored actions is possible
-    /// Templates of timers (t1/v, v/t2, t1/v/t2). A template is added with the first timer of its type.
-    Id<Network::Template> on_delay = {}, off_delay = {}, both_delays = {};
+    /// Templates of timers by type (timers.cpp). A template is added with the first timer of its type.
+    std::map<int, Id<Network::Template>> timers = {};
 };
 
 /// Adds the variables of a controller: steps, internal variables, firing conditions, images, samples, timers, flags.

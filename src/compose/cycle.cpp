@@ -12,25 +12,31 @@ namespace {
 using Location = Id<Network::Location>;
 using Procedure = Id<Network::Procedure>;
 
-/// Returns the guard of `W -> P0`, with its variants: (!stable || EVOL_PL || EVOL_TI), and no request to a timer is
-/// pending.
-Id<Expr> cycle_guard(Composition& composition, const ControllerParts& parts) {
-    Network& network = composition.network;
-    std::vector<Id<Expr>> reasons;
-    if (!composition.ablations.cycle_unless_stable)
-        reasons.push_back(network.exprs.negation(leaf(network, parts.stable)));
-    reasons.push_back(leaf(network, parts.evol_pl));
-    if (parts.evol_ti.valid()) reasons.push_back(leaf(network, parts.evol_ti));
-    const bool always = composition.ablations.cycle_always;
-    std::vector<Id<Expr>> guard{always ? network.exprs.constant(true) : network.exprs.disjunction(reasons)};
+/// Returns `condition`, and that no request to a timer is pending.
+Id<Expr> if_none_pending(Network& network, const ControllerParts& parts, Id<Expr> condition) {
+    std::vector<Id<Expr>> guard{condition};
     for (const Id<Network::Variable> pending : parts.pending)
         guard.push_back(network.exprs.negation(leaf(network, pending)));
     return network.exprs.conjunction(guard);
 }
 
+/// Returns the guard of the urgent edge `W -> P0`, with its variants: (!stable || EVOL_PL || EVOL_TI), and no request
+/// to a timer is pending. With a task cycle, this edge only continues a scan.
+Id<Expr> cycle_guard(Composition& composition, const ControllerParts& parts) {
+    Network& network = composition.network;
+    std::vector<Id<Expr>> reasons;
+    if (!composition.ablations.cycle_unless_stable)
+        reasons.push_back(network.exprs.negation(leaf(network, parts.stable)));
+    if (parts.evol_pl.valid()) reasons.push_back(leaf(network, parts.evol_pl));
+    if (parts.evol_ti.valid()) reasons.push_back(leaf(network, parts.evol_ti));
+    const bool always = composition.ablations.cycle_always && !parts.cycle;
+    return if_none_pending(network, parts, always ? network.exprs.constant(true) : network.exprs.disjunction(reasons));
+}
+
 std::vector<Network::Assignment> flags_reset(Network& network, const ControllerParts& parts) {
     const Id<Expr> reset = network.exprs.constant(false);
-    std::vector<Network::Assignment> list{{leaf(network, parts.evol_pl), reset}};
+    std::vector<Network::Assignment> list;
+    if (parts.evol_pl.valid()) list.push_back({leaf(network, parts.evol_pl), reset});
     if (parts.evol_ti.valid()) list.push_back({leaf(network, parts.evol_ti), reset});
     return list;
 }
@@ -43,6 +49,8 @@ public:
         Procedures code = procedures(composition_, parts_);
         const Location init = parts_.starts ? location("init") : Location{};
         waiting_ = location("W");
+        sample_ = std::move(code.sample);
+        if (parts_.cycle) add_clock();
         fire_ = procedure("fire", std::move(code.fire));
         evolve_ = procedure("evolve", std::move(code.evolve));
         write_ = procedure("write", std::move(code.write));
@@ -51,9 +59,7 @@ public:
             edge(init, waiting_, always(), {}, every_cycle() ? std::vector{start_, write_} : std::vector{start_});
         }
         if (network().grain == Grain::Phased) phases(std::move(code.forget));
-        else
-            edge(waiting_, waiting_, cycle_guard(composition_, parts_), flags_reset(network(), parts_),
-                 {fire_, evolve_, write_});
+        else begin_cycle(waiting_, {fire_, evolve_, write_});
         automaton_.name = composition_.names.fresh(parts_.prefix + "plc_cycle");
         automaton_.initial = parts_.starts ? init : waiting_;
         automaton_.origin = parts_.origin;
@@ -72,8 +78,11 @@ public:
                                  .fire = fire_,
                                  .evolve = evolve_,
                                  .write = write_};
-        for (const Id<Equations::Variable> id : equations.variables.ids())
+        made.words.cycle = parts_.cycle;
+        for (const Id<Equations::Variable> id : equations.variables.ids()) {
             if (equations.variables[id].role == Equations::Role::Output) made.images.push_back(parts_.image[id.index]);
+            if (parts_.is_held(id)) made.words.held.push_back(parts_.sample[id.index]);
+        }
         return made;
     }
 
@@ -86,23 +95,51 @@ private:
     Procedure procedure(const char* name, std::vector<Network::Assignment> body) {
         return automaton_.procedures.add({name, std::move(body)});
     }
-    void edge(Location from, Location to, Id<Expr> guard, std::vector<Network::Assignment> assignments,
-              std::vector<Procedure> calls) {
-        automaton_.edges.add({.from = from,
-                              .to = to,
-                              .urgent = true,
-                              .guard = guard,
-                              .assignments = std::move(assignments),
-                              .calls = std::move(calls),
-                              .origin = parts_.origin});
+    Network::Edge& edge(Location from, Location to, Id<Expr> guard, std::vector<Network::Assignment> assignments,
+                        std::vector<Procedure> calls) {
+        Network::Edge made{.from = from,
+                           .to = to,
+                           .urgent = true,
+                           .guard = guard,
+                           .assignments = std::move(assignments),
+                           .calls = std::move(calls),
+                           .origin = parts_.origin};
+        if (to == waiting_ && clock_.valid()) made.resets.push_back(clock_);
+        return automaton_.edges[automaton_.edges.add(std::move(made))];
+    }
+
+    /// Adds the clock that measures the time since the last scan, with the invariant of W. A scan takes no time, so the
+    /// clock is reset at its end.
+    void add_clock() {
+        clock_ = automaton_.clocks.add({"clk"});
+        automaton_.locations[waiting_].invariant.push_back({clock_, Op::LessEqual, units(parts_.cycle->most_ms)});
+    }
+    Id<Expr> units(std::int64_t milliseconds) { return network().exprs.integer(milliseconds / network().time_unit_ms); }
+
+    /// Adds the edges by which a cycle begins in W. With a task cycle, time begins a scan; an urgent edge continues a
+    /// scan that holds its inputs. The guard of the former is true whenever time can pass; it matters to models without
+    /// clocks.
+    void begin_cycle(Location to, const std::vector<Procedure>& calls) {
+        if (parts_.cycle) {
+            std::vector<Network::Assignment> begin = sample_;
+            if (parts_.holds_inputs() && to != waiting_)
+                begin.push_back({leaf(network(), parts_.stable), network().exprs.constant(false)});
+            const Id<Expr> ended = parts_.holds_inputs() ? leaf(network(), parts_.stable) : always();
+            Network::Edge& scan =
+                edge(waiting_, to, if_none_pending(network(), parts_, ended), std::move(begin), calls);
+            scan.urgent = false;
+            scan.constraint.push_back({clock_, Op::GreaterEqual, units(parts_.cycle->least_ms)});
+        }
+        if (!parts_.cycle || parts_.holds_inputs())
+            edge(waiting_, to, cycle_guard(composition_, parts_), flags_reset(network(), parts_), calls);
     }
 
     void phases(std::vector<Network::Assignment> forget) {
         const Location read = location("P0"), fired = location("P1"), evolved = location("P2");
-        edge(waiting_, read, cycle_guard(composition_, parts_), flags_reset(network(), parts_), {});
+        begin_cycle(read, {});
         edge(read, fired, always(), {}, {fire_});
         edge(fired, evolved, always(), {}, {evolve_});
-        if (every_cycle()) return edge(evolved, waiting_, always(), {}, {write_});
+        if (every_cycle()) return void(edge(evolved, waiting_, always(), {}, {write_}));
         const Id<Expr> stable = leaf(network(), parts_.stable);
         edge(evolved, waiting_, stable, {}, {write_});
         edge(evolved, waiting_, network().exprs.negation(stable), std::move(forget), {});
@@ -112,6 +149,8 @@ private:
     const ControllerParts& parts_;
     Network::Template automaton_ = {};
     Location waiting_ = {};
+    Id<Network::Clock> clock_ = {};  ///< valid only with a task cycle
+    std::vector<Network::Assignment> sample_ = {};
     Procedure start_ = {}, fire_ = {}, evolve_ = {}, write_ = {};
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Declares the variables of a controller, role by role.
+#include <algorithm>
+
 #include "compose/controller.hpp"
 #include "ir/reads.hpp"
 #include "ir/shared_by_name.hpp"
@@ -93,6 +95,7 @@ public:
 
     void samples() {
         parts_.sampled = late_inputs(*parts_.equations, parts_.sample_written);
+        if (parts_.holds_inputs()) hold_inputs();
         for (const Id<Equations::Variable> input : parts_.sampled) {
             const Variable& from = composition_.network.variables[parts_.variable[input.index]];
             Variable sample{parts_.equations->variables[input].name + "_sample",
@@ -104,6 +107,16 @@ public:
             if (sample.type.low > 0 || sample.type.high < 0) sample.initial = sample.type.low;
             parts_.sample[input.index] = fresh(std::move(sample));
         }
+    }
+
+    /// Adds every input to the sampled variables. In the atomic grain, timer outputs need no sample.
+    void hold_inputs() {
+        const Equations& equations = *parts_.equations;
+        const bool atomic = composition_.network.grain == Grain::Atomic;
+        std::erase_if(parts_.sampled, [&](Id<Equations::Variable> id) { return atomic || parts_.is_held(id); });
+        for (const Id<Equations::Variable> id : equations.variables.ids())
+            if (parts_.is_held(id)) parts_.sampled.push_back(id);
+        std::ranges::sort(parts_.sampled);
     }
 
     /// Declares the requests to the timers. Requests for initial steps are set at power-on or by start().
@@ -142,9 +155,9 @@ void declare(Composition& composition, const ClosedLoop& loop, ControllerParts& 
     add.all_of(Equations::Role::TimerEnd, Network::Role::TimerEnd, false);
     if (!composition.ablations.timers_as_published) add.pending();
     add.images();
-    if (phased) add.samples();
-    parts.evol_pl = add.flag("EVOL_PL");
-    if (!parts.equations->timers.empty()) parts.evol_ti = add.flag("EVOL_TI");
+    if (phased || parts.holds_inputs()) add.samples();
+    if (!parts.cycle) parts.evol_pl = add.flag("EVOL_PL");
+    if (!parts.cycle && !parts.equations->timers.empty()) parts.evol_ti = add.flag("EVOL_TI");
     parts.stable = add.flag("stable");
 }
 

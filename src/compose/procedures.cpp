@@ -40,7 +40,8 @@ public:
         result.evolve = evolve();
         result.write = write();
         for (const VariableId input : parts_.sampled)
-            if (parts_.sample_written[input.index]) result.forget.push_back(forgotten(input));
+            if (is_written_late(input)) result.forget.push_back(forgotten(input));
+        result.sample = sample();
         if (parts_.starts) result.start = start();
         return result;
     }
@@ -49,8 +50,15 @@ private:
     Exprs& exprs() { return network_.exprs; }
     Id<Expr> leaf_of(Id<Network::Variable> variable) { return leaf(network_, variable); }
 
-    /// Returns the variable of the controller that stores the value. Outputs with stored actions have an image.
+    /// True for an input, not held, whose sample write() reads.
+    bool is_written_late(VariableId input) const {
+        return parts_.sample_written[input.index] && !parts_.is_held(input);
+    }
+
+    /// Returns the variable of the controller that stores the value. Outputs with stored actions have an image, and
+    /// held inputs have a sample.
     Id<Network::Variable> storage(VariableId variable) const {
+        if (parts_.is_held(variable)) return parts_.sample[variable.index];
         const Id<Network::Variable> image = parts_.image[variable.index];
         return image.valid() ? image : parts_.variable[variable.index];
     }
@@ -72,6 +80,15 @@ private:
         return {leaf_of(parts_.sample[input.index]), literal(exprs(), sample.type, sample.initial)};
     }
 
+    /// Samples the inputs that are held.
+    Assignments sample() {
+        Assignments list;
+        for (const VariableId input : parts_.sampled)
+            if (parts_.is_held(input))
+                list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
+        return list;
+    }
+
     Assignments fire() {
         Assignments list;
         TermCopier now = reading(false);
@@ -79,7 +96,8 @@ private:
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], now(firing.condition)});
         for (const VariableId input : parts_.sampled)
-            list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
+            if (!parts_.is_held(input))
+                list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
         return list;
     }
 
@@ -111,7 +129,7 @@ private:
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], exprs().constant(false)});
         for (const VariableId input : parts_.sampled)
-            if (!parts_.sample_written[input.index]) list.push_back(forgotten(input));
+            if (!parts_.sample_written[input.index] && !parts_.is_held(input)) list.push_back(forgotten(input));
         return list;
     }
 
@@ -202,8 +220,17 @@ private:
             if (const auto image = parts_.image[stored.variable.index]; image.valid())
                 put(parts_.variable[stored.variable.index], leaf_of(image), list);
         for (const VariableId input : parts_.sampled)
-            if (parts_.sample_written[input.index]) list.push_back(forgotten(input));
+            if (is_written_late(input)) list.push_back(forgotten(input));
+            else if (parts_.is_held(input)) list.push_back(released(input));
         return list;
+    }
+
+    /// Resets the sample of a held input at the end of the scan. In the atomic grain, write() is a part of every
+    /// evolution.
+    Network::Assignment released(VariableId input) {
+        Network::Assignment reset = forgotten(input);
+        if (!phased_) reset.value = exprs().conditional(leaf_of(parts_.stable), reset.value, reset.target);
+        return reset;
     }
 
     /// Assigns `output := value`. If the value changes, also sets the flags of the controllers that read the output.
@@ -220,7 +247,7 @@ private:
     /// Returns the updates of the first evolution: actions on activation of the initial steps (Stored::first), previous
     /// values and observed levels. Also requests that the timers of the initial steps start.
     Assignments start() {
-        Assignments list;
+        Assignments list = sample();
         TermCopier now = reading(false);
         note_race(&Fault::first, now, list);
         std::vector<Update> updates;
@@ -238,7 +265,7 @@ private:
                 list.push_back({leaf_of(parts_.pending[i]), exprs().constant(true)});
         if (!every_cycle_) return list;
         for (const VariableId input : parts_.sampled)  // write() follows immediately
-            if (parts_.sample_written[input.index])
+            if (is_written_late(input))
                 list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
         return list;
     }

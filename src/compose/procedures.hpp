@@ -11,6 +11,7 @@ namespace grafverif {
 struct Procedures {
     std::vector<Network::Assignment> fire = {}, evolve = {}, write = {};
     std::vector<Network::Assignment> forget = {};  ///< resets that are part of write(), for a cycle without write()
+    std::vector<Network::Assignment> sample = {};  ///< samples of inputs that are held for all evolutions of a scan
     std::vector<Network::Assignment> start = {};   ///< executed before the first cycle; only if ControllerParts::starts
 };
 

@@ -64,7 +64,7 @@ Id<Expr> settled(Composition& composition) {
         const ControllerParts& parts = composition.controllers[id.index];
         conjuncts.push_back(network.exprs.at(controller.process.index, controller.waiting.index));
         conjuncts.push_back(leaf(network, parts.stable));
-        conjuncts.push_back(network.exprs.negation(leaf(network, parts.evol_pl)));
+        if (parts.evol_pl.valid()) conjuncts.push_back(network.exprs.negation(leaf(network, parts.evol_pl)));
         if (parts.evol_ti.valid()) conjuncts.push_back(network.exprs.negation(leaf(network, parts.evol_ti)));
         for (const Id<Network::Variable> pending : parts.pending)
             conjuncts.push_back(network.exprs.negation(leaf(network, pending)));

@@ -7,6 +7,9 @@
 // restarts. No cycle starts before the request is accepted, and every change of Q sets EVOL_TI. If the step is inactive
 // at the end of the update, only a request to stop remains.
 //
+// With a task cycle, EVOL_TI does not exist, because time starts the scans. In a scan that searches for stability, no
+// delay elapses before `stable` is true: all evolutions of the scan read the delays as they are at its start.
+//
 // With t2, Q remains true for t2 after the level falls. The delay t1 ends before the delay t2 begins. If the level
 // rises again during t2, the new t1 (rise, clock t) elapses concurrently with the rest of the previous t2 (fall, clock
 // u).
@@ -44,10 +47,17 @@ const char* template_name(Delays delays) {
     return "";
 }
 
+/// The connection of a timer to its controller.
+struct Coupling {
+    bool requests = true;  ///< false: the timer follows the level of its step (Ablations::timers_as_published)
+    bool flags = true;     ///< each change of Q sets EVOL_TI
+    bool waits = false;    ///< delays elapse only while `stable` is true
+};
+
 class TimerBuilder {
 public:
-    TimerBuilder(Exprs& exprs, Delays delays, bool as_published)
-        : exprs_(exprs), delays_(delays), as_published_(as_published) {}
+    TimerBuilder(Exprs& exprs, Delays delays, Coupling coupling)
+        : exprs_(exprs), delays_(delays), coupling_(coupling), as_published_(!coupling.requests) {}
 
     Network::Template build(std::string name) {
         automaton_.name = std::move(name);
@@ -57,7 +67,8 @@ public:
         level_ = parameter("X", Network::ParameterKind::Read, {});
         if (!as_published_) pending_ = parameter("P", Network::ParameterKind::Written, {});
         end_ = parameter("Q", Network::ParameterKind::Written, {});
-        flag_ = parameter("EVOL_TI", Network::ParameterKind::Written, {});
+        if (coupling_.flags) flag_ = parameter("EVOL_TI", Network::ParameterKind::Written, {});
+        if (coupling_.waits) stable_ = parameter("stable", Network::ParameterKind::Read, {});
         if (delays_ != Delays::Fall) rise_.clock = automaton_.clocks.add({"t"});
         if (delays_ != Delays::Rise) fall_.clock = automaton_.clocks.add({"u"});
         up_ = exprs_.conjunction(as_published_ ? exprs_.constant(true) : pending_, level_);
@@ -94,9 +105,11 @@ private:
         assert(added == done);
     }
 
-    /// Returns assignments that set Q to `value` and request a PLC cycle.
+    /// Returns assignments that set Q to `value` and, unless time starts the scans, request a PLC cycle.
     std::vector<Network::Assignment> change(bool value) {
-        return {{end_, exprs_.constant(value)}, {flag_, exprs_.constant(true)}};
+        std::vector<Network::Assignment> list{{end_, exprs_.constant(value)}};
+        if (coupling_.flags) list.push_back({flag_, exprs_.constant(true)});
+        return list;
     }
 
     /// Adds an edge that accepts a request. The edge resets the clock `starts`.
@@ -111,9 +124,12 @@ private:
 
     /// Adds an edge at the end of a delay. The edge is disabled while a request is pending.
     void elapse(Location from, Location to, const Delay& delay, std::vector<Network::Assignment> assignments) {
+        std::vector<Id<Expr>> guard;
+        if (!as_published_) guard.push_back(exprs_.negation(pending_));
+        if (coupling_.waits) guard.push_back(stable_);
         automaton_.edges.add({.from = from,
                               .to = to,
-                              .guard = as_published_ ? exprs_.constant(true) : exprs_.negation(pending_),
+                              .guard = exprs_.conjunction(guard),
                               .constraint = {{delay.clock, Op::Equal, delay.duration}},
                               .assignments = std::move(assignments)});
     }
@@ -164,30 +180,23 @@ private:
 
     Exprs& exprs_;
     Delays delays_;
+    Coupling coupling_;
     bool as_published_;
     Network::Template automaton_ = {};
-    Id<Expr> level_ = {}, pending_ = {}, end_ = {}, flag_ = {};
+    Id<Expr> level_ = {}, pending_ = {}, end_ = {}, flag_ = {}, stable_ = {};
     Delay rise_ = {}, fall_ = {};
     Id<Expr> up_ = {}, down_ = {};  ///< guards of edges that accept a request to start or to stop
 };
 
-Id<Network::Template>& template_of(Composition& composition, Delays delays) {
-    switch (delays) {
-    case Delays::Rise: break;
-    case Delays::Fall: return composition.off_delay;
-    case Delays::Both: return composition.both_delays;
-    }
-    return composition.on_delay;
-}
-
 /// Returns the template for `timer`, whose parameters are the durations. The template is added for the first timer of
 /// its type.
-Id<Network::Template> template_for(Composition& composition, const Equations::Timer& timer,
+Id<Network::Template> template_for(Composition& composition, const Equations::Timer& timer, Coupling coupling,
                                    const std::vector<std::int64_t>& durations) {
     Network& network = composition.network;
-    Id<Network::Template>& automaton = template_of(composition, delays(timer));
+    const int type = static_cast<int>(delays(timer)) * 4 + (coupling.flags ? 2 : 0) + (coupling.waits ? 1 : 0);
+    Id<Network::Template>& automaton = composition.timers[type];
     if (!automaton.valid()) {
-        TimerBuilder builder(network.exprs, delays(timer), composition.ablations.timers_as_published);
+        TimerBuilder builder(network.exprs, delays(timer), coupling);
         automaton = network.templates.add(builder.build(composition.names.fresh(template_name(delays(timer)))));
     }
     for (std::uint32_t k = 0; k < durations.size(); ++k) {
@@ -201,20 +210,22 @@ Id<Network::Template> template_for(Composition& composition, const Equations::Ti
 
 void add_timers(Composition& composition, const ControllerParts& parts, Id<Network::Controller> controller) {
     Network& network = composition.network;
+    const Coupling coupling{!parts.pending.empty(), !parts.cycle, parts.holds_inputs()};
     for (std::size_t i = 0; i < parts.equations->timers.size(); ++i) {
         const Equations::Timer& timer = parts.equations->timers[i];
         std::vector<std::int64_t> durations;
         for (const std::int64_t duration : {timer.rise_ms, timer.fall_ms})
             if (duration > 0) durations.push_back(duration / network.time_unit_ms);
         Network::Process process{.name = composition.names.fresh(parts.prefix + timer.name),
-                                 .automaton = template_for(composition, timer, durations),
+                                 .automaton = template_for(composition, timer, coupling, durations),
                                  .kind = Network::ProcessKind::Timer,
                                  .origin = timer.origin};
         process.arguments.assign(durations.begin(), durations.end());
         process.arguments.push_back(parts.variable[timer.watched.index]);
         if (!parts.pending.empty()) process.arguments.push_back(parts.pending[i]);
         process.arguments.push_back(parts.variable[timer.end.index]);
-        process.arguments.push_back(parts.evol_ti);
+        if (coupling.flags) process.arguments.push_back(parts.evol_ti);
+        if (coupling.waits) process.arguments.push_back(parts.stable);
         process.initial = network.templates[process.automaton].initial;
         network.controllers[controller].timers.push_back({network.processes.add(std::move(process)),
                                                           timer.rise_ms > 0 ? done : Id<Network::Location>{},

@@ -84,8 +84,9 @@ struct AbstractableProcess {
 };
 
 /// Returns the processes that can be abstracted. `Chosen` is available to an instance if no other process writes its
-/// outputs, it has at most 32 valuations, and no value is out of range. Requires that `network` is expanded and has no
-/// observers.
+/// outputs, it has at most 32 valuations, and no value is out of range. The result is empty if a controller has a task
+/// cycle: the arguments above assume that a change of an input requests a scan. Requires that `network` is expanded and
+/// has no observers.
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations = {});
 
 /// Returns the least precise level that is more precise than `level` and available to the process.

@@ -256,7 +256,9 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
             known(timer.end, where + ": a timer end");
             if (timer.step && *timer.step >= words.steps.size()) faults.push_back(where + ": a timer has no step");
         }
-        for (const Id<Expr> term : {controller.starts, controller.samples, controller.evolves, controller.writes})
+        for (const Id<System::Symbol> held : words.held) known(held, where + ": a held input");
+        for (const Id<Expr> term :
+             {controller.starts, controller.scans, controller.samples, controller.evolves, controller.writes})
             condition(term, where);
     }
     for (const System::Component& component : system.components) {

@@ -194,7 +194,8 @@ private:
         const std::string& first = words[0];
         if (first == "controller") {
             if (has("with")) return keywords({"stability_search", "every_cycle"});
-            if (words.size() > 1) return keywords({"with"});
+            if (has("every")) return parts(owner_, {DeclarationKind::Constant}), keywords({"with"});
+            if (words.size() > 1) return keywords({"every", "with"});
             for (const Declaration* const chart : names_.all(DeclarationKind::Chart)) element(*chart);
         }
         if (first == "constant") return constants();

@@ -396,6 +396,8 @@ private:
             std::visit(overloaded{
                            [&](const tree::Controller& controller) {
                                use("chart " + text(controller.chart), controller.chart.where);
+                               term(*owner, "", controller.cycle.least);
+                               term(*owner, "", controller.cycle.most);
                            },
                            [&](const tree::Instance& instance) { this->instance(*owner, instance); },
                            [&](const tree::Property& property) {

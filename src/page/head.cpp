@@ -87,9 +87,10 @@ std::vector<std::string> assumptions(const PageContent& content) {
     if (!content.requested.empty())
         sentences.push_back("Only these properties were selected: " + listed(content.requested) + ".");
     if (settings.untimed.empty())
-        sentences.push_back(
-            fmt::format("Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time.",
-                        settings.engine, seconds_text(settings.time_unit_ms)));
+        sentences.push_back(fmt::format(
+            "Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time{}.",
+            settings.engine, seconds_text(settings.time_unit_ms),
+            settings.cycle.empty() ? "" : ", and time starts the scans (" + settings.cycle + ")"));
     else
         sentences.push_back(
             fmt::format("No time: the {} engine checked the untimed model ({}){}.", settings.engine, settings.untimed,

@@ -44,10 +44,22 @@ std::optional<Network> with_observers(const Network& plant_network, const Closed
     return observed(*network, requested, vacuity);
 }
 
+/// Reports controllers with a task cycle for a model in which every step is a PLC cycle.
+bool cycles_are_zero(const ClosedLoop& loop, Diagnostics& diagnostics) {
+    bool zero = true;
+    for (const ClosedLoop::Controller& controller : loop.controllers) {
+        if (!controller.cycle) continue;
+        diagnostics.add(messages::cycle_without_time(controller.cycle->origin, controller.name));
+        zero = false;
+    }
+    return zero;
+}
+
 std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& loop, const ModelOptions& how,
                                           Vacuity vacuity, Diagnostics& diagnostics) {
     ScheduleOptions options = how.untimed;
     options.mode = how.mode;
+    if (!interleave(loop, how) && !cycles_are_zero(loop, diagnostics)) return {};
     const auto equations = equations_of_controllers(model, loop, diagnostics);
     if (!equations) return {};
     if (options.plant != PlantApproach::Automata) {

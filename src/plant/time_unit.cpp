@@ -61,6 +61,10 @@ std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
         if (milliseconds != 0) found.push_back({milliseconds, where});
     };
     for (const ClosedLoop::Controller& controller : loop.controllers) {
+        if (controller.cycle) {
+            take(controller.cycle->least_ms, controller.cycle->origin);
+            take(controller.cycle->most_ms, controller.cycle->origin);
+        }
         const Chart& chart = model.charts[controller.chart];
         for (const Chart::TimeCondition& condition : chart.time_conditions) {
             take(condition.rise_ms, condition.origin);

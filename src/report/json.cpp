@@ -66,6 +66,7 @@ Json property(const Report& report, const PropertyResult& answer, const Sources&
                         {"notes", verdict.notes},
                         {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
     made.update(found);
+    if (!report.settings.cycle.empty()) made["cycle"] = report.settings.cycle;
     const SearchScope& scope = verdict.scope;
     if (!scope.searched.empty() || !scope.left_out.empty())
         made[scope.cells ? "cells" : "sub_loops"] = {
@@ -170,6 +171,7 @@ void print_json_lines(const Report& report, const ReportSource& written, std::os
                             {"notes", verdict.notes},
                             {"trace_text", shown ? trace_text(*answer.trace, end_of(verdict)) : Json(nullptr)}};
         line.update(found);
+        if (!report.settings.cycle.empty()) line["cycle"] = report.settings.cycle;
         add_constants(line, report.settings);
         print_line(line, out);
     }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "report/report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "report/profile.hpp"
 #include "run/project.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -21,20 +22,52 @@ std::string mode_text(bool searches, bool cycles) {
 
 }  // namespace
 
+namespace {
+
+/// Returns text such as `task cycle 10ms` or `task cycles: press 10ms, door 5ms..10ms, lamp zero`. The result is empty
+/// if all cycle times are zero.
+template <class Controllers>
+std::string cycle_text(const Controllers& controllers) {
+    std::vector<std::string> each;
+    bool zero = true;
+    for (const auto& controller : controllers) {
+        const std::optional<TaskCycle>& cycle = controller.words.cycle;
+        zero = zero && !cycle;
+        std::string time = cycle ? duration_text(cycle->least_ms) : "zero";
+        if (cycle && cycle->least_ms != cycle->most_ms) time += ".." + duration_text(cycle->most_ms);
+        each.push_back(controllers.size() > 1 ? controller.words.name + " " + time : time);
+    }
+    if (zero) return {};
+    return fmt::format("task cycle{} {}", each.size() > 1 ? "s:" : "", fmt::join(each, ", "));
+}
+
+}  // namespace
+
 CheckSettings settings_of(const Network& network, std::string engine) {
     bool searches = false, cycles = false;
     for (const Network::Controller& controller : network.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
     const std::string mode = mode_text(searches, cycles);
-    return {std::move(engine),    mode, network.grain == Grain::Atomic ? "atomic" : "phased",
-            network.time_unit_ms, {},   network.constants};
+    return {.engine = std::move(engine),
+            .mode = mode,
+            .grain = network.grain == Grain::Atomic ? "atomic" : "phased",
+            .time_unit_ms = network.time_unit_ms,
+            .cycle = cycle_text(network.controllers),
+            .constants = network.constants};
 }
 
 CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed) {
     bool searches = false, cycles = false;
     for (const TransitionSystem::Controller& controller : system.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
-    return {std::move(engine), mode_text(searches, cycles), {}, 0, std::move(untimed), system.constants};
+    const bool timed = system.ticks.valid();
+    const std::string cycle = cycle_text(system.controllers);
+    return {.engine = std::move(engine),
+            .mode = mode_text(searches, cycles),
+            .time_unit_ms = 0,
+            .cycle = timed || cycle.empty() ? cycle : cycle + " not modelled: a scan may begin at any time",
+            .untimed = std::move(untimed),
+            .constants = system.constants};
 }
 
 namespace {

@@ -60,10 +60,12 @@ std::string abstraction_text(const PropertyResult& answer) {
 std::string common_text(const CheckSettings& settings) {
     const std::string constants = settings.constants.empty() ? "" : "; " + constants_text(settings.constants);
     if (settings.untimed.empty())
-        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", settings.engine,
-                           settings.mode, settings.grain, seconds_text(settings.time_unit_ms), constants);
+        return fmt::format("{} engine; {}, {} grain; time unit {}, {}{}", settings.engine, settings.mode,
+                           settings.grain, seconds_text(settings.time_unit_ms),
+                           settings.cycle.empty() ? "cycle time taken as zero" : settings.cycle, constants);
     const std::string grain = settings.grain.empty() ? "" : ", " + settings.grain + " grain";
-    return fmt::format("{}, untimed: {}; {}{}{}", settings.engine, settings.untimed, settings.mode, grain, constants);
+    return fmt::format("{}, untimed: {}; {}{}{}{}", settings.engine, settings.untimed, settings.mode, grain,
+                       settings.cycle.empty() ? "" : "; " + settings.cycle, constants);
 }
 
 /// The additional parts of a verdict: states, subsystems, implication for the timed loop, input abstraction. Each part

@@ -99,7 +99,10 @@ void TraceRowBuilder::add_event(std::size_t moment) {
         delay_ms_ += event.after.time_ms - run_.moments[moment - 1].after.time_ms;
         return;
     }
-    if (run_.searches) close_delay();
+    // A scan of a task cycle that changes nothing does not divide a delay.
+    const bool scans = std::ranges::any_of(
+        event.acts, [&](const Act& act) { return run_.controllers[act.controller].cycle.has_value(); });
+    if (run_.searches && !scans) close_delay();
     for (const Act& act : event.acts) add_act_rows(moment, act);
     if (event.timer.valid()) return add_timer_row(moment);
     if (event.kind != Kind::Controller && !event.internal) return add_instance_row(moment);

@@ -67,6 +67,8 @@ void put_situation(const Network& network, NetworkState& state, Id<Network::Cont
         if (const auto request = argument(network, controller.timers[k].process, "P"); request.valid())
             state.variables[request.index] = 1;
     }
+    // A scan of a task cycle that searches for stability would continue without samples; the next scan evolves anyway.
+    if (controller.words.cycle && controller.words.mode == ExecutionMode::StabilitySearch) return;
     state.variables[controller.stable.index] = 0;
 }
 

@@ -35,7 +35,8 @@ public:
     /// Returns the controller without timers and images. `add(named, role)` adds the signal of a variable.
     template <class Variable, class Add>
     ChartRun::Controller controller(const ControllerWords<Variable>& words, const Add& add) {
-        ChartRun::Controller made{.name = words.name, .mode = words.mode, .conditions = words.conditions};
+        ChartRun::Controller made{
+            .name = words.name, .mode = words.mode, .cycle = words.cycle, .conditions = words.conditions};
         for (const auto& step : words.steps) add_step(made, step.name, step.variable.index);
         for (const auto& transition : words.transitions)
             made.transitions.push_back(run_->transitions.add({transition.name}));
@@ -46,6 +47,17 @@ public:
             made.internals.push_back(add(internal, ChartRun::Role::Internal));
         }
         return made;
+    }
+    /// Returns the input values that `act` reads in a state with `values` before it. An act that continues a scan, or
+    /// that follows its start, reads the values that the scan holds.
+    template <class Variable>
+    std::vector<std::int64_t> inputs(const ControllerWords<Variable>& words, const ChartRun::Act& act,
+                                     const std::vector<std::int64_t>& values) const {
+        std::vector<std::int64_t> read;
+        const bool holds = !words.held.empty() && !act.starts && !act.scans;
+        for (std::size_t k = 0; k < words.inputs.size(); ++k)
+            read.push_back(values[(holds ? words.held[k] : words.inputs[k].variable).index]);
+        return read;
     }
     /// Adds a signal for a value. An existing signal keeps its role.
     Id<ChartRun::Signal> add_signal(std::uint32_t key, ChartRun::Signal signal);

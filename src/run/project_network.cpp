@@ -172,11 +172,11 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
     const Network::Controller& from = network_.controllers[id];
     ChartRun::Act act{.controller = {id.index},
                       .begins = edge.calls.empty() && edge.to != from.waiting,
+                      .scans = from.words.cycle && !edge.urgent,
                       .starts = calls(edge, from.start),
                       .samples = calls(edge, from.fire),
                       .evolves = calls(edge, from.evolve)};
-    if (act.starts || act.samples)
-        for (const auto& input : from.words.inputs) act.inputs.push_back(before.variables[input.variable.index]);
+    if (act.starts || act.samples) act.inputs = view_.inputs(from.words, act, before.variables);
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         if (act.samples) act.timers.push_back(holds(before, from.words.timers[k].end));
         // The output of the timer is not sufficient, because it may still be true from an earlier rise.

@@ -134,11 +134,12 @@ private:
 
     void project_controller(std::uint32_t index, const Values& before, const Values& next) {
         const System::Controller& from = system_.controllers[index];
-        ChartRun::Act act{.controller = {index}, .starts = holds(from.starts, before, false)};
+        ChartRun::Act act{.controller = {index},
+                          .scans = holds(from.scans, before, false),
+                          .starts = holds(from.starts, before, false)};
         act.evolves = !act.starts && holds(from.evolves, before, true);
         act.samples = !act.starts && holds(from.samples, before, act.evolves);
-        if (act.starts || act.samples)
-            for (const System::Named& input : from.words.inputs) act.inputs.push_back(before[input.variable.index]);
+        if (act.starts || act.samples) act.inputs = view_.inputs(from.words, act, before);
         if (act.samples)
             for (const auto& timer : from.words.timers) act.timers.push_back(before[timer.end.index] != 0);
         for (std::size_t k = 0; act.evolves && k < from.words.transitions.size(); ++k)
@@ -148,7 +149,7 @@ private:
         bool changed = take(from.words.steps, next);
         changed = take(from.words.outputs, next) || changed;
         changed = take(from.words.internals, next) || changed;
-        if (changed || act.starts || act.samples || act.evolves || act.writes != Writes::No)
+        if (changed || act.scans || act.starts || act.samples || act.evolves || act.writes != Writes::No)
             add({.kind = ChartRun::Kind::Controller, .acts = {std::move(act)}});
     }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "run/interpreter.hpp"
+#include "run/scan_replay.hpp"
 
 namespace grafverif {
 
@@ -24,17 +25,27 @@ std::string listed(const std::vector<std::string>& names) {
 class ControllerReplay {
 public:
     ControllerReplay(const ChartRun& run, const ChartRun::Controller& controller, const Chart& chart)
-        : run_(run), controller_(controller), chart_(chart), elements_(timed_elements(chart)), state_(power_on(chart)) {
+        : run_(run),
+          controller_(controller),
+          chart_(chart),
+          elements_(timed_elements(chart)),
+          state_(power_on(chart)),
+          scans_(run, controller) {
         inputs_.resize(chart.variables.size());
         timed_.resize(elements_.size());
         for (std::size_t k = 0; k < elements_.size(); ++k) timers_.push_back(timer_of(k));
     }
 
-    void pass(std::int64_t milliseconds) { state_ = pass_time(std::move(state_), milliseconds); }
+    /// Lets time pass. Returns an error if the task cycle does not allow this.
+    std::string pass(std::int64_t milliseconds) {
+        state_ = pass_time(std::move(state_), milliseconds);
+        return over_ ? "" : scans_.pass(milliseconds);
+    }
 
     /// Returns the differences between the run and the rules, or an empty string if they agree.
     std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after) {
         if (over_) return {};
+        if (std::string fault = scans_.act(act, before); !fault.empty()) return fault;
         if (act.starts || act.samples) read_inputs(act);
         if (act.samples)
             if (std::string fault = timers_fault(); !fault.empty()) return fault;
@@ -43,7 +54,9 @@ public:
             evolutions_ += act.evolves ? 1 : 0;
             Evolution result = evolve(chart_, state_, inputs_, timed_, ended(act));
             writes = writes || (act.writes == ChartRun::Act::Writes::IfStable && result.stable);
+            const bool stable = result.stable;
             if (std::string fault = evolution_fault(act, result, after); !fault.empty() || over_) return fault;
+            if (act.evolves) scans_.evolved(stable);
         }
         if (writes) return outputs_fault(act, after);
         return act.starts ? "" : kept_fault(before, after);
@@ -205,6 +218,7 @@ private:
     const Chart& chart_;
     std::vector<TimedElement> elements_;
     State state_;
+    ScanReplay scans_;
     Values inputs_ = {};                                   ///< sampled value of each variable of the chart
     std::vector<bool> timed_ = {};                         ///< sampled time condition of each element
     std::vector<std::optional<std::size_t>> timers_ = {};  ///< timer of each element
@@ -221,8 +235,9 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
     const ChartRun::State* before = &run.moments.front().after;
     for (const ChartRun::Event& moment : run.moments) {
         const std::int64_t passed = moment.after.time_ms - before->time_ms;
-        if (run.timed && passed > 0)
-            for (ControllerReplay& replay : replays) replay.pass(passed);
+        for (ControllerReplay& replay : replays)
+            if (std::string what = run.timed && passed > 0 ? replay.pass(passed) : ""; !what.empty())
+                return Disagreement{moment.move, "controller " + replay.name(), std::move(what)};
         for (const ChartRun::Act& act : moment.acts) {
             ControllerReplay& replay = replays[act.controller.index];
             if (std::string what = replay.does(act, *before, moment.after); !what.empty())

@@ -159,18 +159,25 @@ System::Subsystems parts(const PlantInstances& plant, const MoveChoice& move, co
 
 // -- names for traces -------------------------------------------------------------------------------------------------
 
-/// Returns a condition that is true in steps in which the PLC takes an edge that calls the procedure, or an invalid id
-/// if there is no such procedure.
-Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {
-    if (!procedure.valid()) return {};
+/// Returns a condition that is true in steps in which the PLC takes an edge for which `is_chosen` returns true.
+template <class Choice>
+Id<Expr> takes(const PlantInstances& plant, Id<Network::Process> plc, const Choice& is_chosen) {
     const Network& network = plant.context.network;
     const Network::Template& cycle = network.templates[network.processes[plc].automaton];
     const Id<Symbol> edge = plant.main.member(plant.instances[plc.index], plant.automata[plc.index].edge);
     std::vector<Id<Expr>> found;
     for (const Id<Network::Edge> id : cycle.edges.ids())
-        if (std::ranges::find(cycle.edges[id].calls, procedure) != cycle.edges[id].calls.end())
-            found.push_back(plant.main.draft.is(edge, id.index + 1));
+        if (is_chosen(cycle.edges[id])) found.push_back(plant.main.draft.is(edge, id.index + 1));
     return plant.main.system.exprs.disjunction(found);
+}
+
+/// Returns a condition that is true in steps in which the PLC takes an edge that calls the procedure, or an invalid id
+/// if there is no such procedure.
+Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {
+    if (!procedure.valid()) return {};
+    return takes(plant, plc, [&](const Network::Edge& edge) {
+        return std::ranges::find(edge.calls, procedure) != edge.calls.end();
+    });
 }
 
 System::Controller words(const PlantInstances& plant, const Network::Controller& controller,
@@ -183,11 +190,17 @@ System::Controller words(const PlantInstances& plant, const Network::Controller&
         return plant.variables[variable.index];
     };
     const auto when = [&](Id<Network::Procedure> procedure) { return calls(plant, controller.process, procedure); };
-    return {.words = words_of<Symbol>(equations, controller.words.mode, place),
-            .starts = when(controller.start),
-            .samples = when(controller.fire),
-            .evolves = when(controller.evolve),
-            .writes = when(controller.write)};
+    System::Controller made{.words = words_of<Symbol>(equations, controller.words.mode, place),
+                            .starts = when(controller.start),
+                            .samples = when(controller.fire),
+                            .evolves = when(controller.evolve),
+                            .writes = when(controller.write)};
+    made.words.cycle = controller.words.cycle;
+    for (const Id<Network::Variable> held : controller.words.held)
+        made.words.held.push_back(plant.variables[held.index]);
+    if (made.words.cycle)
+        made.scans = takes(plant, controller.process, [](const Network::Edge& edge) { return !edge.urgent; });
+    return made;
 }
 
 TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,

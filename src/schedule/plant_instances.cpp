@@ -103,7 +103,8 @@ void PlantInstances::add_fairness() const {
     Exprs& exprs = main.system.exprs;
     for (std::size_t process = 0; process < automata.size(); ++process) {
         const Network::ProcessKind kind = context.network.processes[{static_cast<std::uint32_t>(process)}].kind;
-        if (kind != Network::ProcessKind::Plant && kind != Network::ProcessKind::Timer) continue;
+        // The only movement of a PLC is the time between two scans of its task cycle.
+        if (kind == Network::ProcessKind::Environment || kind == Network::ProcessKind::Observer) continue;
         for (const Movement& movement : automata[process].movements) {
             const Id<Expr> ended = movement.ended.valid() ? inner(process, movement.ended) : exprs.constant(false);
             main.draft.module.justice.push_back(implies(exprs, inner(process, movement.moving), ended));

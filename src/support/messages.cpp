@@ -207,6 +207,21 @@ Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t u
                                time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
 }
 
+Diagnostic bad_task_cycle(Span where, std::int64_t least_ms, std::int64_t most_ms) {
+    if (least_ms <= 0)
+        return error("bad-task-cycle", where, "the task cycle is not above zero; write a duration such as `10ms`");
+    return error("bad-task-cycle", where,
+                 fmt::format("the range `{0}..{1}` of the task cycle is empty; write `every {1}..{0}`",
+                             time_text(least_ms), time_text(most_ms)));
+}
+
+Diagnostic cycle_without_time(Span where, std::string_view controller) {
+    return error("cycle-without-time", where,
+                 fmt::format("`{}` has a task cycle, which this untimed model does not represent; pass `--plant "
+                             "automata`, with the schedule `interleaved`, or `--cycle zero`",
+                             controller));
+}
+
 Diagnostic no_value(Span where, std::string_view instance) {
     return error(
         "no-value", where,

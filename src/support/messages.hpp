@@ -77,6 +77,8 @@ Diagnostic unbounded_integer(Span where, std::string_view variable);
 Diagnostic misplaced_type(Span where, std::string_view what);
 Diagnostic misplaced_value(Span where, std::string_view kind);
 Diagnostic zero_duration(Span where);
+Diagnostic bad_task_cycle(Span where, std::int64_t least_ms, std::int64_t most_ms);
+Diagnostic cycle_without_time(Span where, std::string_view controller);
 Diagnostic bad_count(Span where, std::int64_t count, std::int64_t greatest);
 Diagnostic missing_count(Span where);
 

@@ -61,7 +61,8 @@ TEST(RandomizedDiscreteTime, ARandomLoopHasTheStatesAndVerdictsOfTheTimedEngine)
     for (int seed = 1; seed <= cases; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
-        const Model model = random_loop(random);
+        Model model = random_loop(random);
+        if (seed % 2 == 0) add_task_cycles(model, random);
         const ClosedLoop& loop = model.loops[{0}];
         Diagnostics diagnostics;
         const auto equations = derived(model);

@@ -33,8 +33,14 @@ public:
         for (const ClosedLoop::Controller& controller : loop_.controllers) {
             const bool search = controller.mode == ExecutionMode::StabilitySearch;
             const Span where = trees_.next();
-            printed.items.emplace_back(tree::Controller{
-                trees_.name(controller.name), {trees_.name(search ? "stability_search" : "every_cycle")}, where});
+            tree::TaskCycle cycle;
+            if (controller.cycle) cycle.least = trees_.duration(controller.cycle->least_ms);
+            if (controller.cycle && controller.cycle->least_ms != controller.cycle->most_ms)
+                cycle.most = trees_.duration(controller.cycle->most_ms);
+            printed.items.emplace_back(tree::Controller{trees_.name(controller.name),
+                                                        cycle,
+                                                        {trees_.name(search ? "stability_search" : "every_cycle")},
+                                                        where});
         }
         for (const NamedConstant& each : loop_.constants) printed.items.emplace_back(constant(each));
         if (loop_.grain == Grain::Atomic) printed.items.emplace_back(tree::Grain{trees_.name("atomic"), trees_.next()});

@@ -295,6 +295,16 @@ Model random_loop_asked(Random& random, int questions) {
     return std::move(generator.model);
 }
 
+void add_task_cycles(Model& model, Random& random) {
+    bool any = false;
+    for (ClosedLoop::Controller& controller : model.loops[{0}].controllers) {
+        if (any && chance(random, 40)) continue;
+        const std::int64_t least = random_number(random, 1, 2) * 1000;
+        controller.cycle = TaskCycle{least, least + (chance(random, 50) ? 0 : random_number(random, 1, 2) * 1000), {}};
+        any = true;
+    }
+}
+
 Model lone_controller(const Chart& chart, ExecutionMode mode) {
     Model model;
     const Id<Chart> id = model.charts.add(chart);

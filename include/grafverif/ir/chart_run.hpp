@@ -68,6 +68,7 @@ struct ChartRun {
     struct Controller {
         std::string name = {};
         ExecutionMode mode = ExecutionMode::StabilitySearch;
+        std::optional<TaskCycle> cycle = {};  ///< empty: the cycle time is zero, or the model does not include time
         std::vector<Id<Step>> steps = {};
         std::vector<Id<Transition>> transitions = {};
         std::vector<Id<Signal>> inputs = {}, outputs = {}, internals = {};
@@ -90,6 +91,7 @@ struct ChartRun {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
         bool begins = false;         ///< a cycle begins
+        bool scans = false;          ///< a scan of the task cycle begins; the scan at power-on `starts` instead
         bool starts = false;         ///< true for the first evolution after power-on, in which all timers are false
         bool samples = false;        ///< inputs and timer outputs are sampled
         bool evolves = false;        ///< one evolution

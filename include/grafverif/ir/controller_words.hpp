@@ -39,9 +39,13 @@ struct ControllerWords {
 
     std::string name = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
+    std::optional<TaskCycle> cycle = {};  ///< empty: the cycle time is zero
     std::vector<Step> steps = {};
     std::vector<Named> transitions = {};  ///< transitions with their firing conditions
     std::vector<Named> inputs = {};
+    /// For each input: the variable that holds its value during a scan of several evolutions; empty if each evolution
+    /// samples the inputs.
+    std::vector<Id<Variable>> held = {};
     std::vector<Named> outputs = {};  ///< outputs as written to the plant
     std::vector<Named> internals = {};
     std::vector<Timer> timers = {};

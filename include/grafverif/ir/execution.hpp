@@ -16,8 +16,11 @@
 //   discrete      clocks count units of time; the states are those of the timed engine
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "grafverif/support/source.hpp"
 
 namespace grafverif {
 
@@ -29,6 +32,14 @@ enum class ExecutionMode { StabilitySearch, EveryCycle };
 constexpr std::string_view word(ExecutionMode mode) {
     return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
 }
+
+/// Task cycle of a PLC: the time between the starts of two successive scans is any value in this range. The first scan
+/// is at power-on. A scan takes no time; it samples the inputs once, at its start.
+struct TaskCycle {
+    std::int64_t least_ms = 0, most_ms = 0;  ///< 1 <= least_ms <= most_ms
+    Span origin = {};
+    bool operator==(const TaskCycle&) const = default;
+};
 
 /// Interleaving granularity. Phased: the plant may move between the phases of a PLC cycle. Atomic: a complete PLC cycle
 /// is one edge.

@@ -21,6 +21,7 @@ struct CheckSettings {
     std::string mode = {};    ///< `stability-search`, `every-cycle`, or both if the controllers differ
     std::string grain = {};   ///< `phased`, `atomic`
     std::int64_t time_unit_ms = 1000;
+    std::string cycle = {};  ///< task cycles of the controllers, such as `task cycle 10ms`; empty: cycle time zero
     /// Components of an untimed model, such as `no plant` or `plant automata, interleaved`; empty for a timed check.
     std::string untimed = {};
     std::vector<NamedConstant> constants = {};  ///< constants of the loop with their current values

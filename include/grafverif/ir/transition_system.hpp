@@ -111,6 +111,7 @@ struct TransitionSystem {
         Id<Expr> starts = {};   ///< true in the first evolution; invalid if the first evolution has no visible effect
         Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; invalid if equal to `evolves`
         Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if all steps are evolutions
+        Id<Expr> scans = {};    ///< true if a scan of the task cycle begins; invalid without a task cycle
         Id<Expr> writes = {};   ///< true if outputs are written; invalid if evolutions write them as the mode requires
         bool operator==(const Controller&) const = default;
     };

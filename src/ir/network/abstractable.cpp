@@ -219,6 +219,8 @@ private:
 }  // namespace
 
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations) {
+    const auto has_cycle = [](const Network::Controller& controller) { return controller.words.cycle.has_value(); };
+    if (std::ranges::any_of(network.controllers, has_cycle)) return {};
     const Finder finder(network, ablations);
     std::vector<AbstractableProcess> found;
     for (const Id<Network::Process> id : network.processes.ids())

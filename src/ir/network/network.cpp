@@ -193,6 +193,10 @@ private:
             for (const auto& [name, variable] : *list)
                 if (!network_.variables.contains(variable))
                     fault(where + ": `" + name + "` does not refer to a variable");
+        for (const Id<Network::Variable> held : words.held)
+            if (!network_.variables.contains(held)) fault(where + ": an input is held in an unknown variable");
+        if (!words.held.empty() && words.held.size() != words.inputs.size())
+            fault(where + ": some inputs are held, and others are not");
         for (const auto& timer : words.timers) {
             if (!network_.variables.contains(timer.end)) fault(where + ": a timer refers to an unknown output");
             if (timer.step && *timer.step >= words.steps.size()) fault(where + ": a timer refers to an unknown step");

@@ -237,6 +237,8 @@ std::string component_head(const tree::File& file, const tree::Component& compon
 
 Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t) {
     std::string line = "controller " + text(file, written.chart);
+    if (written.cycle.least.valid()) line += " every " + formatted(file, written.cycle.least);
+    if (written.cycle.most.valid()) line += ".." + formatted(file, written.cycle.most);
     if (!written.options.empty()) line += " with " + names(file, written.options);
     return {line + ';'};
 }

@@ -213,8 +213,14 @@ struct Component {
 
 // -- closed loops -----------------------------------------------------------------------------------------------------
 
+/// Task cycle of a controller. `most` is invalid if the cycle is not a range; both are invalid if there is none.
+struct TaskCycle {
+    Id<Expr> least = {}, most = {};
+    Span where = {};
+};
 struct Controller {
     Name chart = {};
+    TaskCycle cycle = {};
     std::vector<Name> options = {};
     Span where = {};
 };

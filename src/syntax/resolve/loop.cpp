@@ -72,6 +72,23 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
     known->second = scope.loop.controllers.add(std::move(controller));
 }
 
+/// Resolves `every LEAST..MOST`. The controller does not exist if its declaration has an error.
+void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
+    if (!written.cycle.least.valid()) return;
+    constexpr std::string_view user = "a task cycle";
+    const auto bound = [&](Id<tree::Expr> term) {
+        return constant_terms(scope, user).constant(term, TermKind::Duration, user);
+    };
+    const auto least = bound(written.cycle.least);
+    const auto most = written.cycle.most.valid() ? bound(written.cycle.most) : least;
+    if (!least || !most) return;
+    if (*least <= 0 || *most < *least)
+        return scope.diagnostics.add(messages::bad_task_cycle(written.cycle.where, *least, *most));
+    const auto controller = scope.controllers.find(scope.text(written.chart));
+    if (controller != scope.controllers.end())
+        scope.loop.controllers[controller->second].cycle = TaskCycle{*least, *most, written.cycle.where};
+}
+
 void share_input(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Chart::Variable> id) {
     const Chart::Variable& variable = scope.chart(controller).variables[id];
     const Id<ClosedLoop::Shared> shared = shared_named(scope, variable.name, variable.type, variable.origin);
@@ -222,7 +239,7 @@ void resolve_queries(LoopScope& scope, const tree::ClosedLoop& written) {
     if (!scope.incomplete) declare_observers(scope, written);
     for (const tree::LoopItem& item : written.items) {
         std::visit(overloaded{
-                       [](const tree::Controller&) {},
+                       [&](const tree::Controller& controller) { resolve_cycle(scope, controller); },
                        [](const tree::Variables&) {},
                        [](const tree::Instance&) {},
                        [&](const tree::Grain& chosen) { resolve_grain(scope, chosen, grain); },

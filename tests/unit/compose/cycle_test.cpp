@@ -57,6 +57,71 @@ TEST(Cycle, ThePhasedCycleIsThatOfFigure33a) {
         "\n");
 }
 
+/// Returns the PLC of the small chart with the task cycle 1s..2s.
+std::string with_task_cycle(const ComposeOptions& options) {
+    Model model = lone_controller(small_chart().chart);
+    model.loops[{0}].controllers[{0}].cycle = TaskCycle{1000, 2000, {}};
+    return network_text(composed(model, options));
+}
+
+TEST(Cycle, WithATaskCycleTimeBeginsAScanThatHoldsItsInputs) {
+    const std::string text = with_task_cycle({});
+    EXPECT_EQ(text.find("EVOL_"), std::string::npos) << text;
+    EXPECT_EQ(between(text, "template plc_cycle", "template timer"),
+              "template plc_cycle\n"
+              "    clock clk\n"
+              "    initial location init\n"
+              "    location W invariant clk <= 2\n"
+              "    location P0\n"
+              "    location P1\n"
+              "    location P2\n"
+              "    procedure fire\n"
+              "        CF_t0 := X_1 && a_sample\n"
+              "        CF_t1 := X_2 && T_X2_5s_Q\n"
+              "    procedure evolve\n"
+              "        T_X2_5s_P := (CF_t0 && !X_2) || (X_2 && CF_t1 && !CF_t0)\n"
+              "        stable := !(CF_t0 || CF_t1)\n"
+              "        X_1 := CF_t1 || (X_1 && !CF_t0)\n"
+              "        X_2 := CF_t0 || (X_2 && !CF_t1)\n"
+              "        CF_t0 := false\n"
+              "        CF_t1 := false\n"
+              "    procedure write\n"
+              "        OUT := X_2\n"
+              "        a_sample := false\n"
+              "    procedure start\n"
+              "        a_sample := a\n"
+              "    urgent init -> W do start(), clk := 0\n"
+              "    timed W -> P0 when stable && !T_X2_5s_P && clk >= 1 do a_sample := a, stable := false\n"
+              "    urgent W -> P0 when !stable && !T_X2_5s_P\n"
+              "    urgent P0 -> P1 do fire()\n"
+              "    urgent P1 -> P2 do evolve()\n"
+              "    urgent P2 -> W when stable do write(), clk := 0\n"
+              "    urgent P2 -> W when !stable do clk := 0\n"
+              "\n");
+    EXPECT_NE(text.find("    timed run -> done when !P && stable && t == D do Q := true\n"), std::string::npos) << text;
+}
+
+TEST(Cycle, AScanOfTheModeEveryCycleIsOneEvolution) {
+    const std::string text = with_task_cycle({.mode = ExecutionMode::EveryCycle});
+    EXPECT_NE(text.find("    urgent init -> W do start(), write(), clk := 0\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("    timed W -> P0 when !T_X2_5s_P && clk >= 1\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("urgent W -> P0"), std::string::npos) << text;
+    EXPECT_NE(text.find("    timed run -> done when !P && t == D do Q := true\n"), std::string::npos) << text;
+}
+
+TEST(Cycle, AScanOfTheAtomicGrainIsOneEdgePerEvolution) {
+    const std::string text = with_task_cycle({.grain = Grain::Atomic});
+    EXPECT_NE(
+        text.find("    timed W -> W when stable && !T_X2_5s_P && clk >= 1 do a_sample := a, fire(), evolve(), write(), "
+                  "clk := 0\n"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("    urgent W -> W when !stable && !T_X2_5s_P do fire(), evolve(), write(), clk := 0\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("        a_sample := stable ? false : a_sample\n"), std::string::npos) << text;
+}
+
 TEST(Cycle, TheAtomicCycleIsOneEdgeThatKeepsOutputsUntilStable) {
     const Network network = composed(lone_controller(small_chart().chart), {.grain = Grain::Atomic});
     const std::string text = between(network_text(network), "template plc_cycle", "template timer");

@@ -293,6 +293,7 @@ TEST(LspCompletion, KnowsDeclarationsOfAnIncompleteChart) {
     EXPECT_EQ(editor.labels("press.grafcet", begin + "    transition t0: 0 -> @"),
               (std::vector<std::string>{"0", "1"}));
     EXPECT_TRUE(holds(editor.labels("loop.grafcet", with(loop, "}\n", "    property p: never Start.@")), "idle"));
+    EXPECT_TRUE(holds(editor.labels("loop.grafcet", with(loop, "}\n", "    controller press @")), "every"));
 }
 
 TEST(LspCompletion, DescribesParameters) {

@@ -281,7 +281,8 @@ TEST(ReadLoop, BindsArgumentsAndDefaults) {
               "component sensor(input X: int; output HIGH; LIMIT = 2 * HALF, HALF = 3) {\n    initial location l;\n}\n"
               "component level(output X: int LOW..HIGH = LOW; LOW = 0, HIGH) {\n    initial location l;\n}\n"
               "closed_loop room {\n"
-              "    controller lamp with every_cycle;\n"
+              "    controller lamp every CYCLE..2 * CYCLE with every_cycle;\n"
+              "    constant CYCLE = 10ms;\n"
               "    plant Sensor = sensor(X = LEVEL, HIGH = FULL, HALF = 2 + 2);\n"
               "    plant Level = level(X = LEVEL, HIGH = 9);\n"
               "    environment Button = button(OUT = BUTTON);\n"
@@ -289,6 +290,7 @@ TEST(ReadLoop, BindsArgumentsAndDefaults) {
               "}\n");
     const ClosedLoop& loop = read.loops[{0}];
     EXPECT_EQ(loop.controllers[{0}].mode, ExecutionMode::EveryCycle);
+    EXPECT_EQ(loop.controllers[{0}].cycle, (TaskCycle{10, 20, {}}));
     const ClosedLoop::Instance& sensor = loop.instances[{0}];
     EXPECT_EQ(std::get<std::int64_t>(sensor.arguments[2]), 8);
     EXPECT_EQ(std::get<std::int64_t>(sensor.arguments[3]), 4);

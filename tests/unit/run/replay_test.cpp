@@ -73,7 +73,8 @@ TEST(RandomizedReplay, EveryWalkThroughARandomLoopReplays) {
     for (int seed = 1; seed <= test_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
-        const Model model = random_loop(random);
+        Model model = random_loop(random);
+        if (seed % 3 == 0) add_task_cycles(model, random);
         Diagnostics diagnostics;
         for (const Chart& chart : model.charts) derive(chart, diagnostics);
         if (diagnostics.has_errors()) continue;
@@ -144,6 +145,46 @@ TEST(Replay, DetectsAnOmittedAssignment) {
     // resets only produces additional states.
     EXPECT_GT(mutants, 20);
     EXPECT_GE(caught * 10, mutants * 6) << caught << " of " << mutants;
+}
+
+/// Returns true if a random walk through the network does not replay.
+bool is_caught(const LoopUnderTest& loop) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        if (!error_text(loop, random_walk(loop.network, random, 200)).empty()) return true;
+    }
+    return false;
+}
+
+TEST(Replay, DetectsScansThatViolateTheTaskCycle) {
+    constexpr const char* text = R"(
+        grafcet light {
+            input PART;
+            output L;
+            initial step 0;
+            step 1 { L; }
+            step 2 { L; }
+            transition t0: 0 -> 1 when PART;
+            transition t1: 1 -> 2 when PART;
+            transition t2: 2 -> 0 when 4s/X2 && !PART;
+        }
+        closed_loop light_loop {
+            controller light every 2s..3s;
+            environment Part = free(OUT = PART);
+        })";
+    const LoopUnderTest loop = read_loop(text);
+    const Network::Controller controller = loop.network.controllers[{0}];
+    EXPECT_FALSE(is_caught(loop));
+    LoopUnderTest early = loop, late = loop, blind = loop, torn = loop;
+    for (Network::Edge& edge : plc(early.network).edges) edge.constraint.clear();
+    plc(late.network).locations[controller.waiting].invariant.clear();
+    for (Network::Edge& edge : plc(blind.network).edges)
+        if (!edge.urgent) edge.assignments.erase(edge.assignments.begin());
+    const Network::Assignment again{torn.network.exprs.leaf(Op::Variable, controller.words.held[0].index),
+                                    torn.network.exprs.leaf(Op::Variable, controller.words.inputs[0].variable.index)};
+    auto& fire = plc(torn.network).procedures[controller.fire].assignments;
+    fire.insert(fire.begin(), again);
+    for (const LoopUnderTest* mutant : {&early, &late, &blind, &torn}) EXPECT_TRUE(is_caught(*mutant));
 }
 
 TEST(Replay, ReportsWhereARunViolatesTheRules) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "run/scan_replay.hpp"
+
+#include <fmt/format.h>
+
+namespace grafverif {
+
+ScanReplay::ScanReplay(const ChartRun& run, const ChartRun::Controller& controller)
+    : run_(run), controller_(controller) {}
+
+std::string ScanReplay::pass(std::int64_t milliseconds) {
+    if (!controller_.cycle) return {};
+    if (!is_over_) return "time passes during a scan";
+    since_ms_ += milliseconds;
+    if (since_ms_ <= controller_.cycle->most_ms) return {};
+    return fmt::format("{} ms after the last scan, but the task cycle is at most {} ms", since_ms_,
+                       controller_.cycle->most_ms);
+}
+
+std::string ScanReplay::act(const ChartRun::Act& act, const ChartRun::State& before) {
+    if (!controller_.cycle) return {};
+    if (act.starts || act.scans)
+        if (std::string fault = begin(act, before); !fault.empty()) return fault;
+    if (!act.begins && !act.samples && !act.evolves) return {};
+    if (is_over_) return "an evolution outside the scans of the task cycle";
+    if (!act.samples || controller_.mode == ExecutionMode::EveryCycle) return {};
+    if (act.inputs != inputs_) return "an evolution reads other inputs than those at the start of its scan";
+    return timers_fault(act);
+}
+
+std::string ScanReplay::begin(const ChartRun::Act& act, const ChartRun::State& before) {
+    if (act.scans && !is_over_) return "a scan begins before the last scan has ended";
+    if (act.scans && run_.timed && since_ms_ < controller_.cycle->least_ms)
+        return fmt::format("a scan begins {} ms after the last scan, but the task cycle is at least {} ms", since_ms_,
+                           controller_.cycle->least_ms);
+    if (act.starts && since_ms_ > 0) return "the first scan is not at power-on";
+    since_ms_ = 0;
+    // In mode every-cycle, the first evolution is a complete scan.
+    is_over_ = act.starts && controller_.mode == ExecutionMode::EveryCycle;
+    inputs_.clear();
+    for (const Id<ChartRun::Signal> input : controller_.inputs) inputs_.push_back(before.values[input.index]);
+    timers_.clear();
+    return {};
+}
+
+/// A delay has elapsed if the output of a timer with t1 has become true, or of a timer with t2 has become false.
+std::string ScanReplay::timers_fault(const ChartRun::Act& act) {
+    for (std::size_t k = 0; k < timers_.size(); ++k) {
+        const ChartRun::Timer& timer = run_.timers[controller_.timers[k]];
+        if (timers_[k] == act.timers[k] || (timers_[k] ? timer.fall_ms : timer.rise_ms) == 0) continue;
+        return fmt::format("the delay of the timer of {} elapses during a scan", timer.watched);
+    }
+    timers_ = act.timers;
+    return {};
+}
+
+void ScanReplay::evolved(bool stable) {
+    is_over_ = is_over_ || stable || controller_.mode == ExecutionMode::EveryCycle;
+}
+
+}  // namespace grafverif
