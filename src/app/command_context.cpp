@@ -45,6 +45,23 @@ std::optional<Id<Source>> read_source(const std::string& path, CommandContext& j
     return job.sources.add({path == "-" ? "<standard input>" : path, std::move(*text)});
 }
 
+void remove_task_cycles(Model& model) {
+    for (ClosedLoop& loop : model.loops)
+        for (ClosedLoop::Controller& controller : loop.controllers) controller.cycle.reset();
+}
+
+namespace {
+
+/// Applies `--cycle`. An untimed model of a loop with a task cycle has plant automata unless `--plant` is present.
+void apply_cycle_time(Model& model, Options& options) {
+    if (options.cycle == CycleTime::Zero) return remove_task_cycles(model);
+    for (const ClosedLoop& loop : model.loops)
+        for (const ClosedLoop::Controller& controller : loop.controllers)
+            if (controller.cycle && !options.plant) options.untimed.plant = PlantApproach::Automata;
+}
+
+}  // namespace
+
 std::optional<Model> read_model(const std::string& path, CommandContext& job) {
     const auto file = read_source(path, job);
     return file ? read_model(*file, path, job) : std::nullopt;
@@ -67,7 +84,9 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
     ReadContext context = context_of(reach, job.options.include_folders, job.options.lossy);
     context.load = load;
     context.constants.insert(job.options.constants.begin(), job.options.constants.end());
-    return read_text(file, job.sources, context, job.diagnostics);
+    auto model = read_text(file, job.sources, context, job.diagnostics);
+    if (model) apply_cycle_time(*model, job.options);
+    return model;
 }
 
 namespace {

@@ -75,6 +75,8 @@ private:
 /// standard input, or an inherited descriptor (`/dev/fd/3`). No other function that reads files accepts a pipe.
 std::optional<Id<Source>> read_source(const std::string& path, CommandContext& job);
 
+/// Sets the cycle times of all controllers to zero.
+void remove_task_cycles(Model& model);
 /// Reads and parses the file at `path`, and returns its Model.
 std::optional<Model> read_model(const std::string& path, CommandContext& job);
 /// Parses `file`, which read_source returned for `path`, and returns its Model.

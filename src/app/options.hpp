@@ -26,6 +26,8 @@ namespace grafverif::app {
 enum class Format { Text, Json, JsonLines, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
+/// Cycle time of controllers with a task cycle. Both: the verdicts for a cycle time of zero are compared.
+enum class CycleTime { Task, Zero, Both };
 enum class Target { Both, Uppaal, Nusmv };
 enum class Engine {
     Embedded,
@@ -67,6 +69,7 @@ struct Options {
     std::string stop_output = {};                                   ///< option of `compare`
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
+    CycleTime cycle = CycleTime::Task;
     ScheduleOptions untimed = {};             ///< options of untimed models; its member `mode` is not used
     std::optional<PlantApproach> plant = {};  ///< value of `--plant`, the plant of untimed models
     Target target = Target::Both;
@@ -185,6 +188,8 @@ enum class OptionGroup {
     Chart,
     Mode,
     Grain,
+    Cycle,
+    CycleBoth,
     Untimed,
     Target,
     Questions,

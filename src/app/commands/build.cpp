@@ -92,7 +92,8 @@ CliCommand build_usage() {
          "grafverif build station.grafcet -o models --name station --depfile models/station.d",
          "grafverif build press.grafcet oven.grafcet --all -o models"},
         {OptionGroup::OutputDirectory, OptionGroup::All, OptionGroup::Target, OptionGroup::Loop, OptionGroup::Constants,
-         OptionGroup::Questions, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed, OptionGroup::Format}};
+         OptionGroup::Questions, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Untimed,
+         OptionGroup::Format}};
 }
 
 }  // namespace grafverif::app

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 #include <vector>
 
@@ -101,12 +102,31 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
     return code;
 }
 
+/// Checks the model with cycle time zero, too, and adds a note to each verdict that differs. Returns false after an
+/// error.
+bool compare_with_cycle_zero(Model model, Decided& decided, CommandContext& job, ResourceLimits& bounds,
+                             const Streams& streams) {
+    remove_task_cycles(model);
+    const auto zero = decide(model, job, bounds, false, streams);
+    if (!zero) return false;
+    for (PropertyResult& answer : decided.report.answers) {
+        const auto other = std::ranges::find(zero->report.answers, answer.verdict.property,
+                                             [](const PropertyResult& found) { return found.verdict.property; });
+        if (other != zero->report.answers.end() && other->verdict.outcome != answer.verdict.outcome)
+            answer.verdict.notes.push_back(fmt::format("with cycle time zero: {}", word(other->verdict.outcome)));
+    }
+    return true;
+}
+
 ExitCode check_one(const Model& model, CommandContext& job, ResourceLimits& bounds, const Streams& streams) {
     const Options& requested = job.options;
     const bool witnesses =
         requested.verbose || requested.format == Format::Json || requested.trace_vcd || requested.trace_svg;
-    const auto decided = decide(model, job, bounds, witnesses, streams);
-    return decided ? show(*decided, model, job, bounds, streams) : ExitCode::Input;
+    auto decided = decide(model, job, bounds, witnesses, streams);
+    if (!decided) return ExitCode::Input;
+    const bool compares = requested.cycle == CycleTime::Both && decided->loop.valid();
+    if (compares && !compare_with_cycle_zero(model, *decided, job, bounds, streams)) return ExitCode::Input;
+    return show(*decided, model, job, bounds, streams);
 }
 
 /// Checks a PLC program with the properties of a file.
@@ -196,8 +216,8 @@ CliCommand check_usage() {
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata",
          "grafverif check docs/drive.st --properties docs/drive.yaml"},
         {OptionGroup::Search, OptionGroup::Verdicts, OptionGroup::All, OptionGroup::Loop, OptionGroup::Constants,
-         OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed, OptionGroup::Format,
-         OptionGroup::Traces, OptionGroup::Verbose, OptionGroup::Stats, OptionGroup::Ablations}};
+         OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::CycleBoth, OptionGroup::Untimed,
+         OptionGroup::Format, OptionGroup::Traces, OptionGroup::Verbose, OptionGroup::Stats, OptionGroup::Ablations}};
 }
 
 }  // namespace grafverif::app

@@ -97,7 +97,7 @@ CliCommand uppaal_usage() {
         {"grafverif uppaal samples/oven_door/oven_door.grafcet -o oven_door.xml",
          "grafverif uppaal station.grafcet --mode every-cycle --grain atomic"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Mode,
-         OptionGroup::Grain}};
+         OptionGroup::Grain, OptionGroup::Cycle}};
 }
 
 CliCommand pins_usage() {
@@ -116,7 +116,7 @@ CliCommand pins_usage() {
             {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
              "grafverif pins station.grafcet --grain atomic"},
             {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Mode,
-             OptionGroup::Grain}};
+             OptionGroup::Grain, OptionGroup::Cycle}};
 }
 
 CliCommand nusmv_usage() {
@@ -135,7 +135,7 @@ CliCommand nusmv_usage() {
          "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
          "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
-         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed}};
+         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Untimed}};
 }
 
 CliCommand aiger_usage() {
@@ -152,7 +152,7 @@ CliCommand aiger_usage() {
         {"grafverif aiger samples/tanks/tanks.grafcet -o tanks.aig",
          "grafverif aiger samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
-         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed, OptionGroup::FormatAiger}};
+         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Untimed, OptionGroup::FormatAiger}};
 }
 
 CliCommand btor2_usage() {
@@ -168,7 +168,7 @@ CliCommand btor2_usage() {
         {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
          "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Chart,
-         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed}};
+         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Untimed}};
 }
 
 }  // namespace grafverif::app

@@ -92,7 +92,8 @@ CliCommand report_usage() {
             {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
              "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
             {OptionGroup::Output, OptionGroup::Search, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Chart,
-             OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Untimed, OptionGroup::Sequence, OptionGroup::Date}};
+             OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Untimed, OptionGroup::Sequence,
+             OptionGroup::Date}};
 }
 
 }  // namespace grafverif::app

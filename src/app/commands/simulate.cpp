@@ -367,7 +367,7 @@ CliCommand simulate_usage() {
          "grafverif simulate samples/oven_door/oven_door.grafcet --chart oven_door",
          "grafverif simulate station.grafcet --random 7 --steps 500 --trace-svg walk.svg"},
         {OptionGroup::Walk, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Chart, OptionGroup::Mode,
-         OptionGroup::Grain, OptionGroup::Traces, OptionGroup::Verbose}};
+         OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Traces, OptionGroup::Verbose}};
 }
 
 }  // namespace grafverif::app
