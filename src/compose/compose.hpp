@@ -20,8 +20,8 @@
 // With a task cycle LEAST..MOST, time begins a scan, and EVOL_PL and EVOL_TI do not exist. The clock clk is reset by
 // each edge to W:
 //     W  -> P0 [clk >= LEAST && no timer pending], not urgent; invariant of W: clk <= MOST
-// A scan that searches for stability samples the inputs on this edge, for all its evolutions, and sets `stable` to
-// false; the urgent edge W -> P0 [!stable && no timer pending] continues it. Its timers elapse only while `stable` is
+// A scan that searches for stability samples the inputs on this edge, for all its evolutions; `stable` is false until
+// its end. The urgent edge W -> P0 [!stable && no timer pending] continues it. Its timers elapse only while `stable` is
 // true. The scan at power-on begins with the edge from `init`.
 //
 // All other edges of the cycle are urgent. If the first evolution has an effect, an edge from the location `init` to W

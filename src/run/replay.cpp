@@ -50,14 +50,15 @@ public:
         if (act.samples)
             if (std::string fault = timers_fault(); !fault.empty()) return fault;
         bool writes = act.writes == ChartRun::Act::Writes::Yes;
+        std::optional<bool> stable;
         if (act.starts || act.evolves) {
             evolutions_ += act.evolves ? 1 : 0;
             Evolution result = evolve(chart_, state_, inputs_, timed_, ended(act));
             writes = writes || (act.writes == ChartRun::Act::Writes::IfStable && result.stable);
-            const bool stable = result.stable;
+            if (act.evolves) stable = result.stable;
             if (std::string fault = evolution_fault(act, result, after); !fault.empty() || over_) return fault;
-            if (act.evolves) scans_.evolved(stable);
         }
+        scans_.done(stable, writes);
         if (writes) return outputs_fault(act, after);
         return act.starts ? "" : kept_fault(before, after);
     }

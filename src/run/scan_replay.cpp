@@ -10,6 +10,7 @@ ScanReplay::ScanReplay(const ChartRun& run, const ChartRun::Controller& controll
 
 std::string ScanReplay::pass(std::int64_t milliseconds) {
     if (!controller_.cycle) return {};
+    if (!has_started_) return "time passes before the scan at power-on";
     if (!is_over_) return "time passes during a scan";
     since_ms_ += milliseconds;
     if (since_ms_ <= controller_.cycle->most_ms) return {};
@@ -22,7 +23,7 @@ std::string ScanReplay::act(const ChartRun::Act& act, const ChartRun::State& bef
     if (act.starts || act.scans)
         if (std::string fault = begin(act, before); !fault.empty()) return fault;
     if (!act.begins && !act.samples && !act.evolves) return {};
-    if (is_over_) return "an evolution outside the scans of the task cycle";
+    if (is_over_ || must_write_) return "an evolution outside the scans of the task cycle";
     if (!act.samples || controller_.mode == ExecutionMode::EveryCycle) return {};
     if (act.inputs != inputs_) return "an evolution reads other inputs than those at the start of its scan";
     return timers_fault(act);
@@ -33,7 +34,8 @@ std::string ScanReplay::begin(const ChartRun::Act& act, const ChartRun::State& b
     if (act.scans && run_.timed && since_ms_ < controller_.cycle->least_ms)
         return fmt::format("a scan begins {} ms after the last scan, but the task cycle is at least {} ms", since_ms_,
                            controller_.cycle->least_ms);
-    if (act.starts && since_ms_ > 0) return "the first scan is not at power-on";
+    if (act.starts == has_started_) return "the first scan, and no other, is at power-on";
+    has_started_ = true;
     since_ms_ = 0;
     // In mode every-cycle, the first evolution is a complete scan.
     is_over_ = act.starts && controller_.mode == ExecutionMode::EveryCycle;
@@ -54,8 +56,11 @@ std::string ScanReplay::timers_fault(const ChartRun::Act& act) {
     return {};
 }
 
-void ScanReplay::evolved(bool stable) {
-    is_over_ = is_over_ || stable || controller_.mode == ExecutionMode::EveryCycle;
+void ScanReplay::done(std::optional<bool> stable, bool writes) {
+    must_write_ = must_write_ || (stable && (*stable || controller_.mode == ExecutionMode::EveryCycle));
+    if (!must_write_ || !writes) return;
+    must_write_ = false;
+    is_over_ = true;
 }
 
 }  // namespace grafverif

@@ -175,7 +175,7 @@ TEST(Replay, DetectsScansThatViolateTheTaskCycle) {
     const LoopUnderTest loop = read_loop(text);
     const Network::Controller controller = loop.network.controllers[{0}];
     EXPECT_FALSE(is_caught(loop));
-    LoopUnderTest early = loop, late = loop, blind = loop, torn = loop;
+    LoopUnderTest early = loop, late = loop, blind = loop, torn = loop, slow = loop;
     for (Network::Edge& edge : plc(early.network).edges) edge.constraint.clear();
     plc(late.network).locations[controller.waiting].invariant.clear();
     for (Network::Edge& edge : plc(blind.network).edges)
@@ -184,7 +184,9 @@ TEST(Replay, DetectsScansThatViolateTheTaskCycle) {
                                     torn.network.exprs.leaf(Op::Variable, controller.words.inputs[0].variable.index)};
     auto& fire = plc(torn.network).procedures[controller.fire].assignments;
     fire.insert(fire.begin(), again);
-    for (const LoopUnderTest* mutant : {&early, &late, &blind, &torn}) EXPECT_TRUE(is_caught(*mutant));
+    for (Network::Edge& edge : plc(slow.network).edges)  // the outputs may be written later
+        if (edge.calls == std::vector{controller.write}) edge.urgent = false;
+    for (const LoopUnderTest* mutant : {&early, &late, &blind, &torn, &slow}) EXPECT_TRUE(is_caught(*mutant));
 }
 
 TEST(Replay, ReportsWhereARunViolatesTheRules) {
