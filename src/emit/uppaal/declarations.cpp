@@ -94,8 +94,11 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
     out << "// Grain: " << grain_text(network.grain) << ".\n"
         << "// Time unit: " << duration_text(network.time_unit_ms) << ".\n"
         << (network.constants.empty() ? "" : "// Constants: " + constants_text(network.constants) + ".\n")
-        << "// Assumed: a PLC cycle takes no time; no time passes while the guard of an edge with `" << names.channel
-        << "!` holds.\n";
+        << "// Assumed: a PLC cycle takes no time"
+        << (std::ranges::any_of(network.controllers, [](const auto& each) { return each.words.cycle.has_value(); })
+                ? ", and a clock begins the scans of a task cycle"
+                : "")
+        << "; no time passes while the guard of an edge with `" << names.channel << "!` holds.\n";
     for (const auto& [property, reason] : inexpressible(network))
         out << "// Property " << network.properties[property].name << " is omitted: " << reason << ".\n";
     if (!names.changed.empty()) out << "// Names that are not valid in UPPAAL:\n";

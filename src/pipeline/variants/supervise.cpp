@@ -17,6 +17,7 @@
 #include "report/trace_rows.hpp"
 #include "run/project.hpp"
 #include "support/element_of.hpp"
+#include "support/messages.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {
@@ -379,6 +380,12 @@ private:
 
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
                                      const SuperviseRequest& request, Diagnostics& diagnostics) {
+    // The permissions would be held for a scan, but the supervisor chooses them for each evolution.
+    const std::size_t errors = diagnostics.errors();
+    for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
+        if (controller.cycle)
+            diagnostics.add(messages::not_yet(controller.cycle->origin, "a task cycle in `supervise`"));
+    if (diagnostics.errors() != errors) return {};
     return Supervising(model, loop, main, sources, request, diagnostics).run();
 }
 
