@@ -100,8 +100,8 @@ std::vector<std::string> assumptions(const PageContent& content) {
         sentences.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");
     if (settings.mode == word(ExecutionMode::StabilitySearch))
         sentences.push_back(
-            "Stability search: the PLC reads its inputs, evolves until the situation is stable, and then writes its "
-            "outputs.");
+            "Stability search: the PLC reads its inputs before each evolution, and writes its outputs when the situation "
+            "is stable.");
     else if (settings.mode == word(ExecutionMode::EveryCycle))
         sentences.push_back("Every cycle: the PLC makes one evolution per cycle and writes its outputs in each cycle.");
     else sentences.push_back(fmt::format("Modes of the controllers: {}.", settings.mode));
