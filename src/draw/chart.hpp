@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // drawing_of: creates the drawing of a chart. Partial charts are placed next to each other; a partial chart with a name
 // has a frame with this name. The layout of each partial chart is computed separately, in the stages Flow, Order,
-// Blocks, Columns and Routes. Equal charts have equal drawings. The cost is linear in the size of the chart.
+// Blocks, Columns (x) and Routes (y and lines). Equal charts have equal drawings. The cost is linear in the size of the
+// chart.
 #pragma once
 
 #include "draw/chart_text.hpp"

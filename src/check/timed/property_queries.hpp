@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Property queries: compiles the properties of a network to code and monitors before the search, and computes their
-// verdicts after it.
+// Property queries: compiles the properties of a network to code and monitors before the search (property_queries.cpp),
+// and computes their verdicts after it (answers.cpp).
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// layout: computes positions of nodes, links and labels of a small drawing, such as an automaton in an editor.
+// layout: computes positions of nodes, links and labels of a small drawing, such as an automaton in an editor. Drawings
+// of charts have a separate layout (draw/).
 //
 // Nodes are placed on a line if the links form a path, otherwise on an ellipse, in an order that keeps links short.
 // Links between the same two nodes run in parallel lanes. Loops are petals that point into the widest gap around their
