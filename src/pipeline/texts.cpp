@@ -25,6 +25,16 @@ std::string written(Write write) {
     return std::move(out).str();
 }
 
+/// Warns about each property that the system or the format `target` cannot express.
+void report_omitted(const TransitionSystem& system, const std::vector<NotInCircuit>& left_out, std::string_view target,
+                    Diagnostics& diagnostics) {
+    const auto report = [&](const Property& property, const std::string& reason) {
+        diagnostics.add(messages::not_expressible(property.origin, property.name, target, reason));
+    };
+    for (const NotInCircuit& each : left_out) report(system.properties[each.about], each.reason);
+    for (const TransitionSystem::Omitted& omitted : system.omitted) report(omitted.property, omitted.reason);
+}
+
 }  // namespace
 
 UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
@@ -67,13 +77,7 @@ std::string svg_of(const Drawing& drawing) {
 AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics) {
     FlatSystem flat = flattened(system);
     const auto [circuit, left_out] = circuit_of(system, flat);
-    for (const NotInCircuit& each : left_out) {
-        const Property& property = system.properties[each.about];
-        diagnostics.add(messages::not_expressible(property.origin, property.name, "AIGER", each.reason));
-    }
-    for (const TransitionSystem::Omitted& omitted : system.omitted)
-        diagnostics.add(
-            messages::not_expressible(omitted.property.origin, omitted.property.name, "AIGER", omitted.reason));
+    report_omitted(system, left_out, "AIGER", diagnostics);
     const std::vector<aiger::AigerProperty> questions = aiger::queries_of(system, flat, circuit);
     aiger::AigerText model = aiger::written(circuit, questions, form, aiger::Extent::Whole);
     std::string map = aiger::map_of(system, flat, circuit, model);
@@ -82,19 +86,14 @@ AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnos
 
 std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics) {
     btor2::Btor2Text model = btor2::written(system);
-    for (const NotInCircuit& each : model.omitted) {
-        const Property& property = system.properties[each.about];
-        diagnostics.add(messages::not_expressible(property.origin, property.name, "BTOR2", each.reason));
-    }
+    report_omitted(system, model.omitted, "BTOR2", diagnostics);
     return std::move(model.text);
 }
 
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {
     if (!fits(system, "NuSMV", diagnostics)) return {};
     const TransitionSystem narrow = nusmv::narrow(system);
-    for (const TransitionSystem::Omitted& omitted : narrow.omitted)
-        diagnostics.add(
-            messages::not_expressible(omitted.property.origin, omitted.property.name, "NuSMV", omitted.reason));
+    report_omitted(narrow, {}, "NuSMV", diagnostics);
     return written([&](std::ostream& out) { nusmv::emit(narrow, out); });
 }
 

@@ -53,6 +53,14 @@ std::optional<TransitionSystem> untimed_model(CommandContext& job) {
     return loop && keep_requested(model->loops[*loop], job) ? transition_system_of(*model, *loop, job) : std::nullopt;
 }
 
+/// Returns the untimed model for AIGER or BTOR2. If the model declares no property, the model contains
+/// a query for each step.
+std::optional<TransitionSystem> queried_model(CommandContext& job) {
+    auto system = untimed_model(job);
+    if (system && (job.options.chart || (system->properties.empty() && system->omitted.empty()))) query_steps(*system);
+    return system;
+}
+
 }  // namespace
 
 ExitCode nusmv(CommandContext& job, const Streams& streams) {
@@ -64,9 +72,8 @@ ExitCode nusmv(CommandContext& job, const Streams& streams) {
 }
 
 ExitCode aiger(CommandContext& job, const Streams& streams) {
-    auto system = untimed_model(job);
+    const auto system = queried_model(job);
     if (!system) return ExitCode::Input;
-    if (job.options.chart || system->properties.empty()) query_steps(*system);
     const std::string output = job.options.output.value_or("-");
     const bool binary = job.options.binary.value_or(output.ends_with(".aig"));
     AigerModel model = aiger_model(*system, binary ? aiger::Form::Binary : aiger::Form::Ascii, job.diagnostics);
@@ -77,9 +84,8 @@ ExitCode aiger(CommandContext& job, const Streams& streams) {
 }
 
 ExitCode btor2(CommandContext& job, const Streams& streams) {
-    auto system = untimed_model(job);
+    const auto system = queried_model(job);
     if (!system) return ExitCode::Input;
-    if (job.options.chart || system->properties.empty()) query_steps(*system);
     const std::string text = btor2_model(*system, job.diagnostics);
     if (!job.diagnostics.has_errors()) deliver(text, job, streams);
     return ExitCode::Done;

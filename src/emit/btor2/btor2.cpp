@@ -242,6 +242,8 @@ public:
         for (const Id<Property> id : system_.properties.ids()) add_query(id);
         for (const auto& [name, condition] : leaks_) bad(condition, name);
         if (!system_.constants.empty()) result_.text = "; constants: " + constants_text(system_.constants) + "\n";
+        for (const NotInCircuit& each : result_.omitted) add_omitted(system_.properties[each.about], each.reason);
+        for (const TransitionSystem::Omitted& each : system_.omitted) add_omitted(each.property, each.reason);
         result_.text += std::move(lines_).text();
         return std::move(result_);
     }
@@ -334,6 +336,10 @@ private:
         }
         for (const Word& operand : operands)
             if (operand.undefined != 0) bad(now_.both(here, operand.undefined), property.name + ".has_no_value");
+    }
+
+    void add_omitted(const Property& property, const std::string& reason) {
+        result_.text += "; property " + property.name + " is omitted: " + reason + "\n";
     }
 
     Line exactly_one(const std::vector<Word>& operands) {

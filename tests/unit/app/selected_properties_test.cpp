@@ -62,6 +62,22 @@ TEST(SelectedProperties, PropertiesAloneAreInAModelThatIsWritten) {
     }
 }
 
+TEST(SelectedProperties, EveryUntimedModelWarnsAboutASelectedPropertyThatItCannotExpress) {
+    const Folder folder;
+    std::string text = asked_of;
+    text.insert(text.rfind('}'), "    property grapes: never X0 && Button in idle;\n");
+    const std::string file = folder.write("room.grafcet", text);
+    for (const char* verb : {"nusmv", "aiger", "btor2"}) {
+        SCOPED_TRACE(verb);
+        const Result result = grafverif({verb, file, "--property", "grapes"});
+        EXPECT_EQ(result.code, ExitCode::Done);
+        EXPECT_NE(result.err.find("property `grapes` is omitted from the "), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("[not-expressible]"), std::string::npos) << result.err;
+        EXPECT_EQ(result.out.find("reachable.X"), std::string::npos) << "no unrequested property";
+        EXPECT_EQ(result.out.find("grapes") == std::string::npos, verb == std::string("aiger")) << "no comment";
+    }
+}
+
 TEST(SelectedProperties, OnlySelectedPropertiesAreBuilt) {
     const Folder folder;
     const std::string file = folder.write("room.grafcet", asked_of), out = folder.file("out");
