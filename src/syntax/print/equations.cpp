@@ -40,7 +40,7 @@ void write_sections(const Equations& equations, Writer& writer) {
         for (const Equations::Firing& firing : equations.firings) writer.line(firing.variable, firing.condition);
         writer.close();
     }
-    writer.title("(b) Steps activities");
+    writer.title("(b) Step activities");
     for (const Equations::StepActivity& step : equations.steps) writer.line(step.variable, step.next);
     writer.close();
     if (!equations.stored.empty()) {
@@ -77,7 +77,7 @@ void write_sections(const Equations& equations, Writer& writer) {
         writer.close();
     }
     if (equations.timers.empty() && equations.outputs.empty()) return;
-    writer.title("(c) Outputs values");
+    writer.title("(c) Output values");
     for (const Equations::ObservedTerm& watch : equations.watches) writer.line(watch.variable, watch.value);
     for (const Equations::Timer& timer : equations.timers) writer.timer(timer);
     for (const Equations::Output& output : equations.outputs) writer.line(output.variable, output.value);

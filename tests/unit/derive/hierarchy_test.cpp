@@ -27,7 +27,7 @@ CF_t1 = X_1 and a
 CF_t2 = X_E_11 and b
 CF_e1 = X_E_10 and a
 
-(b) Steps activities
+(b) Step activities
 X_1 = CF_t2 or (X_1 and not CF_t1)
 X_M = CF_t1 or (X_E_10 and not CF_e1) or CF_e1 or (X_E_11 and not CF_t2)
 X_E_10 = CF_t1 or (X_E_10 and not CF_e1)
@@ -47,7 +47,7 @@ CF_t2 = X_6 and b
 CF_g1 = X_G_20 and a
 CF_g2 = X_6 and b
 
-(b) Steps activities
+(b) Step activities
 X_1 = CF_t2 or (X_1 and not CF_t1)
 X_6 = CF_t1 or (X_6 and not CF_t2)
 X_G_20 = (CF_t1 or (X_6 and not CF_t2)) and (CF_g2 or (X_G_20 and not CF_g1) or (CF_t1 and not X_6))
@@ -66,7 +66,7 @@ CF_t1 = X_1 and a
 CF_t2 = X_3 and a
 CF_g1 = X_G_20 and not X_2 and not X_4 and a
 
-(b) Steps activities
+(b) Step activities
 X_1 = X_1 and not CF_t1
 X_2 = CF_t1 or X_2
 X_3 = X_3 and not CF_t2

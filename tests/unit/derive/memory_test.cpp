@@ -26,7 +26,7 @@ TEST(Memory, AnEdgeComparesWithThePreviousValue) {
 CF_t0 = X_1 and a and not P_a
 CF_t1 = X_2 and ((P_a and not a) or (X_2 and not P_X_2))
 
-(b) Steps activities
+(b) Step activities
 X_1 = CF_t1 or (X_1 and not CF_t0)
 X_2 = CF_t0 or (X_2 and not CF_t1)
 
@@ -53,10 +53,10 @@ TEST(Memory, ATimeOverAnythingButAStepWatchesItsLevel) {
 (a) Firing conditions
 CF_t0 = X_1 and a and T_a_3s_Q and (a or T_a_0s_2s_Q) and T_2_1s_2s_Q
 
-(b) Steps activities
+(b) Step activities
 X_1 = X_1 and not CF_t0
 
-(c) Outputs values
+(c) Output values
 V_a = a
 V_2 = a and b
 T_X1_2s_4s = X_1
@@ -78,7 +78,7 @@ TEST(Memory, EventsAndClearingTriggerStoredActions) {
 (a) Firing conditions
 CF_t0 = X_1 and N == 3
 
-(b) Steps activities
+(b) Step activities
 X_1 = CF_t0 or (X_1 and not CF_t0)
 
 (s) Stored actions

@@ -72,7 +72,7 @@ CF_T21 = X_21 and H_OUT
 CF_T22 = X_22 and T_X22_5s_Q
 CF_T23 = X_23 and H_IN
 
-(b) Steps activities
+(b) Step activities
 X_0 = CF_T12 or CF_T23 or (X_0 and not CF_T0)
 X_1 = CF_T0 or (X_1 and not CF_T1)
 X_2 = CF_T1 or (X_2 and not CF_T2)
@@ -88,7 +88,7 @@ X_21 = CF_T20 or (X_21 and not CF_T21)
 X_22 = CF_T21 or (X_22 and not CF_T22)
 X_23 = CF_T22 or (X_23 and not CF_T23)
 
-(c) Outputs values
+(c) Output values
 T_X2_3s = X_2
 T_X10_5s = X_10
 T_X22_5s = X_22
@@ -116,7 +116,7 @@ TEST(PrintEquations, HaveASectionForStoredActions) {
 CF_t0 = X_1 and a
 CF_t1 = X_2 and T_X2_500ms_Q
 
-(b) Steps activities
+(b) Step activities
 X_1 = CF_t1 or (X_1 and not CF_t0)
 X_2 = CF_t0 or (X_2 and not CF_t1)
 
@@ -130,7 +130,7 @@ N = 1
 (s) Stored actions, races: two actions would store different values
 N = CF_t1 and not X_1 and CF_t0 and not X_2 and 1 != N + 1
 
-(c) Outputs values
+(c) Output values
 T_X2_500ms = X_2
 O = X_1 and N > 0
 )");
