@@ -393,7 +393,7 @@ AutomatonModule automaton_module(const AutomatonContext& context, Id<Network::Pr
     if (clocks)
         made.can_move = draft.define("can_move", exprs.disjunction(taken.guards), "true if an edge can be taken");
     made.must_move = draft.define("must_move", exprs.disjunction(urgent), "true if an urgent edge can be taken");
-    made.stays = draft.define("stays", draft.is(made.edge, 0));
+    made.stays = draft.define("stays", draft.is(made.edge, 0), "true if the automaton takes no edge");
     made.out_of_range = out_of_range(draft, std::move(taken.faults));
     add_transitions(declared, taken.guards, made);
     if (context.fairness) made.movements = movements(declared);

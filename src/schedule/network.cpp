@@ -70,11 +70,12 @@ void wire_moves(const PlantInstances& plant, const MoveChoice& move, bool discre
     Main& main = plant.main;
     const Network& network = plant.context.network;
     Signals signals;
+    constexpr const char* turns = "turns, the parameter `turn` of the modules: true if the process moves in this step";
     for (const Id<Network::Process> process : network.processes.ids())
         signals.turns.push_back(
-            main.draft.define(network.processes[process].name + "_moves", move.of(main, process.index), "turns"));
+            main.draft.define(network.processes[process].name + "_moves", move.of(main, process.index), turns));
     if (discrete) {
-        signals.tick = main.draft.define("tick", move.of_time(main), "turns");
+        signals.tick = main.draft.define("tick", move.of_time(main), "true if a unit of time passes in this step");
         main.system.ticks = main.draft.leaf(signals.tick);
         main.system.tick_ms = network.time_unit_ms;
     }

@@ -38,7 +38,7 @@ PlantInstances::PlantInstances(Main& in, AutomatonContext laid_out, std::vector<
         if (variables[id.index].valid() || variable.scratch) continue;
         const Id<Expr> initial = literal(main.system.exprs, variable.type, variable.initial);
         variables[id.index] = main.draft.add(variable.name, variable.type, System::DefineSymbol{initial},
-                                             "variables of all", variable.origin);
+                                             "shared variables", variable.origin);
     }
 }
 

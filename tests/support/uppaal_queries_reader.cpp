@@ -14,7 +14,7 @@ void QueryReader::read(pugi::xml_node queries) {
                           outcome = query.child("expect").attribute("outcome").value();
         const bool fails = holds(comment.substr(comment.find('\n')), "not satisfied");
         const bool agrees =
-            outcome.empty() ? fails && holds(comment, "every step") : outcome == (fails ? "failure" : "success");
+            outcome.empty() ? fails && holds(comment, "this step") : outcome == (fails ? "failure" : "success");
         if (!agrees) throw std::runtime_error("comment and expected outcome differ: " + comment);
         read_query(query.child_value("formula"), comment);
     }
@@ -31,7 +31,7 @@ void QueryReader::read_query(const std::string& formula, const std::string& comm
     if (remarks.starts_with("as written; ")) {
         property.pattern = Pattern::RawUppaal;
         property.raw = formula;
-    } else if (remarks.starts_with("every step; ")) {
+    } else if (remarks.starts_with("this step can become active; ")) {
         property.pattern = Pattern::ReachableAllSteps;
         property.name.erase(property.name.find('.'));
         cursor.expect("E<>");

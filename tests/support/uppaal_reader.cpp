@@ -363,7 +363,8 @@ private:
         std::string owner;
         while (!cursor.accept("system")) {
             if (cursor.peek().kind == Token::Kind::Comment) {
-                std::string heading = cursor.take().text;
+                const std::string heading = cursor.take().text;
+                if (heading.find(" = ") != std::string::npos) continue;  // durations of the process before
                 const std::size_t of = heading.find(" of ");
                 owner = of == std::string::npos ? "" : heading.substr(of + 4);
                 kind = kinds.at(heading.substr(0, of));

@@ -233,8 +233,14 @@ void print_header(std::ostream& out, const System& system, const Names& names) {
     if (names.changed.empty()) return;
     out << "--\n"
            "-- names that are not valid in NuSMV\n";
+    std::vector<Names::Changed> scopes;  // a scope for each list of changes
     for (const Names::Changed& scope : names.changed) {
-        out << "--   " << scope.scope << ":\n";
+        const auto same = std::ranges::find(scopes, scope.renamings, &Names::Changed::renamings);
+        if (same == scopes.end()) scopes.push_back(scope);
+        else same->scope += ", " + scope.scope;
+    }
+    for (const Names::Changed& scope : scopes) {
+        print_comment(out, "  " + scope.scope + ":");
         for (const Renaming& renaming : scope.renamings)
             out << "--     " << renaming.name << " is " << renaming.legal << '\n';
     }

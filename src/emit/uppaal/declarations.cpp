@@ -99,33 +99,82 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
                 ? ", and a clock begins the scans of a task cycle"
                 : "")
         << "; no time passes while the guard of an edge with `" << names.channel << "!` holds.\n";
+    if (std::ranges::find(network.properties, Pattern::NoTimelock, &Property::pattern) == network.properties.end())
+        out << "// Not part of this project: `no timelock`, which UPPAAL cannot express; `grafverif check` decides "
+               "it.\n";
     for (const auto& [property, reason] : inexpressible(network))
         out << "// Property " << network.properties[property].name << " is omitted: " << reason << ".\n";
     if (!names.changed.empty()) out << "// Names that are not valid in UPPAAL:\n";
     for (const auto& [name, legal] : names.changed) out << "//   " << name << " is renamed to " << legal << "\n";
 }
 
-void write_variable(std::ostream& out, const Network::Variable& variable, const std::string& name) {
-    if (variable.scratch) out << "meta ";
-    out << type_text(variable.type) << ' ' << name;
-    if (variable.initial != 0) out << " = " << value_text(variable.type, variable.initial);
-    out << ";\n";
+/// Returns the meaning of a variable that only observers of properties need: the location of a process, or the turn of
+/// the observers. Empty for all other variables.
+std::string observation_text(const Network& network, const Names& names, Id<Network::Variable> id) {
+    const Network::Variable& variable = network.variables[id];
+    if (variable.role != Role::Flag || variable.type.boolean) return {};
+    for (const Id<Network::Process> process : network.processes.ids()) {
+        const auto& arguments = network.processes[process].arguments;
+        if (std::ranges::find(arguments, Network::Argument(id)) == arguments.end()) continue;
+        std::string text = "location of " + names.processes[process.index] + ":";
+        const auto& locations = names.locals[network.processes[process].automaton.index].locations;
+        for (std::size_t k = 0; k < locations.size(); ++k)
+            text += (k == 0 ? " " : ", ") + std::to_string(k) + " " + locations[k];
+        return text;
+    }
+    return "0: the loop moves; k: observer k reads the state";
 }
 
-std::optional<Role> role_of(const Network& network, const Network::Assignment& assignment) {
+void write_variable(std::ostream& out, const Network& network, const Names& names, Id<Network::Variable> id) {
+    const Network::Variable& variable = network.variables[id];
+    if (variable.scratch) out << "meta ";
+    out << type_text(variable.type) << ' ' << names.variables[id.index];
+    if (variable.initial != 0) out << " = " << value_text(variable.type, variable.initial);
+    out << ';';
+    if (const std::string text = observation_text(network, names, id); !text.empty()) out << "  // " << text;
+    out << '\n';
+}
+
+/// Returns the controller whose cycle is the template; null if there is none.
+const Network::Controller* controller_of(const Network& network, Id<Network::Template> automaton) {
+    for (const Network::Controller& controller : network.controllers)
+        if (network.processes[controller.process].automaton == automaton) return &controller;
+    return nullptr;
+}
+
+/// Returns a heading for an assignment in a procedure of the controller; empty if the target has no role.
+std::string_view heading_of(const Network& network, const Network::Controller* controller,
+                            Id<Network::Procedure> procedure, const Network::Assignment& assignment) {
     const Expr& target = network.exprs[assignment.target];
     if (target.op != Op::Variable) return {};
-    return network.variables[{static_cast<std::uint32_t>(target.value)}].role;
+    const Id<Network::Variable> variable{static_cast<std::uint32_t>(target.value)};
+    const Role role = network.variables[variable].role;
+    const bool is_temporary = role == Role::FiringCondition || role == Role::Sample;
+    if (controller != nullptr && variable == controller->stable) return "true if another cycle would change nothing";
+    if (controller != nullptr && procedure == controller->evolve && is_temporary)
+        return "reset: not read before the next cycle";
+    return title(role);
+}
+
+std::string_view purpose(const Network::Controller& controller, Id<Network::Procedure> procedure) {
+    if (procedure == controller.start) return "the first evolution, after power-on";
+    if (procedure == controller.fire) return "samples the inputs: the firing conditions";
+    if (procedure == controller.evolve) return "one evolution: the new situation and stored values";
+    return procedure == controller.write ? "the outputs of the new situation" : "";
 }
 
 void write_procedure(std::ostream& out, const Network& network, const Terms& terms, const std::string& name,
-                     const Network::Procedure& procedure) {
-    out << "\nvoid " << name << "() {\n";
-    std::optional<Role> section;
-    for (const Network::Assignment& assignment : procedure.assignments) {
-        const std::optional<Role> role = role_of(network, assignment);
-        if (role && role != section) out << "    // " << title(*role) << '\n';
-        section = role;
+                     const Network::Controller* controller, Id<Network::Template> automaton,
+                     Id<Network::Procedure> id) {
+    out << '\n';
+    if (controller != nullptr)
+        if (const std::string_view text = purpose(*controller, id); !text.empty()) out << "// " << text << '\n';
+    out << "void " << name << "() {\n";
+    std::string_view section;
+    for (const Network::Assignment& assignment : network.templates[automaton].procedures[id].assignments) {
+        const std::string_view heading = heading_of(network, controller, id, assignment);
+        if (!heading.empty() && heading != section) out << "    // " << heading << '\n';
+        section = heading;
         out << "    ";
         terms.write_statement(out, assignment);
         out << '\n';
@@ -142,6 +191,44 @@ std::string parameters_of_kind(const Network::Template& automaton, const LocalNa
         text += text.empty() ? std::string(verb) + ' ' : ", ";
         text += names.parameters[id.index];
     }
+    return text;
+}
+
+/// Returns the meaning of the locations of a cycle with several phases, such as `W: between two cycles`.
+std::string phases_text(const Network& network, const LocalNames& names, const Network::Controller& controller) {
+    const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
+    std::string text = names.locations[controller.waiting.index] + ": between two cycles";
+    for (const Network::Edge& edge : automaton.edges) {
+        if (edge.to == controller.waiting) continue;
+        const auto calls = [&](Id<Network::Procedure> procedure) {
+            return std::ranges::find(edge.calls, procedure) != edge.calls.end();
+        };
+        const std::string_view phase = calls(controller.fire)     ? "the inputs are sampled"
+                                       : calls(controller.evolve) ? "the evolution is made"
+                                       : edge.calls.empty() && edge.from == controller.waiting ? "a cycle has begun"
+                                                                                               : "";
+        if (!phase.empty()) text += "; " + names.locations[edge.to.index] + ": " + std::string(phase);
+    }
+    return text;
+}
+
+/// Returns the durations among the arguments of a process, such as `TRAVEL = 2s`: the constants that are bounds of
+/// clocks.
+std::string durations_text(const Network& network, const LocalNames& names, const Network::Process& process) {
+    const Network::Template& automaton = network.templates[process.automaton];
+    std::vector<bool> is_duration(automaton.parameters.size());
+    const auto note = [&](const std::vector<Network::ClockConstraint>& constraints) {
+        for (const Network::ClockConstraint& constraint : constraints)
+            if (const Expr& bound = network.exprs[constraint.bound]; bound.op == Op::Parameter)
+                is_duration[static_cast<std::size_t>(bound.value)] = true;
+    };
+    for (const Network::Location& location : automaton.locations) note(location.invariant);
+    for (const Network::Edge& edge : automaton.edges) note(edge.constraint);
+    std::string text;
+    for (const Id<Network::Parameter> id : automaton.parameters.ids())
+        if (const auto* units = std::get_if<std::int64_t>(&process.arguments[id.index]); units && is_duration[id.index])
+            text += (text.empty() ? "" : ", ") + names.parameters[id.index] + " = " +
+                    duration_text(*units * network.time_unit_ms);
     return text;
 }
 
@@ -189,7 +276,7 @@ void write_global_declarations(std::ostream& out, const Network& network, const 
             if (variable.role != role) continue;
             if (!any) out << "\n// " << title(role) << '\n';
             any = true;
-            write_variable(out, variable, names.variables[id.index]);
+            write_variable(out, network, names, id);
         }
     }
 }
@@ -214,10 +301,13 @@ void write_template_declarations(std::ostream& out, const Network& network, cons
     if (!summary.empty() && !written.empty()) summary += "; ";
     summary += written;
     if (!summary.empty()) out << "// " << summary << '\n';
+    const Network::Controller* const controller = controller_of(network, automaton);
+    if (controller != nullptr && entity.locations.size() > 1)
+        out << "// " << phases_text(network, local, *controller) << '\n';
     for (const std::string& clock : local.clocks) out << "clock " << clock << ";\n";
     const Terms terms(network, names, automaton);
     for (const Id<Network::Procedure> id : entity.procedures.ids())
-        write_procedure(out, network, terms, local.procedures[id.index], entity.procedures[id]);
+        write_procedure(out, network, terms, local.procedures[id.index], controller, automaton, id);
     for (const auto& [name, body] : guards) {
         out << "\nbool " << name << "() {\n";
         std::string_view lead = "    return ";
@@ -244,7 +334,8 @@ void write_system(std::ostream& out, const Network& network, const Names& names)
             if (parameter.index != 0) out << ", ";
             out << argument_text(names, automaton.parameters[parameter].type, process.arguments[parameter.index]);
         }
-        out << ");\n";
+        const std::string durations = durations_text(network, names.locals[process.automaton.index], process);
+        out << ");" << (durations.empty() ? "" : "  // " + durations) << '\n';
     }
     out << '\n';
     write_system_line(out, names.processes);

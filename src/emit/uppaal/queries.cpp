@@ -69,7 +69,8 @@ private:
         }
         if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, id);
         const bool satisfied = !property.expected_violated;
-        const std::string outcome = satisfied ? "expected: satisfied" : "expected: not satisfied";
+        const std::string outcome =
+            satisfied ? "declared in the file: satisfied" : "declared in the file: not satisfied";
         const std::string comment = headline(property, property.name) + '\n' + std::string(remark(property)) + outcome;
         list.push_back({id, property.name, formula(property), comment, satisfied});
     }
@@ -96,13 +97,14 @@ private:
     void add_steps(std::vector<Query>& list, Id<Property> id) {
         const Property& property = network_.properties[id];
         const bool satisfied = !property.expected_violated;
-        const std::string outcome = satisfied ? "expected: satisfied" : "expected for at least one step: not satisfied";
+        const std::string outcome =
+            satisfied ? "declared in the file: satisfied" : "declared in the file: not satisfied for at least one step";
         for (const Id<Network::Variable> step : steps(property)) {
             const std::string name = property.name + '.' + step_variable_name(network_, step);
-            list.push_back({id, name,
-                            "E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
-                            headline(property, name) + "\nevery step; " + std::string(remark(property)) + outcome,
-                            satisfied ? std::optional(true) : std::nullopt});
+            list.push_back(
+                {id, name, "E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
+                 headline(property, name) + "\nthis step can become active; " + std::string(remark(property)) + outcome,
+                 satisfied ? std::optional(true) : std::nullopt});
         }
     }
 

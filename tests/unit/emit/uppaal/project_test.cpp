@@ -110,7 +110,7 @@ TEST(UppaalProject, PutsALongGuardIntoAFunction) {
 
 TEST(UppaalProject, ListsProcessesByKind) {
     const std::string xml = test::project(test::station());
-    EXPECT_TRUE(holds(xml, "<system>// plant\nH_Act = cylinder_5_3(GO_IN, GO_OUT, H, 0, 20, 2, 1);\n"));
+    EXPECT_TRUE(holds(xml, "<system>// plant\nH_Act = cylinder_5_3(GO_IN, GO_OUT, H, 0, 20, 2, 1);  // STEP = 1s\n"));
     EXPECT_TRUE(holds(xml,
                       "\n// environment\nStart = push_button(START, EVOL_PL);\n\n// controller\nhandling = "
                       "plc_cycle();\n\n// timers\n"));
