@@ -72,6 +72,13 @@ const Span* origin_of_instance(const ReportSource& written, std::string_view nam
     return found == instances.end() ? nullptr : &found->origin;
 }
 
+/// Returns the position of the instance whose component contains the constraint `property`, such as
+/// `Door_constraint_1`; null if there is none.
+const Span* origin_of_constraint(const ReportSource& written, std::string_view property) {
+    const std::size_t name = property.rfind("_constraint_");
+    return name == std::string_view::npos ? nullptr : origin_of_instance(written, property.substr(0, name));
+}
+
 }  // namespace
 
 Span origin(const ReportSource& written) {
@@ -80,7 +87,9 @@ Span origin(const ReportSource& written) {
 }
 
 Span origin(const ReportSource& written, const Verdict& verdict) {
-    return is_of_files(written, verdict.origin) ? verdict.origin : origin(written);
+    if (is_of_files(written, verdict.origin)) return verdict.origin;
+    const Span* const instance = origin_of_constraint(written, verdict.property);
+    return instance != nullptr ? *instance : origin(written);
 }
 
 Span origin(const ReportSource& written, const ChartRun& run, std::size_t index) {

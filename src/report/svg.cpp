@@ -83,7 +83,8 @@ public:
                    group("outputs", columns_, run, ChartRun::Role::Output),
                    group("internals", columns_, run, ChartRun::Role::Internal),
                    group("plant", columns_, run, ChartRun::Role::Plant), steps(run, columns_)};
-        foot_.push_back("Each column is an event of any duration; a time is shown where it advances.");
+        foot_.push_back(
+            "Columns are events; the width of a column is not a duration. A time is shown where it advances.");
         if (columns_.size() < shown.size() && !columns_.empty())
             foot_.push_back(fmt::format("Events {} to {} of {}.", events_.front(), events_.back(), last));
         drop_idle();

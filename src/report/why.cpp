@@ -26,7 +26,7 @@ constexpr std::array kinds = {ProofExplanation::Kind::Transition, ProofExplanati
                               ProofExplanation::Kind::Term, ProofExplanation::Kind::Guard,
                               ProofExplanation::Kind::Edge};
 
-/// Maximum number of undecided elements of one type that are listed by name.
+/// Maximum number of undecided elements of one type that are listed by name without `--verbose`.
 constexpr std::size_t most_open = 3;
 
 std::string listed(const Names& names, std::string_view last = ", ", std::string_view between = ", ") {
@@ -123,8 +123,7 @@ std::string parts_text(const ProofExplanation::ProofCore& ground) {
         parts.push_back(name + (timed ? " with its timing" : ""));
     }
     if (parts.empty()) return "holds for all behaviour of the plant and the timers";
-    return fmt::format("depends on {} of the plant and the timers; holds for all behaviour of the others",
-                       listed(parts));
+    return "of the plant and the timers, it depends only on " + listed(parts, " and ");
 }
 
 void print_folded(const std::string& text, std::ostream& out) {
@@ -170,16 +169,16 @@ std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofEx
     return fmt::format("{}; {} fails {}", text, who, without(kind, names));
 }
 
-std::string proof_core_text(const ProofExplanation& why, const ProofExplanation::ProofCore& ground) {
-    OfCharts charts = of_charts(why, ground, most_open);
+std::string proof_core_text(const ProofExplanation& why, const ProofExplanation::ProofCore& ground, bool verbose) {
+    const std::size_t most = verbose ? std::max(why.things.size(), ground.open.size()) : most_open;
+    OfCharts charts = of_charts(why, ground, most);
     Names sentences;
     if (!charts.fails.empty()) sentences.push_back("fails " + listed(charts.fails, ", or "));
     else if (charts.open.empty()) sentences.emplace_back("no single transition, step or term of the charts is needed");
     if (ground.about_states && ground.open.empty()) sentences.push_back(parts_text(ground));
     if (!ground.open.empty() && !ground.parts.empty())
         sentences.push_back("depends, among other elements of the plant and the timers, on " + listed(ground.parts));
-    if (ground.open.size() > most_open)
-        charts.open.push_back(fmt::format("{} instances and timers", ground.open.size()));
+    if (ground.open.size() > most) charts.open.push_back(fmt::format("{} instances and timers", ground.open.size()));
     else charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
     if (!charts.open.empty()) sentences.push_back("undecided: " + listed(charts.open));
     if (ground.vacuous) sentences.emplace_back("vacuous: the premise is never true");
@@ -188,10 +187,10 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
 
 /// Prints the proof cores. Properties with the same text are printed together, at the position of the first of these
 /// properties.
-void print_proof_cores(const ProofExplanation& why, std::ostream& out) {
+void print_proof_cores(const ProofExplanation& why, bool verbose, std::ostream& out) {
     std::vector<std::pair<Names, std::string>> sentences;
     for (const ProofExplanation::ProofCore& ground : why.grounds) {
-        const std::string words = proof_core_text(why, ground);
+        const std::string words = proof_core_text(why, ground, verbose);
         auto same = std::ranges::find(sentences, words, &std::pair<Names, std::string>::second);
         if (same == sentences.end()) same = sentences.insert(sentences.end(), {{}, words});
         same->first.push_back(ground.property);
@@ -211,7 +210,7 @@ void print_why(const ProofExplanation& why, bool verbose, std::ostream& out) {
         "\n"
         "proof dependencies ({} additional {}):\n",
         why.searches, why.searches == 1 ? "search" : "searches");
-    print_proof_cores(why, out);
+    print_proof_cores(why, verbose, out);
     if (!why.unneeded_parts.empty())
         print_folded("no property of all states depends on " + listed(why.unneeded_parts, " or "), out);
     out << "\n"

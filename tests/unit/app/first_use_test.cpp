@@ -273,6 +273,18 @@ TEST(FirstUse, AConstraintThatIsProvedIsShown) {
                               "vc_out) holds for this plant\n"),
               std::string::npos)
         << result.out;
+    const Folder folder;
+    const std::string report = folder.file("r.xml");
+    grafverif({"check", pick_and_place, "--property", "VC_constraint_1", "--junit", report});
+    const std::string instance = "plant VC =";
+    const std::string text = folder.read(pick_and_place);
+    const std::size_t at = text.find(instance);
+    ASSERT_NE(at, std::string::npos);
+    const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
+    EXPECT_NE(folder.read("r.xml").find("name=\"VC_constraint_1\" file=\"" + pick_and_place + "\" line=\"" +
+                                        std::to_string(line) + "\""),
+              std::string::npos)
+        << "the position of the instance, not of the loop";
 }
 
 }  // namespace

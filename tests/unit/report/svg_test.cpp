@@ -130,7 +130,7 @@ TEST(Svg, StatesThatColumnsAreEventsAndNumbersThem) {
     for (const pugi::xml_node node : of_class(drawn, "number")) numbers.push_back(node.text().get());
     EXPECT_EQ(numbers, (std::vector<std::string>{"0", "1", "2", "3", "4"}));
     EXPECT_STREQ(of_class(drawn, "time")[0].text().get(), "event");
-    EXPECT_NE(foot_of(drawn).find("Each column is an event"), std::string::npos);
+    EXPECT_NE(foot_of(drawn).find("Columns are events"), std::string::npos);
 }
 
 TEST(Svg, DrawsTheRequestedEventsAndNamesThem) {
