@@ -132,7 +132,7 @@ class Page {
         document.title = `${state.file.split("/").pop()} \u2013 grafverif`;
         by("file").textContent = state.file.split("/").pop();
         by("file").title = state.file;
-        const [kind, words] = state.readable ? verdictWords(state) : ["bad", "it has errors"];
+        const [kind, words] = state.readable ? verdictWords(state) : ["bad", "the file has errors"];
         by("status").className = kind;
         by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 ", unknown: "? "}[kind] ?? ""}${words}`;
         by("diagnostics").hidden = state.diagnostics === "";

@@ -3,7 +3,7 @@
 // executes the moves from power-on and returns the state to show. Undoing a move shortens the list. The list is part of
 // the page's address.
 
-import {make} from "./dom.js";
+import {make, prose} from "./dom.js";
 
 const seconds = (milliseconds) => `${milliseconds / 1000} s`;
 
@@ -156,7 +156,7 @@ export class Simulator {
         this.answer = answer;
         ++this.answers;
         this.moves = answer.moves;
-        this.problem.textContent = answer.problem;
+        this.problem.replaceChildren(...prose(answer.problem));
         this.warning.textContent = answer.broken_constraints.map((text) => `These inputs violate the constraint ${text}.`).join(" ");
         this.trial.textContent = answer.trial ? "What-if run: a step was forced. The marked rows are not a run of the model and prove nothing about it." : "";
         this.cursor = answer.rows.length - 1;

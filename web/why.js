@@ -75,10 +75,10 @@ const mayBeFalse = ({pattern, headings}, operand) =>
 
 const wordsOf = {
     always: ["must always be true"],
-    never: ["must never be true"],
+    never: ["forbidden"],
     reachable: ["must be able to become true"],
     inevitable: ["must eventually become true"],
-    "leads-to": ["after this is true", "this must become true"],
+    "leads-to": ["premise", "required response"],
     "exactly-one": ["exactly one of these must be true"],
     "always-possible": ["must remain possible"],
 };
@@ -98,7 +98,7 @@ export function whyProperty(claims, moment, decisive, go) {
         const makers = value === undefined ? [] : claims.causes(term, moment);
         if (makers.length > 0 && makers[0] !== term)
             heading.append(", caused by ", ...makers.flatMap((each, n) => [n > 0 ? ", " : "",
-                make("code", {}, property.terms[each].text), ` (then ${valueWords(property.terms[each], claims.value(each, since))})`]));
+                make("code", {}, property.terms[each].text), ` = ${valueWords(property.terms[each], claims.value(each, since))}`]));
         return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property, k)}))];
     });
     return make("div", {}, ...violation(run, link), ...(decisive === null ? [] : [standing(property, moment, decisive, link, run)]),
@@ -131,11 +131,24 @@ function causes(run, moment, link) {
     moments.sort((a, b) => a.at - b.at);
     const inputs = !run.trace.timed && left_out_values.length > 0;
     if (moments.length > 0)
-        parts.push(make("p", {class: "answer"}, "The property holds along the trace",
-                        inputs ? ", and after its end as long as nothing changes, " : " ", "without ",
-                        ...moments.flatMap(({at, words}, k) => [k > 0 ? ", " : "",
-                            ...(words ? [make("code", {}, words), " at "] : ["the event at "]), link(at, when(at))]), "."));
+        parts.push(make("p", {class: "answer"}, "Without ",
+                        ...moments.flatMap(({at, words}, k) => [k > 0 ? ", " : "", make("code", {}, words ?? moveText(run, at)),
+                                                                " at ", link(at, when(at))]),
+                        ", the property holds along the trace",
+                        inputs ? ", and after its end as long as nothing changes." : "."));
     return parts;
+}
+
+// Returns the move of an instance as in the text of the trace, such as `Start (START)`.
+function moveText(run, at) {
+    const {instance, location} = run.trace.moments[at], {name, locations} = run.trace.instances[instance];
+    const changes = run.trace.signals.flatMap(({name: signal, role, range}, k) => {
+        const now = run.value(k, at), past = run.value(k, at - 1);
+        if (now === past || !["input", "plant"].includes(role)) return [];
+        return [range ? `${signal} ${past} -> ${now}` : `${now ? "" : "!"}${signal}`];
+    });
+    const what = [...(location === null ? [] : [locations[location]]), ...changes].join(", ");
+    return what === "" ? name : `${name} (${what})`;
 }
 
 // Returns text about the position of the current event relative to the decisive event.

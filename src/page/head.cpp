@@ -100,7 +100,8 @@ std::vector<std::string> assumptions(const PageContent& content) {
         sentences.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");
     if (settings.mode == word(ExecutionMode::StabilitySearch))
         sentences.push_back(
-            "Stability search: the PLC reads its inputs before each evolution, and writes its outputs when the situation "
+            "Stability search: the PLC reads its inputs before each evolution, and writes its outputs when the "
+            "situation "
             "is stable.");
     else if (settings.mode == word(ExecutionMode::EveryCycle))
         sentences.push_back("Every cycle: the PLC makes one evolution per cycle and writes its outputs in each cycle.");
@@ -128,14 +129,9 @@ std::vector<std::string> assumptions(const PageContent& content) {
                                             term_text(content.model, loop, constraint.condition)));
         return sentences;
     }
-    std::vector<std::string> environment;
-    for (const ClosedLoop::Instance& instance : loop.instances)
-        if (instance.environment)
-            environment.push_back(
-                fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
-    if (!environment.empty())
-        sentences.push_back("The components of the environment can behave in any possible way: " + listed(environment) +
-                            ".");
+    if (const std::string environment = environment_text(content.model, loop, settings.untimed.empty());
+        !environment.empty())
+        sentences.push_back("The environment behaves in every way that its components permit: " + environment + ".");
     return sentences;
 }
 

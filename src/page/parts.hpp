@@ -15,6 +15,9 @@ void add_verdicts(const PageContent& content, Html& html);
 void add_runs(const PageContent& content, Html& html);
 void add_findings(const PageContent& content, Html& html);
 void add_charts(const PageContent& content, Html& html);
+/// Returns the instances of the environment with their components; if `timed`, also with the constants of the instances,
+/// such as `Start (push_button, GAP = 1s)`. Empty if there are none.
+std::string environment_text(const Model& model, const ClosedLoop& loop, bool timed);
 void add_plant(const PageContent& content, Html& html);
 void add_equations(const PageContent& content, Html& html);
 /// Adds the trace coverage: the steps that were active and the transitions that were cleared in the runs of the page.

@@ -90,6 +90,22 @@ void add_component(const Component& component, const ComponentContent& content, 
 
 }  // namespace
 
+std::string environment_text(const Model& model, const ClosedLoop& loop, bool timed) {
+    std::string list;
+    for (const ClosedLoop::Instance& instance : loop.instances) {
+        if (!instance.environment) continue;
+        const Component& component = model.components[instance.component];
+        std::string about = component.name;
+        for (const Id<Component::Parameter> id : component.parameters.ids()) {
+            const Component::Parameter& parameter = component.parameters[id];
+            if (timed && parameter.kind == Component::ParameterKind::Constant)
+                join(about, argument_text(model, loop, parameter, instance.arguments[id.index]));
+        }
+        join(list, fmt::format("{} ({})", instance.name, about));
+    }
+    return list;
+}
+
 void add_plant(const PageContent& content, Html& html) {
     if (!content.loop.valid()) return;
     const ClosedLoop& loop = content.model.loops[content.loop];

@@ -247,11 +247,11 @@ std::vector<std::string> headings_of(const Sentence& sentence) {
     const std::string bound = bound_text(sentence);
     const auto own = [&]() -> std::vector<std::string> {
         switch (sentence.kind) {
-        case Sentence::Kind::Absence: return {"must not be true"};
+        case Sentence::Kind::Absence: return {"forbidden"};
         case Sentence::Kind::Universality: return {"must be true"};
         case Sentence::Kind::Existence: return {"must become true"};
         case Sentence::Kind::Response:
-            return {"after this is true", "this must become true" + (bound.empty() ? "" : " within " + bound)};
+            return {"premise", "required response" + (bound.empty() ? "" : " within " + bound)};
         case Sentence::Kind::Precedence: return {"this must be true before", "this becomes true"};
         case Sentence::Kind::HoldsFor: return {"once true, must stay true for " + bound};
         case Sentence::Kind::HoldsAtMost: return {"must not stay true for longer than " + bound};

@@ -27,6 +27,17 @@ const Network::Edge& edge_of(const Network& network, const Fire& fire) {
     return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
 }
 
+/// Returns the first of the `moves` that assigns `value` to the variable.
+std::optional<Fire> move_to(const Network& network, const NetworkState& state, const std::vector<Fire>& moves,
+                            std::size_t variable, std::int64_t value) {
+    for (const Fire& fire : moves) {
+        NetworkState after = state;
+        if (perform(network, after, fire).result == Step::Result::Done && after.variables[variable] == value)
+            return fire;
+    }
+    return {};
+}
+
 /// Records the situations of controllers within an instant.
 class Course {
 public:
@@ -280,12 +291,14 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
     const std::string value_text = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
     if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value_text);
-    for (const Fire& fire : fires()) {
-        NetworkState after = state_;
-        if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value)
-            return choose(fire);
-    }
-    return fmt::format("no move can make `{}` {} now", name, value_text);
+    if (const auto fire = move_to(network_, state_, fires(), index, value)) return choose(*fire);
+    const std::string problem = fmt::format("no move can make `{}` {} now", name, value_text);
+    const Leeway delay = leeway(network_, state_);
+    NetworkState later = state_;
+    const bool changes = delay.may_pass && delay.change && *delay.change <= delay.limit.value_or(*delay.change) &&
+                         perform(network_, later, Delay{*delay.change}).result == Step::Result::Done;
+    if (!changes || !move_to(network_, later, enabled(network_, later), index, value)) return problem;
+    return fmt::format("{}; let {} pass", problem, seconds_text(*delay.change * network_.time_unit_ms));
 }
 
 std::string LoopSimulation::act(std::string_view instance, std::string_view location) {

@@ -250,13 +250,13 @@ class Report(browser.Case):
     def test_a_claim_about_settled_states_is_decided_by_none_that_is_left_at_once(self):
         at = self.report_of(SETTLED)
         at("#p/0")
-        self.assertIn("must never be true in quiescent states", self.page.text(".why .answer"))
+        self.assertIn("forbidden in quiescent states", self.page.text(".why .answer"))
         [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
         button.click()
         self.assertEqual(self.place(), "#p/6")
         self.assertEqual(self.lit(), ["step-3"])
         at("#q/0")
-        self.assertIn("after this is true in quiescent states", self.page.text(".why .answer"))
+        self.assertIn("premise in quiescent states", self.page.text(".why .answer"))
         self.assertEqual([b.text for b in self.page.all(".controls button") if "violation" in b.text], [])
 
     def test_a_delay_that_began_since_timers_were_read_is_not_known(self):
@@ -282,7 +282,7 @@ class Report(browser.Case):
     def test_what_is_to_be_false_is_not_painted_as_a_fault(self):
         at = self.report_of(STEPWISE)
         at("#p/0")
-        self.assertEqual(self.page.text(".why .answer"), "must never be true: false since power-on")
+        self.assertEqual(self.page.text(".why .answer"), "forbidden: false since power-on")
         self.assertEqual(self.page.script("return window.page.player.claim.querySelectorAll('.term.false').length"), 0)
 
     def test_a_row_is_not_announced_before_it_has_ended(self):
@@ -404,7 +404,7 @@ class Report(browser.Case):
         button.click()
         self.assertEqual(standing(), "The unanswered premise occurs here.")
         self.assertIn("true since", self.page.text(".why .answer"))
-        self.assertIn("caused by V_S (then true)", self.page.text(".why .answer"))
+        self.assertIn("caused by V_S = true", self.page.text(".why .answer"))
         self.page.find(".player").send_keys(Keys.END)
         self.assertIn("No response since", standing())
 

@@ -133,7 +133,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeExecuted) {
         const char* error_text;
     };
     for (const Case& c : std::vector<Case>{
-             {"BUTTON = true\n", ":1: error: no move can make `BUTTON` true now\n"},
+             {"BUTTON = true\n", ":1: error: no move can make `BUTTON` true now; let 1 s pass\n"},
              {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is false already\n"},
              {"LAMP = true\n", ":1: error: unknown input `LAMP`\n"},
              {"wait 500ms\n",
