@@ -20,6 +20,7 @@ std::int64_t cut(std::int64_t value, unsigned width) {
 Btor2File::Btor2File(const std::string& text) {
     std::istringstream in(text);
     for (std::string row; std::getline(in, row);) {
+        if (row.starts_with(';')) continue;
         std::istringstream words(row);
         Line line;
         words >> line.number >> line.op;

@@ -70,6 +70,7 @@ TEST(Btor2, ContainsPropertiesOfStatesAndNamesTheOthers) {
     const Result result = grafverif({"btor2", tanks, "--plant", "automata"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_NE(result.err.find("property `back_to_rest` is omitted from the BTOR2 model"), std::string::npos);
+    EXPECT_EQ(result.out.rfind("; property back_to_rest is omitted: ", 0), 0U) << result.out.substr(0, 100);
     const Btor2File file(result.out);
     EXPECT_EQ(file.error_text(), "");
     ASSERT_GE(file.bads().size(), 4u);
