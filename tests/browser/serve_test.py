@@ -134,7 +134,7 @@ class Serve(browser.Case):
         self.press("OFF is false")
         browser.eventually(lambda: "violate the constraint !(ON && OFF)" in " ".join(self.page.texts("#simulation .warning")))
         self.page.script("page.simulator.move('NOBODY = true')")
-        browser.eventually(lambda: "unknown input `NOBODY`" in " ".join(self.page.texts("#simulation .problem")))
+        browser.eventually(lambda: "unknown input NOBODY" in " ".join(self.page.texts("#simulation .problem")))
         self.page.wait_for_text("#simulation p", "5 moves")
         self.press("Back")
         self.page.wait_for_text("#simulation p", "4 moves")
