@@ -54,7 +54,7 @@ class Wire {
 public:
     void say(const std::string& body) {
         const std::lock_guard hold(door_);
-        there_ += lsp::framed(body);
+        there_ += rpc::framed(body);
         wake_.notify_all();
     }
     void hear(const std::string& part) {

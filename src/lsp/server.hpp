@@ -13,9 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "lsp/framing.hpp"
+#include "rpc/framing.hpp"
 
 namespace grafverif::lsp {
+
+using rpc::Receive;
+using rpc::Send;
 
 /// Callbacks and settings of the program that runs the server.
 struct ServerEnvironment {

@@ -6,17 +6,8 @@
 
 namespace grafverif::lsp {
 
-namespace {
-
-bool is_id(const Json& id) { return id.is_string() || id.is_number_integer(); }
-
-const Json& member(const Json& object, const char* name) {
-    static const Json nothing;
-    const auto found = object.is_object() ? object.find(name) : object.end();
-    return object.is_object() && found != object.end() ? *found : nothing;
-}
-
-}  // namespace
+using rpc::is_id;
+using rpc::member;
 
 Session::Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending)
     : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders, &ending) {
@@ -31,11 +22,9 @@ Session::Session(const Send& send, const ServerEnvironment& surroundings, Later 
     prover_ = std::make_unique<BackgroundChecker>(std::move(callbacks), surroundings.response_timeout);
 }
 
-void Session::send(const Json& message) { send_(framed(message.dump(-1, ' ', false, Json::error_handler_t::replace))); }
+void Session::send(const Json& message) { send_(rpc::framed(rpc::text_of(message))); }
 
-void Session::fail(const Json& id, int code, const std::string& message) {
-    send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}});
-}
+void Session::fail(const Json& id, int code, const std::string& message) { send(rpc::failure(id, code, message)); }
 
 void Session::refuse(const std::string& error_text) { fail(nullptr, parse_error, error_text); }
 
@@ -61,7 +50,7 @@ void Session::take(const Json& message, bool cancelled) {
     try {
         if (!request) return notified(name, member(message, "params"));
         if (cancelled) return fail(id, request_cancelled, "cancelled");
-        send({{"jsonrpc", "2.0"}, {"id", id}, {"result", answer(name, member(message, "params"))}});
+        send(rpc::response(id, answer(name, member(message, "params"))));
     } catch (const RequestError& refusal) {
         if (request) fail(id, refusal.code, refusal.message);
     } catch (const Json::exception&) {
@@ -208,10 +197,10 @@ void Session::publish() {
         now.try_emplace(open.uri, Json{{"uri", open.uri}, {"diagnostics", Json::array()}}.dump());
     for (const auto& [uri, params] : published_)
         if (!now.contains(uri))
-            send_(framed(Json{{"jsonrpc", "2.0"},
-                              {"method", "textDocument/publishDiagnostics"},
-                              {"params", {{"uri", uri}, {"diagnostics", Json::array()}}}}
-                             .dump()));
+            send_(rpc::framed(Json{{"jsonrpc", "2.0"},
+                                   {"method", "textDocument/publishDiagnostics"},
+                                   {"params", {{"uri", uri}, {"diagnostics", Json::array()}}}}
+                                  .dump()));
     for (const auto& [uri, params] : now) {
         const auto before = published_.find(uri);
         if (before != published_.end() && before->second == params) continue;

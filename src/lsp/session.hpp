@@ -16,6 +16,7 @@
 #include "lsp/server.hpp"
 #include "lsp/shapes.hpp"
 #include "lsp/workspace.hpp"
+#include "rpc/message.hpp"
 
 namespace grafverif::lsp {
 
@@ -39,10 +40,7 @@ public:
 
 private:
     enum class State { Fresh, Running, ShutDown, Over };
-    struct RequestError {
-        int code = 0;
-        std::string message = {};
-    };
+    using RequestError = rpc::RequestError;
 
     void notified(const std::string& method, const Json& params);
     Json answer(const std::string& method, const Json& params);
@@ -109,9 +107,10 @@ private:
     std::optional<std::int64_t> client_ = {};
 
     // JSON-RPC 2.0 section 5.1, LSP 3.17 "ErrorCodes".
-    static constexpr int parse_error = -32700, invalid_request = -32600, no_such_method = -32601,
-                         invalid_params = -32602, internal_error = -32603, not_initialized = -32002,
-                         request_failed = -32803, request_cancelled = -32800;
+    static constexpr int parse_error = rpc::parse_error, invalid_request = rpc::invalid_request,
+                         no_such_method = rpc::no_such_method, invalid_params = rpc::invalid_params,
+                         internal_error = rpc::internal_error, not_initialized = -32002, request_failed = -32803,
+                         request_cancelled = -32800;
 
     Workspace workspace_;
     std::unique_ptr<const Names> names_ = {};

@@ -92,24 +92,4 @@ bool flag(const Json& object, std::initializer_list<const char*> path) {
     return here->is_boolean() && here->get<bool>();
 }
 
-bool nests_too_deep(std::string_view json) {
-    constexpr std::size_t deepest = 200;
-    std::size_t depth = 0;
-    bool quoted = false;
-    for (std::size_t at = 0; at < json.size(); ++at) {
-        const char byte = json[at];
-        if (quoted) {
-            if (byte == '\\') ++at;
-            quoted = byte != '"';
-        } else if (byte == '"') {
-            quoted = true;
-        } else if (byte == '[' || byte == '{') {
-            if (++depth > deepest) return true;
-        } else if ((byte == ']' || byte == '}') && depth > 0) {
-            --depth;
-        }
-    }
-    return false;
-}
-
 }  // namespace grafverif::lsp

@@ -34,7 +34,4 @@ std::vector<Change> changes_of(const Json& json);
 /// Return a member of nested objects; `fallback` if it, or an object on the path, is missing or has another type.
 bool flag(const Json& object, std::initializer_list<const char*> path);
 
-/// True if brackets are nested deeper than in any valid message. Such a text is not parsed.
-bool nests_too_deep(std::string_view json);
-
 }  // namespace grafverif::lsp

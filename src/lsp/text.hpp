@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rpc/uri.hpp"
+
 namespace grafverif::lsp {
 
 /// A position as an editor counts it. Lines and characters are numbered from 0.
@@ -57,10 +59,7 @@ struct Change {
 };
 std::string changed(const Text& before, const Change& change);
 
-/// Returns the path in an address such as `file:///a%20b`. If the scheme is not `file`, returns the address itself.
-std::string path_of_uri(std::string_view uri);
-/// Returns the address of a path. The scheme is `file`, or `grafverif` for files that are not on the disk, such as
-/// components of the library.
-std::string uri_of_path(std::string_view path);
+using rpc::path_of_uri;
+using rpc::uri_of_path;
 
 }  // namespace grafverif::lsp

@@ -21,6 +21,7 @@
 
 namespace grafverif::lsp {
 
+using rpc::framed;
 using Json = nlohmann::json;
 
 /// The URI of a text that is not on disk.

@@ -89,7 +89,7 @@ TEST(LspServer, AnswersInvalidInputAndContinues) {
 
 TEST(LspServer, SkipsAMessageThatIsTooLarge) {
     std::string stream = "Content-Length: 1000\r\n\r\n" + std::string(1000, ' ') + framed("{}");
-    Framing framing(
+    rpc::Framing framing(
         [&](std::span<char> buffer) {
             const std::size_t count = std::min<std::size_t>({buffer.size(), stream.size(), 7});
             std::copy_n(stream.begin(), count, buffer.begin());

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -12,7 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace grafverif::lsp {
+namespace grafverif::rpc {
 
 /// A message, an error in a message, or a function to call.
 struct Item {
@@ -30,6 +31,8 @@ public:
     void cancel(const nlohmann::json& id);
     /// Closes the queue: no further items are added.
     void close();
+    /// Waits until the queue has less than `most` items or is closed.
+    void wait_for_room(std::size_t most);
 
     /// Returns the next item. Returns nothing if no item arrives within `timeout`, or if the queue is closed.
     std::optional<Item> take(std::chrono::milliseconds timeout);
@@ -42,4 +45,4 @@ private:
     bool closed_ = false;
 };
 
-}  // namespace grafverif::lsp
+}  // namespace grafverif::rpc

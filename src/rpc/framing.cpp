@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lsp/framing.hpp"
+#include "rpc/framing.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <new>
 
-namespace grafverif::lsp {
+namespace grafverif::rpc {
 
 namespace {
 
@@ -95,6 +95,46 @@ std::optional<Framed> Framing::next() {
     return message;
 }
 
+/// Appends the bytes up to the next line terminator or the end of the stream. If the line is too large or does not fit
+/// into memory (`refused`), its remaining bytes are consumed without being stored. Returns false if there was no byte.
+bool LineFraming::line(Framed& message, bool& refused) {
+    std::size_t size = 0;
+    const auto check_size = [&] {
+        if (size <= largest_) return;
+        message.error_text = fmt::format("a message of {} bytes exceeds the limit of {}", size, largest_);
+    };
+    for (bool any = false;; any = true) {
+        if (begin_ == end_) {
+            begin_ = 0;
+            end_ = receive_(buffer_);
+            if (end_ == 0) return check_size(), any;
+        }
+        const std::string_view here(buffer_.data() + begin_, end_ - begin_);
+        const std::size_t count = std::min(here.find('\n'), here.size());
+        size += count;
+        try {
+            if (size <= largest_ && !refused) message.body.append(here.substr(0, count));
+        } catch (const std::bad_alloc&) {
+            refused = true;
+        }
+        if (size > largest_ || refused) message.body = {};
+        begin_ += std::min(count + 1, here.size());
+        if (count == here.size()) continue;
+        check_size();
+        return true;
+    }
+}
+
+std::optional<Framed> LineFraming::next() {
+    for (;;) {
+        Framed message;
+        bool refused = false;
+        if (!line(message, refused)) return {};
+        if (refused) throw std::bad_alloc();
+        if (!message.error_text.empty() || message.body.find_first_not_of(" \t\r") != std::string::npos) return message;
+    }
+}
+
 std::string framed(std::string_view body) { return fmt::format("Content-Length: {}\r\n\r\n{}", body.size(), body); }
 
-}  // namespace grafverif::lsp
+}  // namespace grafverif::rpc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The base protocol of LSP: a sequence of messages. Each message consists of the line `Content-Length: N`, an empty
-// line, and N bytes of JSON.
+// Framing: divides a byte stream into messages. Framing implements the base protocol of LSP: each message consists of
+// the line `Content-Length: N`, an empty line, and N bytes of JSON. LineFraming implements the transport of MCP over
+// standard input and output: each message is one line.
 //
 // Bytes that do not form a header are skipped up to the next header. A message is skipped completely if it is too large
 // or if an allocation for it fails.
@@ -13,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace grafverif::lsp {
+namespace grafverif::rpc {
 
 /// Waits for bytes and stores some of them at the beginning of the buffer. Returns their number; 0 at the end of the
 /// stream.
@@ -30,6 +31,7 @@ struct Framed {
     std::string error_text = {};  ///< error message; if not empty, there is no body
 };
 
+/// Messages with headers.
 class Framing {
 public:
     explicit Framing(Receive receive, std::size_t largest = largest_message);
@@ -51,7 +53,25 @@ private:
     std::string line_ = {};  ///< the current line of the header
 };
 
+/// Messages that are lines. Empty lines are skipped.
+class LineFraming {
+public:
+    LineFraming(Receive receive, std::size_t largest) : receive_(std::move(receive)), largest_(largest) {}
+
+    /// Returns the next message, or nothing at the end of the stream. A last line without terminator is a message. If a
+    /// call throws std::bad_alloc, its message is skipped, and the next call returns the following message.
+    std::optional<Framed> next();
+
+private:
+    bool line(Framed& message, bool& refused);
+
+    Receive receive_;
+    std::size_t largest_;
+    std::array<char, std::size_t{1} << 16U> buffer_ = {};
+    std::size_t begin_ = 0, end_ = 0;  ///< the bytes that are not consumed yet
+};
+
 /// Returns `body` with its header.
 std::string framed(std::string_view body);
 
-}  // namespace grafverif::lsp
+}  // namespace grafverif::rpc
