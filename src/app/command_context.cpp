@@ -26,6 +26,7 @@ namespace grafverif::app {
 namespace {
 
 std::optional<std::string> read_named(const std::string& path, const CommandContext& job, std::string& why) {
+    if (path != "-" && !job.options.within.empty()) return PermittedFolders(job.options.within).read(path, why);
     const auto own = path == "-" ? std::optional(STDIN_FILENO) : own_descriptor(path);
     if (own == STDIN_FILENO && job.in != nullptr) return read_stream(*job.in, why);
     return own ? read_descriptor(*own, why) : content_of_file(path, why);
@@ -73,8 +74,8 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
         job.diagnostics.add(messages::cannot_read(folder, "the directory does not exist"));
         return {};
     }
-    const Reach reach(path == "-" ? "./-" : path,
-                      job.options.include_folders);  // standard input is treated as a file in the current folder
+    const Reach reach(path == "-" ? "./-" : path,  // standard input is treated as a file in the current folder
+                      job.options.include_folders, job.options.within);
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         if (job.watch != nullptr) job.watch->note(included);
         auto text = reach.read(included, why);

@@ -370,6 +370,8 @@ std::vector<Option> options_for_all() {
                "write nothing; exit 1 if FILE is not in canonical form"),
         list(OptionGroup::File, "include,I", "DIR", &Options::include_folders,
              "allow included files in DIR, and search for them there; repeatable"),
+        list(OptionGroup::Within, "within", "DIR", &Options::within,
+             "read FILE and included files only below DIR, with symbolic links resolved; repeatable"),
         toggle(OptionGroup::File, "lossy", &Options::lossy,
                "omit elements of another format that cannot be imported, with a warning"),
         renamed("create",

@@ -87,6 +87,7 @@ struct Options {
     bool quiet = false;
     bool lossy = false;                             ///< true: omit constructs of other formats that cannot be imported
     std::vector<std::string> include_folders = {};  ///< values of -I
+    std::vector<std::string> within = {};           ///< values of --within: folders to which reading is restricted
     std::map<std::string, std::string> constants = {};  ///< values of --set: constants of loops by name
     bool verbose = false;
     bool stats = false;
@@ -178,6 +179,7 @@ std::vector<NamedPath> named_paths(const Options& options);
 enum class OptionGroup {
     Always,
     File,
+    Within,
     Timeout,
     Writes,
     All,

@@ -10,7 +10,7 @@ using rpc::is_id;
 using rpc::member;
 
 Session::Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending)
-    : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders, &ending) {
+    : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders, surroundings.within, &ending) {
     BackgroundChecker::Callbacks callbacks;
     callbacks.found = [this, later](Found outcome) {
         auto kept = std::make_shared<Found>(std::move(outcome));

@@ -104,7 +104,7 @@ std::shared_ptr<const Text> Workspace::text(const std::string& path) {
     if (const auto known = disk_.find(path); known != disk_.end()) return known->second;
     watch_.note(path);
     std::string why;
-    auto content = content_of_file(path, why);
+    auto content = PermittedFolders(within_).read(path, why);
     auto text = content ? std::make_shared<const Text>(std::move(*content)) : nullptr;
     return disk_.emplace(path, std::move(text)).first->second;
 }
@@ -210,7 +210,7 @@ ParseResult Workspace::reading(const std::string& path, Inputs& inputs) {
     inputs.emplace_back(path, main);
     if (main == nullptr) return reading;
     const Id<Source> file = reading.sources.add({path, main->bytes()});
-    const Reach reach(path, include_folders_);
+    const Reach reach(path, include_folders_, within_);
     ReadContext context = context_of(reach, include_folders_, false);
     context.load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         const auto content = text(included);

@@ -46,9 +46,11 @@ using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
 public:
-    /// `stop`, if not null, cancels searches in folders.
-    explicit Workspace(std::vector<std::string> include_folders, const std::atomic<bool>* stop = nullptr)
-        : include_folders_(std::move(include_folders)), stop_(stop) {}
+    /// If `within` is not empty, files on disk are read only below these folders. `stop`, if not null, cancels searches
+    /// in folders.
+    explicit Workspace(std::vector<std::string> include_folders, std::vector<std::string> within = {},
+                       const std::atomic<bool>* stop = nullptr)
+        : include_folders_(std::move(include_folders)), within_(std::move(within)), stop_(stop) {}
 
     /// Adds a folder to search for files that include open documents.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
@@ -91,7 +93,7 @@ private:
     std::vector<std::string> includes(const Parsed& file);
     void scan();
 
-    std::vector<std::string> include_folders_, folders_ = {};
+    std::vector<std::string> include_folders_, within_, folders_ = {};
     const std::atomic<bool>* stop_;
     std::map<std::string, OpenText> open_ = {};  ///< open documents by address
     FileWatcher watch_ = {};

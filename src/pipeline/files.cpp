@@ -167,7 +167,32 @@ FilesBelow files_below(const std::string& folder, std::string_view ending, std::
     return found;
 }
 
-Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
+PermittedFolders::PermittedFolders(const std::vector<std::string>& folders) : restricted_(!folders.empty()) {
+    for (const std::string& folder : folders) {
+        std::error_code failure;
+        fs::path resolved = fs::canonical(folder, failure);
+        if (!failure) folders_.push_back(std::move(resolved));
+    }
+}
+
+std::optional<fs::path> PermittedFolders::resolved(const fs::path& path, std::string& why) const {
+    if (!restricted_) return path;
+    std::error_code failure;
+    fs::path file = fs::absolute(path, failure);
+    if (!failure) file = fs::weakly_canonical(file, failure);
+    if (!failure && std::ranges::any_of(folders_, [&](const fs::path& folder) { return is_below(file, folder); }))
+        return file;
+    why = "it is outside the directories to which `--within` restricts reading";
+    return {};
+}
+
+std::optional<std::string> PermittedFolders::read(const fs::path& path, std::string& why) const {
+    const auto file = resolved(path, why);
+    return file ? content_of_file(*file, why) : std::nullopt;
+}
+
+Reach::Reach(const fs::path& main, const std::vector<std::string>& folders, const std::vector<std::string>& within)
+    : within_(within) {
     const auto add = [this](const fs::path& folder) {
         std::error_code failure;
         const fs::path full = fs::absolute(folder.empty() ? "." : folder, failure);
@@ -181,15 +206,17 @@ Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
 }
 
 std::optional<std::string> Reach::read(const std::string& path, std::string& why) const {
+    const auto permitted = within_.resolved(path, why);
+    if (!permitted) return {};
     std::error_code failure;
-    const fs::path file = fs::canonical(path, failure);
+    const fs::path file = fs::canonical(*permitted, failure);
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
         why =
             "it is outside the directory of the main file and of its project (marked by `.git` or "
             "`grafverif.project`); allow it with `-I DIR`";
         return {};
     }
-    return content_of_file(failure ? fs::path(path) : file, why);
+    return content_of_file(failure ? *permitted : file, why);
 }
 
 }  // namespace grafverif

@@ -46,6 +46,24 @@ struct FilesBelow {
 FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most,
                        const std::atomic<bool>* stop = nullptr);
 
+/// Folders to which reading is restricted (`--within`). Symbolic links are resolved before a path is compared with the
+/// folders. If the list of folders is empty, reading is not restricted. A folder that does not exist permits no files.
+class PermittedFolders {
+public:
+    explicit PermittedFolders(const std::vector<std::string>& folders = {});
+
+    /// Returns `path` with resolved links, or unchanged if reading is not restricted. The result is empty if the path is
+    /// outside of the folders; `why` then has the reason, which does not depend on the existence of the file.
+    std::optional<std::filesystem::path> resolved(const std::filesystem::path& path, std::string& why) const;
+    /// Returns the content of the regular file at `path`. The result is empty if the file is outside of the folders, or
+    /// if it cannot be read; `why` then has the reason.
+    std::optional<std::string> read(const std::filesystem::path& path, std::string& why) const;
+
+private:
+    bool restricted_ = false;
+    std::vector<std::filesystem::path> folders_ = {};  ///< with resolved links
+};
+
 /// The files that a file may include: those below the folder of the main file, below the folder of its project, and
 /// below folders given by the user. Therefore a chart cannot cause arbitrary files to be read; the current folder is
 /// irrelevant. The folder of the project is the nearest ancestor folder of the main file that contains `.git` or
@@ -53,8 +71,10 @@ FilesBelow files_below(const std::string& folder, std::string_view ending, std::
 /// files.
 class Reach {
 public:
-    /// `main` is the main file; `folders` are given by the user.
-    Reach(const std::filesystem::path& main, const std::vector<std::string>& folders);
+    /// `main` is the main file; `folders` are given by the user. If `within` is not empty, only files below these
+    /// folders may be included.
+    Reach(const std::filesystem::path& main, const std::vector<std::string>& folders,
+          const std::vector<std::string>& within = {});
 
     /// Returns the content of the regular file at `path` if it may be included. Otherwise the result is empty, and
     /// `why` has the reason.
@@ -62,6 +82,7 @@ public:
 
 private:
     std::vector<std::filesystem::path> roots_ = {};  ///< permitted folders, with resolved links
+    PermittedFolders within_;
 };
 
 }  // namespace grafverif

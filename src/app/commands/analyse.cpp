@@ -110,7 +110,8 @@ CliCommand analyse_usage() {
         {"grafverif analyse samples/oven_door/oven_door.grafcet",
          "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
          "grafverif analyse charts/*.grafcet --all --sarif findings.sarif"},
-        {OptionGroup::Output, OptionGroup::All, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Analysis}};
+        {OptionGroup::Within, OptionGroup::Output, OptionGroup::All, OptionGroup::Chart, OptionGroup::Mode,
+         OptionGroup::Analysis}};
 }
 
 }  // namespace grafverif::app

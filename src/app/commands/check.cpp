@@ -215,9 +215,10 @@ CliCommand check_usage() {
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata",
          "grafverif check docs/drive.st --properties docs/drive.yaml"},
-        {OptionGroup::Search, OptionGroup::Verdicts, OptionGroup::All, OptionGroup::Loop, OptionGroup::Constants,
-         OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::CycleBoth, OptionGroup::Untimed,
-         OptionGroup::Format, OptionGroup::Traces, OptionGroup::Verbose, OptionGroup::Stats, OptionGroup::Ablations}};
+        {OptionGroup::Within, OptionGroup::Search, OptionGroup::Verdicts, OptionGroup::All, OptionGroup::Loop,
+         OptionGroup::Constants, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::CycleBoth,
+         OptionGroup::Untimed, OptionGroup::Format, OptionGroup::Traces, OptionGroup::Verbose, OptionGroup::Stats,
+         OptionGroup::Ablations}};
 }
 
 }  // namespace grafverif::app

@@ -38,7 +38,7 @@ CliCommand draw_usage() {
         "refer.",
         {"grafverif draw samples/oven_door/oven_door.grafcet -o oven_door.svg",
          "grafverif draw samples/testing_station/faulty.grafcet --situation 4,W0,W5 --notation text -o station.svg"},
-        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Drawing}};
+        {OptionGroup::Within, OptionGroup::Output, OptionGroup::Chart, OptionGroup::Drawing}};
 }
 
 }  // namespace grafverif::app

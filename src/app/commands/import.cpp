@@ -44,7 +44,7 @@ CliCommand import_usage() {
             "text.\n"
             "docs/how-to/import.md lists the supported elements of each format.",
             {"grafverif import plant.xml -o plant.grafcet", "grafverif import --lossy --diagnostics json press.xml"},
-            {OptionGroup::Output}};
+            {OptionGroup::Within, OptionGroup::Output}};
 }
 
 }  // namespace grafverif::app

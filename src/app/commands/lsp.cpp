@@ -129,6 +129,7 @@ ExitCode lsp(CommandContext& job, const Streams& streams) {
     grafverif::lsp::ServerEnvironment surroundings;
     surroundings.version = GRAFVERIF_VERSION;
     surroundings.include_folders = job.options.include_folders;
+    surroundings.within = job.options.within;
     if (job.options.response_timeout_ms)
         surroundings.response_timeout = std::chrono::milliseconds(*job.options.response_timeout_ms);
     const grafverif::lsp::Send send = [&](std::string_view bytes) { streams.out << bytes << std::flush; };
@@ -165,7 +166,7 @@ CliCommand lsp_usage() {
             "include them.\n"
             "Nothing is written. The server exits when the editor requests this, or when the editor terminates.",
             {"grafverif lsp"},
-            {OptionGroup::Lsp}};
+            {OptionGroup::Within, OptionGroup::Lsp}};
 }
 
 }  // namespace grafverif::app

@@ -366,8 +366,8 @@ CliCommand simulate_usage() {
          "grafverif simulate station.grafcet --script press_start.txt",
          "grafverif simulate samples/oven_door/oven_door.grafcet --chart oven_door",
          "grafverif simulate station.grafcet --random 7 --steps 500 --trace-svg walk.svg"},
-        {OptionGroup::Walk, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Chart, OptionGroup::Mode,
-         OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Traces, OptionGroup::Verbose}};
+        {OptionGroup::Within, OptionGroup::Walk, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Chart,
+         OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Traces, OptionGroup::Verbose}};
 }
 
 }  // namespace grafverif::app

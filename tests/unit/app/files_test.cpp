@@ -466,5 +466,23 @@ TEST(Include, TheMainFileMayComeFromStandardInput) {
     EXPECT_NE(grafverif({"equations", "-"}, "grafcet").err.find("<standard input>:1:"), std::string::npos);
 }
 
+TEST(Within, RestrictsMainFilesAndIncludedFiles) {
+    const Folder folder;
+    folder.write("outside.grafcet", chart("outside"));
+    fs::create_directory(folder.file("inside"));
+    folder.write("inside/fine.grafcet", chart("fine"));
+    folder.write("inside/includes.grafcet", "include \"../outside.grafcet\";\n");
+    fs::create_symlink("../outside.grafcet", folder.file("inside/link.grafcet"));
+    const auto drawn = [&](const std::string& name, const std::string& input = "") {
+        return grafverif({"draw", name, "-I", folder.file(""), "--within", folder.file("inside")}, input);
+    };
+    EXPECT_EQ(drawn(folder.file("inside/fine.grafcet")).code, ExitCode::Done);
+    EXPECT_EQ(drawn("-", chart("typed")).code, ExitCode::Done);
+    for (const char* name : {"outside.grafcet", "missing.grafcet", "inside/link.grafcet", "inside/includes.grafcet"})
+        EXPECT_NE(drawn(folder.file(name)).err.find("`--within` restricts reading"), std::string::npos) << name;
+    EXPECT_EQ(grafverif({"draw", folder.file("inside/fine.grafcet"), "--within", folder.file("none")}).code,
+              ExitCode::Input);
+}
+
 }  // namespace
 }  // namespace grafverif::app

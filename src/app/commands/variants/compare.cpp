@@ -186,7 +186,8 @@ CliCommand compare_usage() {
          "grafverif compare old.grafcet new.grafcet --mode every-cycle", "grafverif compare version1.st version2.st",
          "grafverif compare station.grafcet station.st --stop-output FAULT",
          "grafverif compare old.grafcet new.grafcet --from-situation 3,5 --format json"},
-        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Compare, OptionGroup::Mode, OptionGroup::Format}};
+        {OptionGroup::Within, OptionGroup::Output, OptionGroup::Chart, OptionGroup::Compare, OptionGroup::Mode,
+         OptionGroup::Format}};
 }
 
 }  // namespace grafverif::app
