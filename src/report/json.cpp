@@ -8,6 +8,7 @@
 
 #include "report/json_trace.hpp"
 #include "report/profile.hpp"
+#include "report/settings_text.hpp"
 #include "report/terminal.hpp"
 #include "report/why.hpp"
 #include "support/json_text.hpp"
@@ -48,6 +49,17 @@ void add_place(Json& object, const std::optional<FilePlace>& where) {
     object["column"] = where ? Json(where->at.column) : Json(nullptr);
 }
 
+/// Returns the table of a run, line by line.
+Json trace_text(const ChartRun& run, std::string_view end) {
+    std::ostringstream text;
+    print_trace(run, text);
+    if (!run.loop_from && !end.empty()) text << "    " << end << '\n';
+    Json lines = Json::array();
+    std::istringstream read(std::move(text).str());
+    for (std::string line; std::getline(read, line);) lines.push_back(line);
+    return lines;
+}
+
 Json property(const Report& report, const PropertyResult& answer, const Sources& sources) {
     const Verdict& verdict = answer.verdict;
     Json made = {{"name", verdict.property}, {"text", text_or_null(answer.text)}};
@@ -64,6 +76,8 @@ Json property(const Report& report, const PropertyResult& answer, const Sources&
                         {"reason", text_or_null(verdict.reason)},
                         {"vacuous", verdict.vacuous},
                         {"notes", verdict.notes},
+                        {"assumptions", settings_text(report, answer)},
+                        {"trace_text", answer.trace ? trace_text(*answer.trace, end_of(verdict)) : Json(nullptr)},
                         {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
     made.update(found);
     if (!report.settings.cycle.empty()) made["cycle"] = report.settings.cycle;
@@ -107,8 +121,10 @@ void print_json(const Report& report, const Sources& sources, std::ostream& out,
     if (!report.error_traces.empty()) {
         Json errors = Json::array();
         for (const ModelErrorTrace& breakdown : report.error_traces)
-            errors.push_back(
-                {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace_json(breakdown.trace)}});
+            errors.push_back({{"code", breakdown.code},
+                              {"message", breakdown.message},
+                              {"trace_text", trace_text(breakdown.trace, "")},
+                              {"trace", trace_json(breakdown.trace)}});
         document["errors"] = std::move(errors);
     }
     if (!trials.empty()) document["remedies"] = trials_json(trials);
@@ -120,17 +136,6 @@ void print_json(const Report& report, const Sources& sources, std::ostream& out,
 namespace {
 
 void print_line(const Json& object, std::ostream& out) { out << json_text(object, -1) << '\n'; }
-
-/// Returns the table of a run, line by line.
-Json trace_text(const ChartRun& run, std::string_view end) {
-    std::ostringstream text;
-    print_trace(run, text);
-    if (!run.loop_from && !end.empty()) text << "    " << end << '\n';
-    Json lines = Json::array();
-    std::istringstream read(std::move(text).str());
-    for (std::string line; std::getline(read, line);) lines.push_back(line);
-    return lines;
-}
 
 Json error_line(const std::optional<FilePlace>& where, const Json& model, std::string_view code,
                 std::string_view message) {

@@ -5,15 +5,18 @@
 // available. In a trace, inputs and outputs are objects by name, all of them in every step. `run` is the complete run
 // (docs/reference/trace-format.md).
 //
-//   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace"}], "remedies":[REMEDY], "profile", "why"}
+//   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace_text", "trace"}], "remedies":[REMEDY],
+//   "profile", "why"}
 //   PROPERTY  {"name", "text", "file", "line", "column", "verdict", "expected", "declared", "engine", "mode", "grain",
-//             "states", "transitions", "seconds", "reason", "vacuous", "notes", "trace"}
+//             "states", "transitions", "seconds", "reason", "vacuous", "notes", "assumptions", "trace_text", "trace"}
 //   REMEDY    {"options", "decided":[{"name", "verdict", "vacuous", "states", "preservation"}], "seconds"}
 //   trace     {"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
 //             "moment"}], "run"}
 //
-// JSON lines have one object per verdict. For an unexpected verdict, `trace_text` is the table of its trace, line by
-// line. For a model error or an error in the input, `verdict` is `error`, with `code` and `message`.
+// `trace_text` is the table of a trace, line by line. `assumptions` is the model to which the verdict applies, as text.
+//
+// JSON lines have one object per verdict; only an unexpected verdict has `trace_text`. For a model error or an error in
+// the input, `verdict` is `error`, with `code` and `message`.
 //
 //   {"file", "line", "column", "model", "property", "text", "verdict", "expected", "declared", "as_expected", "engine",
 //   "mode", "grain", "states", "seconds", "reason", "vacuous", "notes", "trace_text"}

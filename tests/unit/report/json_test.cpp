@@ -32,9 +32,10 @@ TEST(Json, HasTheDocumentedKeys) {
     ASSERT_EQ(document["properties"].size(), 6u);
     for (const Json& property : document["properties"])
         EXPECT_EQ(keys(property),
-                  (std::vector<std::string>{"name", "text", "file", "line", "column", "verdict", "expected", "declared",
-                                            "engine", "mode", "grain", "states", "transitions", "seconds", "reason",
-                                            "vacuous", "notes", "trace"}));
+                  (std::vector<std::string>{"name",    "text",     "file",        "line",       "column",
+                                            "verdict", "expected", "declared",    "engine",     "mode",
+                                            "grain",   "states",   "transitions", "seconds",    "reason",
+                                            "vacuous", "notes",    "assumptions", "trace_text", "trace"}));
     const Json& trace = document["properties"][1]["trace"];
     EXPECT_EQ(keys(trace), (std::vector<std::string>{"loop_from", "steps", "run"}));
     for (const Json& step : trace["steps"])
@@ -111,7 +112,7 @@ TEST(Json, ListsModelErrors) {
     report.error_traces = {{"action-race", "two actions race", sample_run()}};
     const Json errors = json(report)["errors"];
     ASSERT_EQ(errors.size(), 1u);
-    EXPECT_EQ(keys(errors[0]), (std::vector<std::string>{"code", "message", "trace"}));
+    EXPECT_EQ(keys(errors[0]), (std::vector<std::string>{"code", "message", "trace_text", "trace"}));
 }
 
 TEST(Json, AcceptsTextThatIsNotUtf8) {
