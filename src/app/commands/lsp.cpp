@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `lsp`: the language server, which an editor starts.
-#include <poll.h>
 #include <signal.h>
-#include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -13,12 +10,12 @@
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/serve/live_page.hpp"
+#include "app/system/cancellable_input.hpp"
 #include "app/system/interrupt.hpp"
 #include "app/system/process.hpp"
 #include "app/system/watchdog.hpp"
@@ -27,45 +24,6 @@
 namespace grafverif::app {
 
 namespace {
-
-/// Reads standard input until `end_requested` is true. A call of `stop` ends the wait for input.
-class CancellableInput {
-public:
-    explicit CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {
-        if (::pipe(ends_.data()) != 0) throw std::system_error(errno, std::generic_category(), "no pipe");
-    }
-    ~CancellableInput() {
-        ::close(ends_[0]);
-        ::close(ends_[1]);
-    }
-    CancellableInput(const CancellableInput&) = delete;
-    CancellableInput& operator=(const CancellableInput&) = delete;
-
-    std::size_t receive(std::span<char> buffer) const {
-        // The interval is in milliseconds. Polling is necessary because a signal may interrupt another thread.
-        constexpr int poll_interval = 200;
-        while (!end_requested_) {
-            std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{ends_[0], POLLIN, 0}};
-            const int ready = ::poll(waited.data(), waited.size(), poll_interval);
-            if (ready < 0 && errno != EINTR) return 0;
-            if (ready <= 0) continue;
-            if (waited[1].revents != 0) return 0;
-            if (waited[0].revents == 0) continue;
-            const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-            if (count >= 0) return static_cast<std::size_t>(count);
-            if (errno != EINTR && errno != EAGAIN) return 0;
-        }
-        return 0;
-    }
-    void stop() const {
-        const char any = 0;
-        [[maybe_unused]] const ssize_t written = ::write(ends_[1], &any, 1);
-    }
-
-private:
-    const std::atomic<bool>& end_requested_;
-    std::array<int, 2> ends_ = {};
-};
 
 bool is_alive(std::int64_t process) {
     return process <= 0 || ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;

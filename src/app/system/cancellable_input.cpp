@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "app/system/cancellable_input.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+namespace grafverif::app {
+
+CancellableInput::CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "no pipe");
+}
+
+CancellableInput::~CancellableInput() {
+    ::close(ends_[0]);
+    ::close(ends_[1]);
+}
+
+std::size_t CancellableInput::receive(std::span<char> buffer) const {
+    // The interval is in milliseconds. Polling is necessary because a signal may interrupt another thread.
+    constexpr int poll_interval = 200;
+    while (!end_requested_) {
+        std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{ends_[0], POLLIN, 0}};
+        const int ready = ::poll(waited.data(), waited.size(), poll_interval);
+        if (ready < 0 && errno != EINTR) return 0;
+        if (ready <= 0) continue;
+        if (waited[1].revents != 0) return 0;
+        if (waited[0].revents == 0) continue;
+        const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+        if (count >= 0) return static_cast<std::size_t>(count);
+        if (errno != EINTR && errno != EAGAIN) return 0;
+    }
+    return 0;
+}
+
+void CancellableInput::stop() const {
+    const char any = 0;
+    [[maybe_unused]] const ssize_t written = ::write(ends_[1], &any, 1);
+}
+
+}  // namespace grafverif::app
