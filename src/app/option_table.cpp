@@ -354,6 +354,8 @@ std::vector<Option> options_for_checks() {
              "time limit for each check, for example 90s or 5min"),
         time(OptionGroup::Lsp, "timeout", &Options::response_timeout_ms,
              "time limit for each check, for example 90s or 5min"),
+        time(OptionGroup::Mcp, "timeout", &Options::response_timeout_ms,
+             "largest time limit that a call can request (default: 10min)"),
         toggle(OptionGroup::Lsp, "stdio", &Options::stdio,
                "communicate over standard input and output (always enabled)"),
         list(OptionGroup::Lsp, "include,I", "DIR", &Options::include_folders,

@@ -122,7 +122,8 @@ std::string unknown_option(const std::string& given, const std::vector<Option>& 
 bool accepts(const CliCommand& verb, OptionGroup what) {
     if (what == OptionGroup::File) return verb.operand.starts_with("FILE");
     if (what == OptionGroup::Timeout) {
-        const auto has_another = {OptionGroup::Bench, OptionGroup::Serve, OptionGroup::Lsp, OptionGroup::Command};
+        const auto has_another = {OptionGroup::Bench, OptionGroup::Serve, OptionGroup::Lsp, OptionGroup::Mcp,
+                                  OptionGroup::Command};
         return std::ranges::none_of(has_another, [&](OptionGroup other) { return accepts(verb, other); });
     }
     if (what == OptionGroup::Writes)

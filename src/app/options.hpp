@@ -224,6 +224,7 @@ enum class OptionGroup {
     Mutants,
     Serve,
     Lsp,
+    Mcp,
     Command
 };
 

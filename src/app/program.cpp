@@ -52,6 +52,7 @@ constexpr std::array entries = {
     Entry{serve_usage, serve},
     Entry{watch_usage, watch},
     Entry{lsp_usage, lsp},
+    Entry{mcp_usage, mcp},
     Entry{analyse_usage, analyse},
     Entry{compare_usage, compare},
     Entry{mutate_usage, mutate},

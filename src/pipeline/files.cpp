@@ -186,9 +186,32 @@ std::optional<fs::path> PermittedFolders::resolved(const fs::path& path, std::st
     return {};
 }
 
-std::optional<std::string> PermittedFolders::read(const fs::path& path, std::string& why) const {
+std::optional<fs::path> PermittedFolders::located(const fs::path& path, std::string& why) const {
+    std::optional<fs::path> first;
+    for (const fs::path& folder : folders_) {
+        const auto file = resolved(folder / path, why);  // an absolute path replaces the folder
+        std::error_code failure;
+        if (file && fs::exists(*file, failure)) return file;
+        if (!first) first = file;
+    }
+    return first;
+}
+
+std::optional<std::string> PermittedFolders::read(const fs::path& path, std::string& why, std::uintmax_t most) const {
     const auto file = resolved(path, why);
-    return file ? content_of_file(*file, why) : std::nullopt;
+    if (!file) return {};
+    std::error_code failure;
+    const std::uintmax_t size = fs::is_regular_file(*file, failure) ? fs::file_size(*file, failure) : 0;
+    if (!failure && size > most) return why = fmt::format("larger than {} bytes", most), std::nullopt;
+    return content_of_file(*file, why);
+}
+
+std::string operand_for(const fs::path& file) {
+    std::error_code failure;
+    const fs::path here = fs::current_path(failure);
+    const fs::path relative = failure ? fs::path() : file.lexically_relative(here);
+    if (relative.empty() || *relative.begin() == "..") return file.string();
+    return relative.string().starts_with('-') ? "./" + relative.string() : relative.string();
 }
 
 Reach::Reach(const fs::path& main, const std::vector<std::string>& folders, const std::vector<std::string>& within)

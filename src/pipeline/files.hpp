@@ -55,14 +55,21 @@ public:
     /// Returns `path` with resolved links, or unchanged if reading is not restricted. The result is empty if the path is
     /// outside of the folders; `why` then has the reason, which does not depend on the existence of the file.
     std::optional<std::filesystem::path> resolved(const std::filesystem::path& path, std::string& why) const;
-    /// Returns the content of the regular file at `path`. The result is empty if the file is outside of the folders, or
-    /// if it cannot be read; `why` then has the reason.
-    std::optional<std::string> read(const std::filesystem::path& path, std::string& why) const;
+    /// As `resolved`, but a relative path refers to the first of the folders that contains such a file.
+    std::optional<std::filesystem::path> located(const std::filesystem::path& path, std::string& why) const;
+    /// Returns the content of the regular file at `path`. The result is empty if the file is outside of the folders, if
+    /// it has more than `most` bytes, or if it cannot be read; `why` then has the reason.
+    std::optional<std::string> read(const std::filesystem::path& path, std::string& why,
+                                    std::uintmax_t most = largest_input) const;
 
 private:
     bool restricted_ = false;
     std::vector<std::filesystem::path> folders_ = {};  ///< with resolved links
 };
+
+/// Returns `file` relative to the current folder if it is below this folder, otherwise unchanged. No command mistakes
+/// the result for an option or for standard input.
+std::string operand_for(const std::filesystem::path& file);
 
 /// The files that a file may include: those below the folder of the main file, below the folder of its project, and
 /// below folders given by the user. Therefore a chart cannot cause arbitrary files to be read; the current folder is

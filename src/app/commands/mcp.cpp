@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// `mcp`: the server of the Model Context Protocol, which an assistant starts.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <istream>
+#include <mutex>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <system_error>
+
+#include "app/commands.hpp"
+#include "app/system/cancellable_input.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/process.hpp"
+#include "app/system/watchdog.hpp"
+#include "mcp/server.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// Maximum size of the output of a command in bytes.
+constexpr std::size_t largest_output = std::size_t{16} << 20U;
+
+/// Executes a command in a separate process, which ends at the deadline or when `stop` is set.
+ProgramResult execute_separately(const grafverif::mcp::CommandRun& run) {
+    std::vector<std::string> words = {"/proc/self/exe"};
+    words.insert(words.end(), run.arguments.begin(), run.arguments.end());
+    return run_program(words, run.input, {run.deadline, run.stop, largest_output, {}});
+}
+
+/// Executes a command in this process, if the process does not belong to the program alone.
+ProgramResult execute_here(const grafverif::mcp::CommandRun& run) {
+    std::istringstream in(run.input);
+    std::ostringstream out, err;
+    const ExitCode code = app::run(run.arguments, {in, out, err});
+    return {ProgramResult::End::Exited, static_cast<int>(code), std::move(out).str(), std::move(err).str()};
+}
+
+/// Returns the absolute paths of the folders; nothing after an error.
+std::optional<std::vector<std::string>> folders_of(CommandContext& job) {
+    std::vector<std::string> folders;
+    for (const std::string& folder : job.options.operands) {
+        std::error_code failure;
+        const std::filesystem::path resolved = std::filesystem::canonical(folder, failure);
+        if (failure || !std::filesystem::is_directory(resolved, failure))
+            job.diagnostics.add(messages::cannot_read(folder, "the directory does not exist"));
+        else folders.push_back(resolved.string());
+    }
+    if (job.diagnostics.has_errors()) return {};
+    if (folders.empty()) folders.push_back(std::filesystem::canonical(".").string());
+    return folders;
+}
+
+}  // namespace
+
+ExitCode mcp(CommandContext& job, const Streams& streams) {
+    const auto folders = folders_of(job);
+    if (!folders) return ExitCode::Input;
+    grafverif::mcp::ServerEnvironment environment;
+    environment.version = GRAFVERIF_VERSION;
+    environment.folders = *folders;
+    if (const auto timeout = job.options.response_timeout_ms)
+        environment.longest_call_s = std::max<std::int64_t>(1, static_cast<std::int64_t>(*timeout / 1000));
+    if (const auto memory = job.options.max_memory)
+        environment.largest_call_mib = std::max<std::int64_t>(16, static_cast<std::int64_t>(*memory >> 20U));
+    const grafverif::mcp::Send send = [&](std::string_view bytes) {
+        streams.out << bytes << std::flush;
+        return streams.out.good();
+    };
+    if (!streams.alone) {
+        std::mutex one;  // commands in one process share its handlers of signals
+        environment.execute = [&one](const grafverif::mcp::CommandRun& run) {
+            const std::lock_guard hold(one);
+            return execute_here(run);
+        };
+        const auto receive = [&](std::span<char> buffer) {
+            streams.in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+            return static_cast<std::size_t>(streams.in.gcount());
+        };
+        grafverif::mcp::converse(receive, send, environment);
+        return ExitCode::Done;
+    }
+    std::signal(SIGPIPE, SIG_IGN);  // if the client disappears, writing fails, and the running calls are cancelled
+    const Interrupt interrupt;
+    const CancellableInput input(interrupt.requested());
+    environment.execute = execute_separately;
+    environment.keep_memory_back = [] { app::keep_memory_back(); };
+    environment.hang_up = [&] { input.stop(); };
+    grafverif::mcp::converse([&](std::span<char> buffer) { return input.receive(buffer); }, send, environment);
+    return interrupt.requested() ? ExitCode::Unknown : ExitCode::Done;
+}
+
+CliCommand mcp_usage() {
+    return {
+        "mcp",
+        "[FOLDER...]",
+        0,
+        any_number - 1,
+        "run a server for assistants: read, draw, check, explain, simulate, analyse, compare, complete",
+        "Implements the Model Context Protocol (2024-11-05, 2025-03-26, 2025-06-18) on standard input and output, for "
+        "programs\n"
+        "that start it (docs/how-to/mcp.md has the configuration). Only files below the FOLDERs are read (default: "
+        "the\n"
+        "current directory), and nothing is written. Each call of a tool is executed by a separate process with its "
+        "own limits\n"
+        "of time and memory. --max-memory limits the server and is the largest memory limit that a call can request\n"
+        "(default: 8192M). The server exits when the client closes the stream.",
+        {"grafverif mcp", "grafverif mcp charts templates --timeout 2min"},
+        {OptionGroup::Mcp}};
+}
+
+}  // namespace grafverif::app

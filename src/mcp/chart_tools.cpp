@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// `read`, `draw`, `simulate`, `analyse` and `compare`.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mcp/tools.hpp"
+#include "read/formats.hpp"
+
+namespace grafverif::mcp {
+
+namespace {
+
+using Kind = Argument::Kind;
+
+/// Limits of a result in bytes and elements.
+constexpr std::size_t longest_text = 200'000, most_findings = 200, most_scans = 1000;
+
+Json string_type() { return {{"type", "string"}}; }
+Json list_of(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
+
+std::string word(FileFormat format) {
+    switch (format) {
+    case FileFormat::Unknown:
+    case FileFormat::Grafcet: return "grafcet";
+    case FileFormat::Xml: return "xml";
+    case FileFormat::StructuredText: return "structured-text";
+    }
+    return {};
+}
+
+/// Returns `file:line:column: `, or an empty string if the element has no position.
+std::string place_of(const Json& element) {
+    if (!element.contains("file") || !element["file"].is_string()) return {};
+    return fmt::format("{}:{}:{}: ", element["file"].get<std::string>(), element["line"].dump(),
+                       element["column"].dump());
+}
+
+std::string message_line(const Json& element, const char* level) {
+    return fmt::format("{}{}: {} [{}]\n", place_of(element), element.at(level).get<std::string>(),
+                       element.at("message").get<std::string>(), element.at("code").get<std::string>());
+}
+
+/// Returns the elements that `check --list` prints, without repeated members.
+Json models_of(const Json& listed) {
+    Json models = Json::array();
+    for (const Json& each : listed) {
+        const auto known = std::ranges::find_if(models, [&](const Json& model) {
+            return model["name"] == each.at("model") && model["kind"] == each.at("kind");
+        });
+        Json& model = known != models.end() ? *known : (models.push_back(nullptr), models.back());
+        if (model.is_null())
+            model = {{"name", each.at("model")}, {"kind", each.at("kind")}, {"properties", Json::array()}};
+        if (each.at("property").is_string())
+            model["properties"].push_back(
+                {{"name", each["property"]}, {"description", each.at("text")}, {"expected", each.at("expected")}});
+    }
+    return models;
+}
+
+ToolResult read(ToolCall& call) {
+    const std::string text = call.content();
+    const FileFormat format = format_of(text);
+    const ProgramResult listed =
+        call.execute({"check", call.operand(), "--list", "--format=json", "--diagnostics=json"});
+    const Json models = Json::parse(listed.out, nullptr, false), messages = Json::parse(listed.err, nullptr, false);
+    ToolResult result;
+    result.data = {{"format", word(format)},
+                   {"text", text},
+                   {"models", models.is_array() ? models_of(models) : Json::array()},
+                   {"diagnostics", messages.is_array() ? messages : Json::array()}};
+    if (format == FileFormat::Xml || format == FileFormat::StructuredText) {
+        const ProgramResult imported = call.execute({"import", call.operand()});
+        if (imported.status == 0) result.data["text"] = imported.out;
+    }
+    result.data["text"] = shortened(result.data["text"].get<std::string>(), longest_text);
+    result.text = result.data["text"].get<std::string>() + '\n';
+    for (const Json& each : result.data["diagnostics"]) result.text += message_line(each, "severity");
+    return result;
+}
+
+ToolResult draw(ToolCall& call) {
+    std::vector<std::string> command = {"draw", call.operand()};
+    for (std::string& option : call.options({"chart", "situation", "notation"})) command.push_back(std::move(option));
+    ProgramResult drawn = call.execute(std::move(command));
+    if (drawn.status != 0) throw CallError{drawn.err};
+    return {std::move(drawn.out), {}};
+}
+
+ToolResult simulate(ToolCall& call) {
+    std::vector<std::string> command = {"simulate", call.path("file"), "--script=-"};
+    for (std::string& option : call.options({"loop", "chart", "mode", "grain", "set"}))
+        command.push_back(std::move(option));
+    call.set_input(call.text("commands") + "\nshow\n");
+    const ProgramResult played = call.execute(std::move(command));
+    constexpr int unmet = 1;
+    if (played.status != 0 && played.status != unmet) throw CallError{shortened(played.out, longest_text) + played.err};
+    ToolResult result{shortened(played.out, longest_text) + played.err};
+    result.data = {{"run", shortened(played.out, longest_text)},
+                   {"expectations_met", played.status == 0},
+                   {"messages", played.err}};
+    return result;
+}
+
+ToolResult analyse(ToolCall& call) {
+    std::vector<std::string> command = {"analyse", call.operand(), "--format=json"};
+    for (std::string& option : call.options({"chart", "mode"})) command.push_back(std::move(option));
+    const Json found = call.execute_json(std::move(command));
+    ToolResult result;
+    result.data = {{"findings", Json::array()}};
+    for (const char* const member : {"chart", "mode", "complete", "obstacle", "open", "notes"})
+        result.data[member] = found.at(member);
+    result.text = fmt::format("{}: {} findings{}\n", found.at("chart").get<std::string>(), found.at("findings").size(),
+                              found.at("complete").get<bool>() ? "" : "; the search is not complete");
+    for (const Json& each : found.at("findings")) {
+        if (result.data["findings"].size() == most_findings) break;
+        Json finding = each;
+        finding.erase("trace");
+        result.text += message_line(finding, "level");
+        result.data["findings"].push_back(std::move(finding));
+    }
+    for (const Json& note : found.at("notes")) result.text += "note: " + note.get<std::string>() + '\n';
+    return result;
+}
+
+ToolResult compare(ToolCall& call) {
+    std::vector<std::string> command = {"compare", call.path("file"), call.path("other")};
+    for (std::string& option : call.options({"chart", "other_chart", "mode"})) command.push_back(std::move(option));
+    std::vector<std::string> with_json = command;
+    with_json.emplace_back("--format=json");
+    const Json found = call.execute_json(std::move(with_json));
+    ToolResult result;
+    for (const char* const member :
+         {"charts", "mode", "outcome", "reason", "shortest", "constrained", "restricted", "ignored", "changes"})
+        result.data[member] = found.at(member);
+    result.data["scans"] = Json::array();
+    for (const Json& scan : found.at("scans")) {
+        if (result.data["scans"].size() == most_scans) break;
+        result.data["scans"].push_back(scan);
+    }
+    result.text = fmt::format("{} ({})\n", found.at("outcome").get<std::string>(), found.at("mode").get<std::string>());
+    if (found.at("reason").is_string()) result.text += found["reason"].get<std::string>() + '\n';
+    for (const Json& scan : result.data["scans"]) result.text += scan.dump() + '\n';
+    return result;
+}
+
+}  // namespace
+
+Tool read_tool() {
+    Tool tool{
+        "read", "Read a file",
+        "Returns the text of a file, its models with their properties, and its errors and warnings. A file in another "
+        "format (AGRAFE, PLCopen XML, textual SFC) is converted to the input language of grafverif.",
+        input_arguments()};
+    tool.output_schema = {{"type", "object"},
+                          {"properties",
+                           {{"format", {{"enum", {"grafcet", "xml", "structured-text"}}}},
+                            {"text", string_type()},
+                            {"models", list_of({{"type", "object"}})},
+                            {"diagnostics", list_of({{"type", "object"}})}}},
+                          {"required", Json::array({"format", "text", "models", "diagnostics"})}};
+    tool.run = read;
+    return tool;
+}
+
+Tool draw_tool() {
+    Tool tool{"draw", "Draw a chart", "Returns a drawing of a chart in the notation of IEC 60848, as SVG.",
+              input_arguments()};
+    tool.arguments.push_back({"chart", Kind::Name, "chart, if the file has several"});
+    tool.arguments.push_back({"situation", Kind::Name, "steps to mark as active, such as 3,5"});
+    tool.arguments.push_back(
+        {"notation", Kind::Choice, "notation of conditions (default: iec)", false, {"iec", "text"}});
+    tool.run = draw;
+    return tool;
+}
+
+Tool simulate_tool() {
+    Tool tool{
+        "simulate",
+        "Simulate a loop or chart",
+        "Executes commands from power-on, one per line, and returns the run and the final values. `NAME = VALUE` sets "
+        "an "
+        "input. `wait 3s` lets time pass, and `wait` waits for the next event. `do INSTANCE [LOCATION]` moves the "
+        "plant, "
+        "and `NUMBER` selects a choice. `expect CLAIM`, `expect within 5s CLAIM` and `wait until CLAIM` check values. "
+        "`force STEP on|off` starts a what-if run. `repeat N {` ... `}` repeats commands.",
+        {{"file", Kind::Name, "path of the file, absolute or relative to a folder of the server", true},
+         {"commands", Kind::Text, "commands, one per line", true}}};
+    for (Argument& each : model_arguments()) tool.arguments.push_back(std::move(each));
+    tool.output_schema = {
+        {"type", "object"},
+        {"properties",
+         {{"run", string_type()},
+          {"expectations_met", {{"type", "boolean"}}},
+          {"messages", {{"type", "string"}, {"description", "expectations that are not met, with their lines"}}}}},
+        {"required", Json::array({"run", "expectations_met", "messages"})}};
+    tool.run = simulate;
+    return tool;
+}
+
+Tool analyse_tool() {
+    Tool tool{
+        "analyse", "Analyse a chart",
+        "Finds possible faults of a chart without a plant, for arbitrary inputs: races, contradictory orders, total "
+        "instability, elements that are never used.",
+        input_arguments()};
+    tool.arguments.push_back({"chart", Kind::Name, "chart, if the file has several"});
+    tool.arguments.push_back(model_arguments().back());
+    tool.output_schema = {{"type", "object"},
+                          {"properties",
+                           {{"chart", string_type()},
+                            {"mode", string_type()},
+                            {"complete", {{"type", "boolean"}}},
+                            {"obstacle", {{"type", {"string", "null"}}}},
+                            {"open", {{"type", "array"}}},
+                            {"notes", list_of(string_type())},
+                            {"findings", list_of({{"type", "object"}})}}},
+                          {"required", Json::array({"chart", "complete", "findings"})}};
+    tool.run = analyse;
+    return tool;
+}
+
+Tool compare_tool() {
+    Tool tool{
+        "compare",
+        "Compare two charts or programs",
+        "Proves that two charts or PLC programs have equal outputs in every scan, for all inputs, or returns the scans "
+        "of a distinguishing sequence.",
+        {{"file", Kind::Name, "path of the first file", true},
+         {"other", Kind::Name, "path of the second file", true},
+         {"chart", Kind::Name, "chart of the first file, and of the second one unless `other_chart` is given"},
+         {"other_chart", Kind::Name, "chart of the second file"}}};
+    tool.arguments.push_back(model_arguments().back());
+    tool.output_schema = {{"type", "object"},
+                          {"properties",
+                           {{"charts", {{"type", "array"}}},
+                            {"mode", string_type()},
+                            {"outcome", {{"enum", {"equal", "different", "unknown"}}}},
+                            {"reason", {{"type", {"string", "null"}}}},
+                            {"scans", list_of({{"type", "object"}})},
+                            {"changes", list_of({{"type", "object"}})}}},
+                          {"required", Json::array({"charts", "outcome", "scans"})}};
+    tool.run = compare;
+    return tool;
+}
+
+}  // namespace grafverif::mcp

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// `check` and `explain`: verdicts, and the counterexample of one property as text and as data. Both convert the output
+// of `grafverif check --format json`.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "mcp/tools.hpp"
+
+namespace grafverif::mcp {
+
+namespace {
+
+using Kind = Argument::Kind;
+
+/// Limits of a result, so that a client can process it. `check` shortens each counterexample more than `explain`.
+constexpr std::size_t short_trace = 4000, long_trace = 200'000, most_steps = 1000;
+
+constexpr const char* property_schema = R"({
+  "type": "object",
+  "properties": {
+    "name": {"type": "string"},
+    "description": {"type": ["string", "null"]},
+    "verdict": {"enum": ["holds", "violated", "unknown"]},
+    "expected": {"enum": ["holds", "violated"]},
+    "as_expected": {"type": "boolean"},
+    "vacuous": {"type": "boolean", "description": "true if the property holds only because it is never relevant"},
+    "declared": {"type": "boolean", "description": "false for properties that grafverif adds"},
+    "reason": {"type": ["string", "null"], "description": "reason of the verdict `unknown`"},
+    "assumptions": {"type": "string", "description": "model, engine and assumptions to which the verdict applies"},
+    "notes": {"type": "array", "items": {"type": "string"}},
+    "file": {"type": ["string", "null"]},
+    "line": {"type": ["integer", "null"]},
+    "column": {"type": ["integer", "null"]},
+    "counterexample": {"type": ["string", "null"], "description": "table of the run that shows the verdict"}
+  },
+  "required": ["name", "verdict", "expected", "as_expected", "assumptions"]
+})";
+
+constexpr const char* errors_schema = R"({
+  "type": "array",
+  "description": "model errors; every verdict that depends on states beyond them is unknown",
+  "items": {
+    "type": "object",
+    "properties": {"code": {"type": "string"}, "message": {"type": "string"}, "run": {"type": "string"}},
+    "required": ["code", "message"]
+  }
+})";
+
+std::vector<Argument> check_arguments() {
+    std::vector<Argument> all = input_arguments();
+    for (Argument& each : model_arguments()) all.push_back(std::move(each));
+    const std::vector<Argument> own = {
+        {"grain",
+         Kind::Choice,
+         "phased: the plant can move within a PLC cycle; atomic: it cannot",
+         false,
+         {"phased", "atomic"}},
+        {"engine",
+         Kind::Choice,
+         "engine (default: timed for a closed loop, otherwise auto)",
+         false,
+         {"auto", "timed", "symbolic", "pdr", "bmc"}},
+        {"untimed", Kind::Flag, "check the untimed model; the assumptions state what follows for the timed loop"},
+        {"plant", Kind::Choice, "plant of the untimed model", false, {"none", "constraints", "automata"}},
+        {"set", Kind::Names, "values of constants of the closed loop, each as NAME=VALUE"},
+        {"properties_file", Kind::Name, "property file, if the input is a PLC program (IEC 61131-3)"},
+    };
+    all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+std::vector<std::string> check_command(ToolCall& call) {
+    std::vector<std::string> command = {"check", call.operand(), "--format=json"};
+    for (std::string& option : call.options({"loop", "chart", "mode", "grain", "engine", "untimed", "plant", "set"}))
+        command.push_back(std::move(option));
+    if (call.has("properties_file")) command.push_back("--properties=" + call.path("properties_file"));
+    return command;
+}
+
+/// Joins a list of lines; empty for null.
+std::string text_of_lines(const Json& lines) {
+    std::string text;
+    if (lines.is_array())
+        for (const Json& line : lines) text += line.get<std::string>() + '\n';
+    return text;
+}
+
+Json text_or_null(std::string text) { return text.empty() ? Json(nullptr) : Json(std::move(text)); }
+
+bool is_expected(const Json& property) { return property.at("verdict") == property.at("expected"); }
+
+/// Converts an element of `properties`. If `always` is false, only a violated or unexpected property has its trace.
+Json property_of(const Json& found, std::size_t longest_trace, bool always) {
+    const bool shown = always || !is_expected(found);
+    Json made = {{"name", found.at("name")},
+                 {"description", found.at("text")},
+                 {"as_expected", is_expected(found)},
+                 {"counterexample",
+                  shown ? text_or_null(shortened(text_of_lines(found.at("trace_text")), longest_trace)) : Json()}};
+    for (const char* const member :
+         {"verdict", "expected", "vacuous", "declared", "reason", "assumptions", "notes", "file", "line", "column"})
+        made[member] = found.at(member);
+    return made;
+}
+
+Json errors_of(const Json& document, std::size_t longest_trace) {
+    Json errors = Json::array();
+    if (document.contains("errors"))
+        for (const Json& each : document["errors"])
+            errors.push_back({{"code", each.at("code")},
+                              {"message", each.at("message")},
+                              {"run", shortened(text_of_lines(each.at("trace_text")), longest_trace)}});
+    return errors;
+}
+
+/// Returns a line such as `apart: violated, expected holds: the steps are never active together`.
+std::string verdict_line(const Json& property) {
+    std::string line =
+        fmt::format("{}: {}", property["name"].get<std::string>(), property["verdict"].get<std::string>());
+    if (property["vacuous"].get<bool>()) line += ", vacuously";
+    if (!property["as_expected"].get<bool>())
+        line += fmt::format(", expected {}", property["expected"].get<std::string>());
+    else if (property["verdict"] == "violated") line += ", as expected";
+    if (property["description"].is_string()) line += ": " + property["description"].get<std::string>();
+    line += '\n';
+    if (property["reason"].is_string()) line += "    reason: " + property["reason"].get<std::string>() + '\n';
+    for (const Json& note : property["notes"]) line += "    note: " + note.get<std::string>() + '\n';
+    if (property["counterexample"].is_string()) line += property["counterexample"].get<std::string>();
+    return line;
+}
+
+/// Returns the verdicts as text. Verdicts with the same assumptions are listed together.
+std::string verdicts_text(const Json& data, const Json& properties) {
+    std::string text;
+    for (const Json& error : data["model_errors"])
+        text += fmt::format("model error: {} [{}]\n{}", error["message"].get<std::string>(),
+                            error["code"].get<std::string>(), error["run"].get<std::string>());
+    std::vector<std::string> order;
+    std::map<std::string, std::string> by_assumptions;
+    for (const Json& property : properties) {
+        const auto assumptions = property["assumptions"].get<std::string>();
+        if (!by_assumptions.contains(assumptions)) order.push_back(assumptions);
+        by_assumptions[assumptions] += verdict_line(property);
+    }
+    for (const std::string& assumptions : order)
+        text += fmt::format("Assumptions: {}\n{}", assumptions, by_assumptions[assumptions]);
+    return text;
+}
+
+ToolResult check(ToolCall& call) {
+    std::vector<std::string> command = check_command(call);
+    for (const std::string& option : call.options({"property"})) command.push_back(option);
+    int code = 0;
+    const Json found = call.execute_json(std::move(command), &code);
+    Json properties = Json::array();
+    for (const Json& each : found.at("properties")) properties.push_back(property_of(each, short_trace, false));
+    ToolResult result;
+    result.data = {
+        {"model", found.at("model")}, {"as_expected", code == 0}, {"model_errors", errors_of(found, short_trace)}};
+    result.text = fmt::format("{}: {}\n{}", found.at("model").get<std::string>(),
+                              code == 0 ? "all verdicts are as expected" : "not all verdicts are as expected",
+                              verdicts_text(result.data, properties));
+    result.data["properties"] = std::move(properties);
+    return result;
+}
+
+/// Returns the first steps of a trace, without the members that only programs need.
+Json steps_of(const Json& trace) {
+    Json steps = Json::array();
+    for (const Json& each : trace.at("steps")) {
+        if (steps.size() == most_steps) break;
+        Json step = each;
+        step.erase("moment");
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+Json causes_of(const Json& trace) {
+    Json causes = Json::array();
+    if (const Json& run = trace.at("run"); run.contains("causes"))
+        for (const Json& cause : run["causes"].at("values")) causes.push_back(cause.at("words"));
+    return causes;
+}
+
+/// Returns the part of the explanation of proofs for one property (docs/explanation/why.md); null if there is none.
+Json proof_of(const Json& document, const Json& name) {
+    if (document.contains("why"))
+        for (const Json& each : document["why"].at("properties"))
+            if (each.at("property") == name) return each;
+    return nullptr;
+}
+
+/// Returns a line for each type of elements that the proof needs, such as `proof needs steps: 4`.
+std::string proof_text(const Json& proof) {
+    std::string text;
+    for (const char* const member : {"transitions", "steps", "parts", "timings", "open"}) {
+        if (!proof.is_object() || proof.at(member).empty()) continue;
+        const auto names = proof[member].get<std::vector<std::string>>();
+        const bool open = std::string_view(member) == "open";
+        text +=
+            fmt::format("{}: {}\n", open ? "undecided" : fmt::format("proof needs {}", member), fmt::join(names, ", "));
+    }
+    return text;
+}
+
+ToolResult explain(ToolCall& call) {
+    std::vector<std::string> command = check_command(call);
+    for (const std::string& option : call.options({"property", "why"})) command.push_back(option);
+    const Json found = call.execute_json(std::move(command));
+    const auto property = std::ranges::find_if(
+        found.at("properties"), [&](const Json& each) { return each.at("name") == call.text("property"); });
+    if (property == found["properties"].end())
+        throw CallError{fmt::format("`{}` has no result; pass the name of a single property", call.text("property"))};
+    ToolResult result;
+    result.data = property_of(*property, long_trace, true);
+    result.data["model"] = found.at("model");
+    result.data["model_errors"] = errors_of(found, long_trace);
+    const Json& trace = property->at("trace");
+    result.data["steps"] = trace.is_object() ? steps_of(trace) : Json::array();
+    result.data["steps_complete"] = !trace.is_object() || trace.at("steps").size() <= most_steps;
+    result.data["loop_from"] = trace.is_object() ? trace.at("loop_from") : Json();
+    result.data["causes"] = trace.is_object() ? causes_of(trace) : Json::array();
+    result.data["proof"] = proof_of(found, property->at("name"));
+    result.text = verdicts_text(result.data, Json::array({result.data})) + proof_text(result.data["proof"]);
+    return result;
+}
+
+}  // namespace
+
+Tool check_tool() {
+    Tool tool{
+        "check", "Check properties",
+        "Decides the properties of a closed loop, or of a chart with free inputs. Each verdict is `holds`, `violated` "
+        "or `unknown`; an unexpected verdict has its counterexample as a table of the run. Without `property`, all "
+        "properties are checked.",
+        check_arguments()};
+    tool.arguments.push_back({"property", Kind::Names, "names of the properties to check (default: all)"});
+    tool.output_schema = {
+        {"type", "object"},
+        {"properties",
+         {{"model", {{"type", "string"}}},
+          {"as_expected", {{"type", "boolean"}, {"description", "true if every verdict is as expected"}}},
+          {"properties", {{"type", "array"}, {"items", Json::parse(property_schema)}}},
+          {"model_errors", Json::parse(errors_schema)}}},
+        {"required", Json::array({"model", "as_expected", "properties", "model_errors"})}};
+    tool.run = check;
+    return tool;
+}
+
+Tool explain_tool() {
+    Tool tool{
+        "explain", "Explain a verdict",
+        "Checks one property and returns its counterexample or witness completely: as a table, as a list of steps, and "
+        "with its causes. With `why`, a property that holds has the parts of the chart and the plant on which the "
+        "proof depends.",
+        check_arguments()};
+    tool.arguments.push_back({"property", Kind::Name, "name of the property", true});
+    tool.arguments.push_back({"why", Kind::Flag, "also explain why the property holds (a closed loop; takes longer)"});
+    Json schema = Json::parse(property_schema);
+    schema["properties"]["model"] = {{"type", "string"}};
+    schema["properties"]["model_errors"] = Json::parse(errors_schema);
+    schema["properties"]["steps"] = {
+        {"type", "array"},
+        {"items", {{"type", "object"}}},
+        {"description", "steps of the run: time in ms, kind, component, inputs, fired, situation, outputs"}};
+    schema["properties"]["steps_complete"] = {{"type", "boolean"}};
+    schema["properties"]["loop_from"] = {{"type", {"integer", "null"}},
+                                         {"description", "index of the step from which the run repeats forever"}};
+    schema["properties"]["causes"] = {{"type", "array"}, {"items", {{"type", "string"}}}};
+    schema["properties"]["proof"] = {{"type", {"object", "null"}}};
+    tool.output_schema = std::move(schema);
+    tool.run = explain;
+    return tool;
+}
+
+}  // namespace grafverif::mcp

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Resources of the MCP server: the reference of the language, and the components of the library. All of them are parts
+// of the program.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace grafverif::mcp {
+
+using Json = nlohmann::json;
+
+/// A page of the documentation in Markdown.
+struct Page {
+    std::string_view name = {};
+    std::string_view text = {};
+};
+std::span<const Page> pages();
+
+/// Returns the list of resources as `resources/list` sends it.
+Json resource_list();
+/// Returns the content of a resource as `resources/read` sends it; nothing if no resource has this address.
+std::optional<Json> resource_content(std::string_view uri);
+
+}  // namespace grafverif::mcp

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// ToolCall: one call of a tool, with its arguments, its limits, and the execution of commands within these limits.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mcp/server.hpp"
+
+namespace grafverif::mcp {
+
+using Json = nlohmann::json;
+
+struct ToolResult {
+    std::string text = {};
+    Json data = {};  ///< null if the tool has no data
+};
+
+/// Failure of a call that the client can correct, such as an error in a file. It becomes a result with `isError`.
+struct CallError {
+    std::string text = {};
+};
+
+class ToolCall {
+public:
+    /// The time limit begins now. `arguments` conform to the table of the tool.
+    ToolCall(const ServerEnvironment& environment, Json arguments, const std::atomic<bool>& stop);
+
+    bool has(const char* name) const { return arguments_.contains(name); }
+    bool flag(const char* name) const { return has(name) && arguments_[name].get<bool>(); }
+    std::string text(const char* name) const { return has(name) ? arguments_[name].get<std::string>() : std::string(); }
+    std::int64_t number(const char* name, std::int64_t fallback) const {
+        return has(name) ? arguments_[name].get<std::int64_t>() : fallback;
+    }
+
+    /// Returns the operand for the input: the path in `file`, or `-` for `text`, which then is standard input. Throws
+    /// CallError if the call has both arguments or none.
+    std::string operand();
+    /// Returns the path in the argument, which is absolute and without links. A relative argument refers to the first
+    /// folder of the server that contains such a file. Throws CallError if the path is outside of the folders.
+    std::filesystem::path located(const char* argument) const;
+    /// As `located`, but in the form in which a command reads the path.
+    std::string path(const char* argument) const;
+    /// Returns the content of the input. Throws CallError if it cannot be read or is larger than a message.
+    std::string content();
+    /// Returns `--option=value` for each given argument of this list: texts, choices, names (one option for each), and
+    /// flags (without a value). Underscores of the name become dashes.
+    std::vector<std::string> options(std::initializer_list<const char*> names) const;
+
+    void set_input(std::string input) { input_ = std::move(input); }
+    /// Executes a command within the limits of the call. Throws CallError if it does not end normally, and if it ends
+    /// with an internal error.
+    ProgramResult execute(std::vector<std::string> command) const;
+    /// Executes a command that prints JSON. Throws CallError with its error messages if it prints none.
+    Json execute_json(std::vector<std::string> command, int* exit_code = nullptr) const;
+    /// Executes `grafverif lsp`, which has no option for its time limit.
+    ProgramResult execute_language_server(const std::string& messages) const;
+
+    const ServerEnvironment& environment() const { return environment_; }
+
+private:
+    ProgramResult run(CommandRun command) const;
+
+    const ServerEnvironment& environment_;
+    Json arguments_;
+    const std::atomic<bool>& stop_;
+    std::chrono::steady_clock::time_point deadline_;
+    std::string input_ = {};
+};
+
+/// Returns the text, cut after `most` bytes at the end of a line, with a note that it is not complete.
+std::string shortened(std::string text, std::size_t most);
+
+}  // namespace grafverif::mcp

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "mcp/tools.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace grafverif::mcp {
+
+using Kind = Argument::Kind;
+
+std::vector<Argument> input_arguments() {
+    return {{"file", Kind::Name, "path of the file, absolute or relative to a folder of the server"},
+            {"text", Kind::Text, "content of a file that is not saved, instead of `file`"}};
+}
+
+std::vector<Argument> model_arguments() {
+    return {{"loop", Kind::Name, "closed loop, if the file has several"},
+            {"chart", Kind::Name, "chart, if the file has several, or to use a chart without its closed loop"},
+            {"mode", Kind::Choice, "execution mode; overrides the model", false, {"stability-search", "every-cycle"}}};
+}
+
+std::vector<Tool> tools(const ServerEnvironment& environment) {
+    std::vector<Tool> all = {read_tool(),     draw_tool(),    check_tool(),   explain_tool(),
+                             simulate_tool(), analyse_tool(), compare_tool(), complete_tool()};
+    for (Tool& tool : all) {
+        tool.arguments.push_back({.name = "timeout",
+                                  .kind = Kind::Number,
+                                  .description = "time limit of the call in seconds (default: 60)",
+                                  .least = 1,
+                                  .most = environment.longest_call_s});
+        tool.arguments.push_back({.name = "max_memory",
+                                  .kind = Kind::Number,
+                                  .description = "memory limit of the call in MiB (default: 2048)",
+                                  .least = 16,
+                                  .most = environment.largest_call_mib});
+    }
+    return all;
+}
+
+Json tool_list(std::span<const Tool> tools, bool structured) {
+    Json list = Json::array();
+    for (const Tool& tool : tools) {
+        Json entry = {
+            {"name", tool.name}, {"description", tool.description}, {"inputSchema", schema_of(tool.arguments)}};
+        entry["annotations"] = {
+            {"title", tool.title}, {"readOnlyHint", true}, {"idempotentHint", true}, {"openWorldHint", false}};
+        if (structured) entry["title"] = tool.title;
+        if (structured && !tool.output_schema.is_null()) entry["outputSchema"] = tool.output_schema;
+        list.push_back(std::move(entry));
+    }
+    return {{"tools", std::move(list)}};
+}
+
+}  // namespace grafverif::mcp

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Tools: the table of all tools that the MCP server offers. A tool runs commands of grafverif and converts their output
+// to a short result.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mcp/arguments.hpp"
+#include "mcp/tool_call.hpp"
+
+namespace grafverif::mcp {
+
+struct Tool {
+    std::string name = {}, title = {}, description = {};
+    std::vector<Argument> arguments = {};
+    Json output_schema = {};  ///< schema of ToolResult::data; null if the tool has no data
+    /// Executes a call with checked arguments. Throws CallError if the call fails.
+    ToolResult (*run)(ToolCall& call) = nullptr;
+};
+
+/// Returns all tools. The ranges of `timeout` and `max_memory` depend on the environment.
+std::vector<Tool> tools(const ServerEnvironment& environment);
+
+/// Returns the tools as `tools/list` sends them. Before version 2025-06-18, tools had no titles and output schemas.
+Json tool_list(std::span<const Tool> tools, bool structured);
+
+// The tools without their common arguments: chart_tools.cpp, check_tools.cpp, complete_tool.cpp.
+Tool read_tool();
+Tool draw_tool();
+Tool simulate_tool();
+Tool analyse_tool();
+Tool compare_tool();
+Tool check_tool();
+Tool explain_tool();
+Tool complete_tool();
+
+/// Returns the arguments that name the input: `file` and `text`, of which a call has exactly one.
+std::vector<Argument> input_arguments();
+/// Returns the arguments that select a loop or chart of the input, and the execution mode.
+std::vector<Argument> model_arguments();
+
+}  // namespace grafverif::mcp
