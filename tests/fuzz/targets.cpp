@@ -20,6 +20,7 @@ std::span<const Target> targets() {
         Target{"simulate", simulate_complaint},
         Target{"nusmv", nusmv_complaint},
         Target{"verifyta", verifyta_complaint},
+        Target{"mcp", mcp_complaint},
         Target{"commands", commands_complaint},
     };
     return all;

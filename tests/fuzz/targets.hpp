@@ -32,6 +32,7 @@ std::string plc_complaint(std::string_view bytes);
 std::string simulate_complaint(std::string_view bytes);
 std::string nusmv_complaint(std::string_view bytes);
 std::string verifyta_complaint(std::string_view bytes);
+std::string mcp_complaint(std::string_view bytes);
 std::string commands_complaint(std::string_view bytes);
 
 }  // namespace grafverif::fuzz
