@@ -7,6 +7,7 @@
 // abstraction that decided the property in the original, because most changes do not affect it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -44,7 +45,7 @@ public:
     const std::vector<SearchEffort>& efforts() const { return efforts_; }
 
     /// Returns verdicts on the properties whose names are in `names`. A property that has an observer is decided in a
-    /// separate search.
+    /// separate search. Several threads may search different networks.
     std::vector<Verdict> operator()(const Network& network, std::vector<std::string> names, const SearchEffort& effort,
                                     const Deadline& deadline);
 
@@ -62,7 +63,7 @@ private:
     std::vector<SearchEffort> efforts_ = {};
     std::map<std::string, InputsAbstracted> known_ = {};  ///< by property
     std::uint64_t most_states_ = 0;
-    std::size_t searches_ = 0;
+    std::atomic<std::size_t> searches_ = 0;
 };
 
 }  // namespace grafverif

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -17,7 +16,6 @@
 #include <random>
 #include <sstream>
 #include <system_error>
-#include <thread>
 
 #include "app/commands.hpp"
 #include "app/outputs.hpp"
@@ -28,6 +26,7 @@
 #include "compare/mutants.hpp"
 #include "draw/changes.hpp"
 #include "pipeline/files.hpp"
+#include "pipeline/variants/in_parallel.hpp"
 #include "read/formats.hpp"
 #include "report/charts/mutation.hpp"
 #include "support/json_text.hpp"
@@ -206,11 +205,9 @@ public:
     /// Checks every mutant. With a time limit, each mutant has a share of the time; mutants that are undecided at the
     /// end of their share are checked again with the remaining time.
     void run() {
-        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-        jobs_ = options_.jobs == 0 ? cores : options_.jobs;
+        jobs_ = thread_count(options_.jobs);
         run_once();
         is_last_ = true;
-        next_ = 0;
         left_ = provisional_.size();
         if (left_ > 0) run_once();
         for (auto& [index, mutant_result] : provisional_)
@@ -228,27 +225,11 @@ private:
     }
 
     void run_once() {
-        {
-            std::vector<std::jthread> threads;
-            try {
-                for (unsigned k = 0; k < std::min<std::size_t>(jobs_, mutation_.mutants.size()); ++k)
-                    threads.emplace_back([this] { work(); });
-            } catch (const std::system_error&) {  // the threads that could be started check all mutants
-                if (threads.empty()) work();
-            }
-        }
-        if (failure_) std::rethrow_exception(failure_);
-    }
-
-    void work() {
-        try {
-            for (std::size_t k = next_++; k < mutation_.mutants.size() && !stopped(); k = next_++)
+        in_parallel(
+            mutation_.mutants.size(), jobs_, [this] { return stopped(); },
+            [this](std::size_t k) {
                 if (!mutation_.results[k]) check_mutant(k);
-        } catch (...) {
-            const std::lock_guard lock(mutex_);
-            failure_ = std::current_exception();
-            next_ = mutation_.mutants.size();
-        }
+            });
     }
 
     void check_mutant(std::size_t index) {
@@ -285,9 +266,7 @@ private:
     const Limits& limits_;
     StateFile& state_;
     std::mutex mutex_ = {};
-    std::exception_ptr failure_ = {};
-    /// Index of the next mutant; number of mutants that share the remaining time.
-    std::atomic<std::size_t> next_ = 0, left_ = 0;
+    std::atomic<std::size_t> left_ = 0;  ///< number of mutants that share the remaining time
     unsigned jobs_ = 1;
     bool is_last_ = false;
     /// Results of mutants that are undecided at the end of their share of the time.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Checks variants of a model in parallel.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace grafverif {
+
+/// Returns `jobs`, or the number of cores if it is 0.
+unsigned thread_count(unsigned jobs);
+
+/// Calls `work` for the indices below `count`, in order, in at most `jobs` threads, until `stopped` returns true. If
+/// the system provides fewer threads, the available threads perform all calls. After an exception, no further call
+/// begins; when all calls have ended, the exception is rethrown.
+void in_parallel(std::size_t count, unsigned jobs, const std::function<bool()>& stopped,
+                 const std::function<void(std::size_t)>& work);
+
+}  // namespace grafverif
