@@ -241,6 +241,15 @@ std::vector<Option> options_for_checks() {
              "write only this property and its observer, if any; repeatable"),
         list(OptionGroup::Supervision, "property", "NAME", &Options::properties,
              "enforce only this property; repeatable"),
+        list(
+            OptionGroup::Tuning, "over", "NAME=LOW..HIGH[:STEP]",
+            [](Options & options) -> auto& { return options.tune.ranges; },
+            "values of a constant of the closed loop (default step: 1, or 1s for a duration); repeatable"),
+        list(OptionGroup::Tuning, "property", "NAME", &Options::properties, "decide only this property; repeatable"),
+        {OptionGroup::Tuning, "jobs", "N", "check N models in parallel (default: one per core)", take_jobs},
+        toggle(
+            OptionGroup::Tuning, "every-point", [](Options & options) -> auto& { return options.tune.every_point; },
+            "check the model of every point, without conclusions from one point about others"),
         text(OptionGroup::Supervision, "marked", "TERM", &Options::marked,
              "condition that must remain reachable (default: the initial situation)"),
         choice<Held>(OptionGroup::Supervision, "conditions",

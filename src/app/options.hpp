@@ -49,6 +49,12 @@ enum class DepfileReader { Make, Ninja, CMake };
 /// Defines how time passes for a controller that is driven line by line: by `wait` lines, or in real time.
 enum class Clock { Simulated, Real };
 
+/// Options of `tune`.
+struct TuneOptions {
+    std::vector<std::string> ranges = {};  ///< values of --over: `NAME=LOW..HIGH` or `NAME=LOW..HIGH:STEP`
+    bool every_point = false;              ///< true: check each point separately
+};
+
 struct Options {
     std::vector<std::string> operands = {};  ///< FILE operands, or NAME for `components`
     std::optional<std::string> output = {};  ///< value of -o
@@ -92,6 +98,7 @@ struct Options {
     bool verbose = false;
     bool stats = false;
     bool why = false;  ///< option of `check`
+    TuneOptions tune = {};
     bool help = false;
 
     std::vector<std::string> properties = {};       ///< option of `check`: names of properties; all if empty
@@ -216,6 +223,7 @@ enum class OptionGroup {
     FormatTest,
     Cover,
     Supervision,
+    Tuning,
     Minimise,
     Limits,
     Date,

@@ -57,6 +57,7 @@ constexpr std::array entries = {
     Entry{compare_usage, compare},
     Entry{mutate_usage, mutate},
     Entry{supervise_usage, supervise},
+    Entry{tune_usage, tune},
     Entry{automaton_usage, automaton},
     Entry{mealy_usage, mealy},
     Entry{testgen_usage, testgen},

@@ -56,6 +56,10 @@ Diagnostic bad_setting(Span where, std::string_view constant, std::string_view v
                              clipped(constant), kind, clipped(value), example));
 }
 
+Diagnostic bad_values(Span where, std::string_view problem, std::string_view remedy) {
+    return error("bad-setting", where, fmt::format("{}; {}", problem, remedy));
+}
+
 Diagnostic setting_out_of_range(Span where, std::string_view constant, std::string_view value, std::int64_t low,
                                 std::int64_t high) {
     return error(

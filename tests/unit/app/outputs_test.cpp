@@ -348,7 +348,8 @@ using Words = std::vector<std::string>;
 
 const std::string violated =
     chart("c") +
-    "closed_loop l {\n    controller c;\n    environment E = push_button(OUT = x);\n    property p: never X1;\n}\n";
+    "closed_loop l {\n    controller c;\n    constant GAP = 1s;\n    environment E = push_button(OUT = x, GAP = GAP);\n"
+    "    property p: never X1;\n}\n";
 
 /// Returns a call of the command on `file` that terminates.
 Words call(const CliCommand& verb, const std::string& file, const Folder& folder) {
@@ -360,6 +361,7 @@ Words call(const CliCommand& verb, const std::string& file, const Folder& folder
     if (accepts(verb, OptionGroup::Walk)) words.insert(words.end(), {"--random", "1"});
     if (accepts(verb, OptionGroup::OutputDirectory)) words.insert(words.end(), {"-o", folder.file("")});
     if (accepts(verb, OptionGroup::Mutants)) words.insert(words.end(), {"--limit", "1"});
+    if (accepts(verb, OptionGroup::Tuning)) words.insert(words.end(), {"--over", "GAP=1s..2s"});
     return words;
 }
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Tuning: the verdicts on the properties of a closed loop for all values of some of its constants on a grid.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/named_constant.hpp"
+#include "grafverif/ir/report.hpp"
+
+namespace grafverif {
+
+/// A constant and its values `low`, `low + step`, ..., `high`. Durations are in milliseconds.
+struct TunedConstant {
+    std::string name = {};
+    NamedConstant::Kind kind = NamedConstant::Kind::Integer;  ///< Integer or Duration
+    std::int64_t low = 0, high = 0, step = 1;
+    std::int64_t current = 0;  ///< the value in the model, or the value of `--set`
+
+    std::size_t size() const { return static_cast<std::size_t>((high - low) / step) + 1; }
+    std::int64_t value(std::size_t index) const { return low + static_cast<std::int64_t>(index) * step; }
+    /// Returns the index of the current value, or nothing if it is not one of the values.
+    std::optional<std::size_t> current_index() const {
+        if (current < low || current > high || (current - low) % step != 0) return {};
+        return static_cast<std::size_t>((current - low) / step);
+    }
+    bool operator==(const TunedConstant&) const = default;
+};
+
+/// A verdict on one property at one point of the grid.
+struct PointVerdict {
+    Outcome outcome = Outcome::Unknown;
+    std::uint32_t reason = 0;  ///< of an unknown verdict: index in Tuning::reasons
+    bool operator==(const PointVerdict&) const = default;
+};
+
+struct Tuning {
+    struct Row {
+        std::string property = {};
+        std::string text = {};  ///< text of the property in the model
+        bool expected_violated = false;
+        bool declared = true;
+        Span origin = {};
+        PointVerdict current = {};                ///< the verdict for the current values
+        std::vector<PointVerdict> verdicts = {};  ///< per point of the grid
+    };
+
+    std::string model = {};  ///< name of the closed loop
+    std::vector<TunedConstant> constants = {};
+    CheckSettings settings = {};  ///< without constants; the time unit divides all durations of all points
+    std::vector<Row> rows = {};
+    std::vector<std::string> reasons = {};   ///< reason 0: the point was not checked
+    std::size_t points = 1;                  ///< number of points of the grid
+    std::size_t checks = 0;                  ///< number of models that were checked, including the current one
+    std::size_t transferred = 0;             ///< number of verdicts that follow from the check of another model
+    bool model_error = false;                ///< true if a model error occurs at some point
+    std::vector<std::string> failures = {};  ///< internal errors
+
+    /// Returns the indices of a point, per constant. The last constant changes first.
+    std::vector<std::size_t> indices(std::size_t point) const {
+        std::vector<std::size_t> all(constants.size());
+        for (std::size_t k = constants.size(); k-- > 0; point /= constants[k].size())
+            all[k] = point % constants[k].size();
+        return all;
+    }
+    std::size_t point(const std::vector<std::size_t>& indices) const {
+        std::size_t made = 0;
+        for (std::size_t k = 0; k < constants.size(); ++k) made = made * constants[k].size() + indices[k];
+        return made;
+    }
+};
+
+/// A box of the grid: the first and the last index per constant.
+struct GridBox {
+    std::vector<std::size_t> first = {}, last = {};
+    bool operator==(const GridBox&) const = default;
+};
+
+/// Calls `visit` with the indices of each point of a box. The last constant changes first.
+template <class Visit>
+void for_each_point(const GridBox& box, const Visit& visit) {
+    std::vector<std::size_t> at = box.first;
+    for (;;) {
+        visit(at);
+        std::size_t k = at.size();
+        for (; k > 0 && at[k - 1] == box.last[k - 1]; --k) at[k - 1] = box.first[k - 1];
+        if (k == 0) return;
+        ++at[k - 1];
+    }
+}
+
+}  // namespace grafverif

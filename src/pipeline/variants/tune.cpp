@@ -1,0 +1,500 @@
+// SPDX-License-Identifier: MIT
+// The search proceeds in rounds. Each round checks one network per open box, in parallel: the relaxation of the
+// undecided points of the box. Then all transfers are made in a fixed order, so that the result does not depend on the
+// number of threads. A box whose check decides something continues with its undecided points; any other box is split. A
+// box with one point checks this point.
+#include "pipeline/variants/tune.hpp"
+
+#include <algorithm>
+#include <map>
+#include <new>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "compose/observe.hpp"
+#include "ir/patterns.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "pipeline/staged_search.hpp"
+#include "pipeline/variants/in_parallel.hpp"
+#include "pipeline/variants/tune_points.hpp"
+#include "pipeline/variants/variant_search.hpp"
+#include "run/retiming.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Row = Tuning::Row;
+using Indices = std::vector<std::size_t>;
+
+/// Number of successive checks of relaxations without a result after which each point of a box is checked.
+constexpr unsigned most_misses = 2;
+/// Number of points at which a run may be impossible before its transfer ends, apart from two for each success.
+constexpr std::size_t most_failures = 32;
+
+/// Properties of a row that determine how its verdicts can be transferred.
+struct RowKind {
+    std::string base = {};   ///< name of the property of the model: `S` for the row `S.X7`
+    bool watched = false;    ///< the property has an observer
+    bool pointwise = false;  ///< no verdict can be transferred, except between equal networks
+};
+
+struct OpenBox {
+    GridBox box = {};
+    unsigned misses = 0;  ///< number of checks of larger boxes, since the last useful one, that decided nothing
+    bool skip = false;    ///< the last check decided nothing: split once more before the next check
+};
+
+/// A network to check, and the rows and points about which the result may decide.
+struct Job {
+    std::size_t of = 0;  ///< index of the open box
+    Relaxation relaxation = {};
+    bool exact = false;  ///< the relaxation is the network of each of the points
+    Indices points = {}, rows = {};
+    std::vector<Verdict> verdicts = {};
+    std::vector<std::string> failures = {};
+};
+
+class Tuner {
+public:
+    Tuner(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources, const TuneRequest& request,
+          Diagnostics& diagnostics)
+        : model_(model),
+          loop_(loop),
+          request_(request),
+          diagnostics_(diagnostics),
+          points_(model, loop, main, sources, request, tuning_) {
+        tuning_.model = model.loops[loop].name;
+        tuning_.constants = request.constants;
+        tuning_.reasons = {"not checked"};
+        for (const TunedConstant& constant : tuning_.constants) tuning_.points *= constant.size();
+    }
+
+    std::optional<Tuning> run() {
+        const auto network = network_of(model_, loop_, request_.how, diagnostics_);
+        if (!network || !all_known(request_.properties, property_names(*network), diagnostics_)) return {};
+        options_ = {.properties = request_.properties, .limits = request_.limits, .jobs = request_.jobs};
+        const Report report = check_without_causes(loop_to_check(model_, loop_, *network), options_);
+        ++tuning_.checks;
+        tuning_.failures = report.failures;
+        tuning_.settings = report.settings;
+        tuning_.settings.constants.clear();
+        add_rows(report, *network);
+        search_.emplace(options_, report);
+        try {
+            if (!points_.read([this] { return stopped(); }, diagnostics_)) return {};
+            if (points_.time_unit_ms() > 0) tuning_.settings.time_unit_ms = points_.time_unit_ms();
+            note_current(report);
+            search();
+        } catch (const std::bad_alloc&) {
+            tuning_.reasons.front() = "the memory limit was reached";
+        }
+        return std::move(tuning_);
+    }
+
+private:
+    bool stopped() const { return is_over(request_.limits.deadline, request_.limits.stop); }
+
+    // -- rows ------------------------------------------------------------------------------------------------------
+
+    void add_rows(const Report& report, const Network& network) {
+        for (const PropertyResult& answer : report.answers) {
+            const Verdict& verdict = answer.verdict;
+            RowKind kind{.base = verdict.property};
+            if (verdict.pattern == Pattern::ReachableAllSteps) kind.base = kind.base.substr(0, kind.base.find('.'));
+            bool at_stable = false;
+            for (const Property& property : network.properties) {
+                if (property.name != kind.base) continue;
+                kind.watched = property.pattern == Pattern::Watched;
+                at_stable = property.at_stable;
+            }
+            const bool timelock = verdict.pattern == Pattern::NoTimelock;
+            kind.pointwise = verdict.pattern == Pattern::AlwaysPossible || (timelock && at_stable);
+            if (timelock && !at_stable) timelock_ = tuning_.rows.size();
+            Row row{.property = verdict.property,
+                    .text = answer.text,
+                    .expected_violated = verdict.expected_violated,
+                    .declared = verdict.declared,
+                    .origin = verdict.origin};
+            row.current = point_verdict(verdict);
+            // The timed engine does not support this property, for any values.
+            const bool unsupported = verdict.obstacle == UnknownReason::Unsupported;
+            row.verdicts.assign(tuning_.points, unsupported ? row.current : PointVerdict{});
+            tuning_.rows.push_back(std::move(row));
+            kinds_.push_back(std::move(kind));
+            open_.push_back(unsupported ? 0 : tuning_.points);
+        }
+    }
+
+    PointVerdict point_verdict(const Verdict& verdict) {
+        if (verdict.outcome != Outcome::Unknown) return {verdict.outcome};
+        if (verdict.obstacle == UnknownReason::Stopped) return {};
+        const auto known = std::ranges::find(tuning_.reasons, verdict.reason);
+        const auto index = static_cast<std::uint32_t>(known - tuning_.reasons.begin());
+        if (known == tuning_.reasons.end()) tuning_.reasons.push_back(verdict.reason);
+        return {Outcome::Unknown, index};
+    }
+
+    bool is_open(std::size_t row, std::size_t point) const {
+        return open_[row] > 0 && points_.known(point) && tuning_.rows[row].verdicts[point] == PointVerdict{};
+    }
+
+    void decide(std::size_t row, std::size_t point, const PointVerdict& verdict) {
+        if (!is_open(row, point) || verdict == PointVerdict{}) return;
+        tuning_.rows[row].verdicts[point] = verdict;
+        --open_[row];
+        ++decided_;
+    }
+
+    /// Stores the results for the current values, which are a point of the grid in most cases.
+    void note_current(const Report& report) {
+        Indices indices;
+        for (const TunedConstant& constant : tuning_.constants) {
+            const auto index = constant.current_index();
+            if (!index) return;
+            indices.push_back(*index);
+        }
+        const std::size_t point = tuning_.point(indices);
+        if (!points_.known(point)) return;
+        Job job = job_at(point);
+        job.rows.clear();
+        for (std::size_t row = 0; row < kinds_.size(); ++row) {
+            job.rows.push_back(row);
+            job.verdicts.push_back(report.answers[row].verdict);
+        }
+        apply(job);
+    }
+
+    // -- transfers -------------------------------------------------------------------------------------------------
+
+    std::size_t agreement(std::size_t row, std::size_t point) { return points_.agreement(point, kinds_[row].base); }
+
+    /// Returns the network on which the property of a row is decided. The observers of checks of points have probes.
+    Network seen_by(std::size_t row, const Network& network, bool exact) const {
+        if (!kinds_[row].watched) return network;
+        const Vacuity vacuity = exact ? Vacuity::Probed : Vacuity::Ignored;
+        for (const Id<Property> id : watched(network))
+            if (network.properties[id].name == kinds_[row].base) return expand(observed(network, {id}, vacuity));
+        return network;
+    }
+
+    /// Returns the open points that agree with `point` on the property of the row.
+    Indices open_points(std::size_t row, std::size_t point) {
+        Indices found;
+        for (std::size_t other = 0; other < tuning_.points; ++other)
+            if (is_open(row, other) && agreement(row, other) == agreement(row, point)) found.push_back(other);
+        return found;
+    }
+
+    void apply(const Job& job) {
+        tuning_.failures.insert(tuning_.failures.end(), job.failures.begin(), job.failures.end());
+        for (const Verdict& verdict : job.verdicts)
+            for (const std::size_t row : job.rows)
+                if (tuning_.rows[row].property == verdict.property) apply(job, row, verdict);
+    }
+
+    void apply(const Job& job, std::size_t row, const Verdict& verdict) {
+        const std::size_t first = job.points.front();
+        // An unknown verdict on a relaxation is not a result.
+        const PointVerdict made =
+            job.exact || verdict.outcome != Outcome::Unknown ? point_verdict(verdict) : PointVerdict{};
+        tuning_.model_error = tuning_.model_error || (job.exact && verdict.obstacle == UnknownReason::Faulty);
+        std::size_t equal = 0;
+        for (const std::size_t point : request_.every_point ? job.points : open_points(row, first))
+            if (job.relaxation.is_exactly(points_.constants(point))) {
+                decide(row, point, made);
+                ++equal;
+            }
+        if (equal > 1 && made != PointVerdict{}) tuning_.transferred += equal - 1;
+        if (request_.every_point || kinds_[row].pointwise || verdict.outcome == Outcome::Unknown) return;
+        if (verdict.run) transfer_run(job, row, verdict);
+        else transfer_proof(job, row, verdict);
+    }
+
+    void transfer_run(const Job& job, std::size_t row, const Verdict& verdict) {
+        const Indices candidates = nearest_points(job, row);
+        if (candidates.empty()) return;
+        const Network from = network_of(points_.frame(job.points.front()), job.relaxation);
+        const Retiming retiming(seen_by(row, from, job.exact), *verdict.run);
+        std::size_t found = 0, failed = 0;
+        for (const std::size_t point : candidates) {
+            if (stopped() || failed > most_failures + 2 * found) return;
+            const Network member = seen_by(row, points_.network(point), job.exact);
+            const std::optional<Run> run = retiming.fit(member);
+            if (!run || !decides(member, *run, verdict.pattern)) {
+                ++failed;
+                continue;
+            }
+            decide(row, point, {verdict.outcome});
+            ++tuning_.transferred;
+            ++found;
+        }
+    }
+
+    /// Returns the open points that agree with the job on the property of the row, beginning with those next to the
+    /// point whose network was checked, if there is one.
+    Indices nearest_points(const Job& job, std::size_t row) {
+        std::size_t start = job.points.back();
+        for (const std::size_t point : job.points)
+            if (job.relaxation.is_exactly(points_.constants(point))) start = point;
+        const Indices from = tuning_.indices(start);
+        Indices points = open_points(row, start);
+        std::ranges::stable_sort(points, {}, [&](std::size_t point) {
+            const Indices at = tuning_.indices(point);
+            std::size_t distance = 0;
+            for (std::size_t k = 0; k < at.size(); ++k) distance += std::max(at[k], from[k]) - std::min(at[k], from[k]);
+            return distance;
+        });
+        return points;
+    }
+
+    void transfer_proof(const Job& job, std::size_t row, const Verdict& verdict) {
+        std::optional<ClockFacts> facts;
+        for (const std::size_t point : job.points) {
+            if (!is_open(row, point)) continue;
+            if (!facts) facts.emplace(network_of(points_.frame(job.points.front()), job.relaxation));
+            if (!is_shared(row, verdict, *facts, point)) continue;
+            decide(row, point, {verdict.outcome});
+            ++tuning_.transferred;
+        }
+    }
+
+    /// True if the verdict on the relaxation is also the verdict at the point (docs/explanation/parameters.md).
+    bool is_shared(std::size_t row, const Verdict& verdict, const ClockFacts& relaxed, std::size_t point) {
+        const Pattern pattern = verdict.pattern;
+        if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps)
+            return verdict.outcome == Outcome::Violated;
+        if (verdict.outcome != Outcome::Holds) return false;
+        if (is_about_all_states(pattern)) return true;
+        if (pattern == Pattern::NoTimelock)
+            return !verdict.abstraction && !verdict.scope.cells && points_.facts(point).releases_bounds_of(relaxed);
+        const bool time_passes =
+            timelock_ && tuning_.rows[*timelock_].verdicts[point].outcome == Outcome::Holds && !kinds_[row].watched;
+        if (pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo) return time_passes;
+        return pattern == Pattern::NoDeadlock && time_passes && points_.facts(point).keeps_edges_of(relaxed);
+    }
+
+    // -- search ----------------------------------------------------------------------------------------------------
+
+    void search() {
+        GridBox all;
+        for (const TunedConstant& constant : tuning_.constants) {
+            all.first.push_back(0);
+            all.last.push_back(constant.size() - 1);
+        }
+        std::vector<OpenBox> boxes{{all}};
+        while (!boxes.empty() && !stopped()) {
+            std::vector<Job> jobs;
+            for (std::size_t k = 0; k < boxes.size(); ++k)
+                if (shrink(boxes[k].box))
+                    if (auto job = job_of(boxes[k])) {
+                        job->of = k;
+                        jobs.push_back(std::move(*job));
+                    }
+            check(jobs);
+            std::vector<OpenBox> next;
+            auto job = jobs.begin();
+            for (std::size_t k = 0; k < boxes.size(); ++k) {
+                const bool checked = job != jobs.end() && job->of == k;
+                const std::size_t before = decided_;
+                const bool last = checked && is_point(boxes[k].box);
+                if (checked) apply(*job++);
+                if (last || !shrink(boxes[k].box)) continue;  // a point whose check was stopped remains unknown
+                if (decided_ > before || is_point(boxes[k].box)) next.push_back({boxes[k].box});
+                else split(boxes[k], checked, next);
+            }
+            boxes = std::move(next);
+        }
+    }
+
+    static bool is_point(const GridBox& box) { return box.first == box.last; }
+
+    Indices open_rows(std::size_t point) const {
+        Indices rows;
+        for (std::size_t row = 0; row < kinds_.size(); ++row)
+            if (is_open(row, point)) rows.push_back(row);
+        return rows;
+    }
+
+    /// Calls `visit` for each point of a box.
+    template <class Visit>
+    void each_point(const GridBox& box, const Visit& visit) const {
+        for_each_point(box, [&](const Indices& at) { visit(tuning_.point(at), at); });
+    }
+
+    /// Reduces a box to its open points. Returns false if there are none.
+    bool shrink(GridBox& box) const {
+        std::optional<GridBox> made;
+        each_point(box, [&](std::size_t point, const Indices& at) {
+            if (open_rows(point).empty()) return;
+            if (!made) made = GridBox{at, at};
+            for (std::size_t k = 0; k < at.size(); ++k) {
+                made->first[k] = std::min(made->first[k], at[k]);
+                made->last[k] = std::max(made->last[k], at[k]);
+            }
+        });
+        if (made) box = *made;
+        return made.has_value();
+    }
+
+    Job job_at(std::size_t point) const {
+        return {.relaxation = {points_.constants(point), points_.constants(point)},
+                .exact = true,
+                .points = {point},
+                .rows = open_rows(point)};
+    }
+
+    /// Returns the network to check for a box; nothing if the box must be split first.
+    std::optional<Job> job_of(const OpenBox& open) {
+        if (is_point(open.box)) return job_at(tuning_.point(open.box.first));
+        if (request_.every_point || open.skip) return {};
+        std::map<std::size_t, Indices> by_row;  // open points
+        std::set<std::size_t> all;
+        each_point(open.box, [&](std::size_t point, const Indices&) {
+            for (const std::size_t row : open_rows(point))
+                if (!kinds_[row].pointwise) {
+                    by_row[row].push_back(point);
+                    all.insert(point);
+                }
+        });
+        if (all.size() < 3) return {};  // a check of each point is at most one check more
+        std::erase_if(by_row, [&](const auto& row) {
+            return std::ranges::any_of(all, [&](std::size_t point) {
+                return agreement(row.first, point) != agreement(row.first, *all.begin());
+            });
+        });
+        if (by_row.empty()) return {};
+        Job job;
+        std::set<std::size_t> points;
+        for (const auto& [row, open_there] : by_row) {
+            job.rows.push_back(row);
+            points.insert(open_there.begin(), open_there.end());
+        }
+        std::vector<const ClockConstants*> members;
+        for (const std::size_t point : points) members.push_back(&points_.constants(point));
+        job.points.assign(points.begin(), points.end());
+        job.relaxation = relaxation_of(points_.frame(job.points.front()), members);
+        job.exact = std::ranges::all_of(members, [&](const auto* one) { return job.relaxation.is_exactly(*one); });
+        Indices& tried = tried_[{&points_.frame(job.points.front()), job.relaxation}];
+        if (std::ranges::includes(tried, job.rows)) return {};
+        tried = job.rows;
+        return job;
+    }
+
+    void split(const OpenBox& open, bool checked, std::vector<OpenBox>& next) {
+        const GridBox& box = open.box;
+        const unsigned misses = open.misses + (checked ? 1U : 0U);
+        if (request_.every_point || misses >= most_misses || only_pointwise(box)) {
+            each_point(box, [&](std::size_t point, const Indices& at) {
+                if (!open_rows(point).empty()) next.push_back({{at, at}});
+            });
+            return;
+        }
+        const std::size_t k = axis_of(box);
+        const std::size_t middle = (box.first[k] + box.last[k]) / 2;
+        OpenBox lower{box, misses, checked}, upper{box, misses, checked};
+        lower.box.last[k] = middle;
+        upper.box.first[k] = middle + 1;
+        next.push_back(std::move(lower));
+        next.push_back(std::move(upper));
+    }
+
+    bool only_pointwise(const GridBox& box) const {
+        bool only = true;
+        each_point(box, [&](std::size_t point, const Indices&) {
+            for (const std::size_t row : open_rows(point)) only = only && kinds_[row].pointwise;
+        });
+        return only;
+    }
+
+    /// Returns the constant along which a box is split: the one with the most values, of those that change more than
+    /// constants of clock constraints, if there are any.
+    std::size_t axis_of(const GridBox& box) const {
+        std::size_t best = 0;
+        std::pair<bool, std::size_t> most{false, 0};
+        for (std::size_t k = 0; k < box.first.size(); ++k) {
+            Indices end = box.first;
+            end[k] = box.last[k];
+            const std::size_t a = tuning_.point(box.first), b = tuning_.point(end);
+            const bool changes = points_.known(a) && points_.known(b) && &points_.frame(a) != &points_.frame(b);
+            const std::pair<bool, std::size_t> here{changes, box.last[k] - box.first[k]};
+            if (here.second > 0 && here > most) {
+                most = here;
+                best = k;
+            }
+        }
+        return best;
+    }
+
+    /// Checks the networks. A relaxation may have many more states than any point; therefore its check is limited.
+    void check(std::vector<Job>& jobs) {
+        options_.jobs = jobs.size() > 1 ? 1 : request_.jobs;
+        in_parallel(
+            jobs.size(), request_.jobs, [this] { return stopped(); }, [&](std::size_t k) { check(jobs[k]); });
+        for (const Job& job : jobs) tuning_.checks += job.verdicts.empty() ? 0U : 1U;
+        if (!request_.limits.progress) return;
+        std::size_t open = 0;
+        for (const std::size_t count : open_) open += count;
+        request_.limits.progress({[this, open] {
+            return std::to_string(tuning_.checks) + " checks, " + std::to_string(open) + " verdicts open";
+        }});
+    }
+
+    void check(Job& job) const {
+        const Network network = network_of(points_.frame(job.points.front()), job.relaxation);
+        if (job.exact) return check_as_declared(network, job);
+        if (!verify(network).empty()) return;  // an urgent edge may violate a relaxed invariant
+        job.verdicts =
+            (*search_)(network, names_of(job.rows), search_->efforts().back(), share_of(request_.limits.deadline, 4));
+        // `no timelock` first: verdicts on other properties depend on it.
+        std::ranges::stable_partition(job.verdicts,
+                                      [](const Verdict& verdict) { return verdict.pattern == Pattern::NoTimelock; });
+    }
+
+    /// Checks the network of a point as `check` does: `no timelock` remains undeclared if the loop does not declare it.
+    void check_as_declared(Network network, Job& job) const {
+        if (timelock_ && !tuning_.rows[*timelock_].declared)
+            for (const Property& property : std::exchange(network.properties, {}))
+                if (property.name != kinds_[*timelock_].base) network.properties.add(property);
+        CheckOptions options = options_;
+        options.properties = names_of(job.rows);
+        options.limits.progress = {};
+        const LoopToCheck loop{network, charts_of(model_, model_.loops[loop_])};
+        Report report = check_without_causes(loop, options);
+        for (PropertyResult& answer : report.answers) job.verdicts.push_back(std::move(answer.verdict));
+        job.failures = std::move(report.failures);
+    }
+
+    std::vector<std::string> names_of(const Indices& rows) const {
+        std::vector<std::string> names;
+        for (const std::size_t row : rows)
+            if (std::ranges::find(names, kinds_[row].base) == names.end()) names.push_back(kinds_[row].base);
+        return names;
+    }
+
+    const Model& model_;
+    Id<ClosedLoop> loop_;
+    const TuneRequest& request_;
+    Diagnostics& diagnostics_;
+    Tuning tuning_ = {};
+    TunePoints points_;
+    std::vector<RowKind> kinds_ = {};
+    std::vector<std::size_t> open_ = {};  ///< number of open points per row
+    std::size_t decided_ = 0;             ///< number of decided verdicts
+    std::optional<std::size_t> timelock_ = {};
+    CheckOptions options_ = {};
+    mutable std::optional<VariantSearch> search_ = {};  ///< search of relaxations
+    /// Rows for which a relaxation was checked.
+    std::map<std::pair<const Network*, Relaxation>, Indices> tried_ = {};
+};
+
+}  // namespace
+
+std::optional<Tuning> tuned(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources,
+                            const TuneRequest& request, Diagnostics& diagnostics) {
+    return Tuner(model, loop, main, sources, request, diagnostics).run();
+}
+
+}  // namespace grafverif

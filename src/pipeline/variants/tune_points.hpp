@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The networks of all points of a grid, as members of families (ir/network_family.hpp).
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ir/network_family.hpp"
+#include "pipeline/variants/tune.hpp"
+
+namespace grafverif {
+
+class TunePoints {
+public:
+    /// All references must outlive this object. `tuning` contains the constants.
+    TunePoints(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources,
+               const TuneRequest& request, const Tuning& tuning);
+
+    /// Reads the model for each point with the same time unit, a common divisor of the time units of all points. The
+    /// networks contain `no timelock`, even if the loop does not declare it. Returns false after an error: the model is
+    /// rejected for some values. Points that were not read when `stopped` became true are unknown.
+    bool read(const std::function<bool()>& stopped, Diagnostics& diagnostics);
+
+    std::int64_t time_unit_ms() const { return unit_ms_; }
+    bool known(std::size_t point) const { return points_[point].frame.has_value(); }
+    const Network& frame(std::size_t point) const { return set_.frames[*points_[point].frame]; }
+    const ClockConstants& constants(std::size_t point) const { return points_[point].constants; }
+    Network network(std::size_t point) const { return network_of(frame(point), constants(point)); }
+    const ClockFacts& facts(std::size_t point);
+
+    /// Returns a number that is equal for two points if they agree on the processes, apart from the constants of clock
+    /// constraints, and on the property.
+    std::size_t agreement(std::size_t point, const std::string& property);
+
+private:
+    struct Point {
+        std::optional<std::size_t> frame = {};
+        ClockConstants constants = {};
+        std::unique_ptr<ClockFacts> facts = {};
+    };
+    /// Frames by hash.
+    struct FrameSet {
+        std::vector<Network> frames = {};
+        std::multimap<std::uint64_t, std::size_t> by_hash = {};
+        std::size_t add(Network frame);
+    };
+    struct Read {
+        std::optional<FamilyMember> member = {};
+        Sources sources = {};
+        Diagnostics diagnostics = {};
+    };
+    void read_point(std::size_t point, std::optional<std::int64_t> unit_ms, Read& read) const;
+    bool read_all(std::optional<std::int64_t> unit_ms, const std::function<bool()>& stopped, Diagnostics& diagnostics);
+    /// Adds the errors of a point, and its warnings if there is no warning of this type yet.
+    void report(std::size_t point, const Read& read, Diagnostics& diagnostics) const;
+
+    const Model& model_;
+    Id<ClosedLoop> loop_;
+    Id<Source> main_;
+    const Sources& sources_;
+    const TuneRequest& request_;
+    const Tuning& tuning_;
+    std::int64_t unit_ms_ = 0;
+    std::vector<Point> points_ = {};
+    FrameSet set_ = {};
+    std::map<std::string, std::pair<FrameSet, std::map<std::size_t, std::size_t>>> agreements_ = {};
+};
+
+}  // namespace grafverif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Writes results of tuning as text and as JSON.
+//
+// The text contains, for each property, the verdict if it is the same at all points; otherwise a table of intervals
+// (one constant), a map with one character per point (two constants), or a table of boxes. The margins follow: how far
+// each constant can change from its current value, while the others keep theirs, before the verdict changes.
+//
+// JSON: missing values are null.
+//
+//   {"model", "engine", "mode", "grain", "time_unit", "constants":[{"name", "low", "high", "step", "current"}],
+//   "points", "checks", "transferred", "properties":[PROPERTY]}
+//   PROPERTY  {"name", "text", "file", "line", "column", "declared", "expected", "current", "boxes":[BOX],
+//             "margins":[MARGIN]}
+//   BOX       {"constants":{NAME:[low, high]}, "points", "verdict", "reason"}
+//   MARGIN    {"constant", "direction":"down|up", "value", "distance", "verdict"}; `value` is the first value with
+//             another verdict
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "grafverif/support/source.hpp"
+#include "ir/tuning.hpp"
+
+namespace grafverif {
+
+/// Returns a value of the constant as text: `4`, `3s`.
+std::string value_text(const TunedConstant& constant, std::int64_t value);
+/// Returns the values at a point as text: `N = 3, FILL = 2s`.
+std::string point_text(const Tuning& tuning, std::size_t point);
+
+/// Returns disjoint boxes that cover the grid, each with one verdict on the property of `row`, in the order of their
+/// first points.
+std::vector<GridBox> boxes_of(const Tuning& tuning, const Tuning::Row& row);
+
+/// The nearest value of a constant at which the verdict differs from the one for the current values.
+struct Margin {
+    std::size_t constant = 0;
+    bool up = true;
+    std::int64_t value = 0, distance = 0;
+    PointVerdict verdict = {};
+};
+/// Returns the margins of a property. A constant has no margins if the current value of another constant is not on the
+/// grid.
+std::vector<Margin> margins_of(const Tuning& tuning, const Tuning::Row& row);
+
+void print_tuning(const Tuning& tuning, std::ostream& out);
+std::string tuning_json(const Tuning& tuning, const Sources& sources);
+
+}  // namespace grafverif

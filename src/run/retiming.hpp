@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Retiming: a run of one member of a family of networks (ir/network_family.hpp) with the delays that another member
+// requires.
+//
+// The edges of the run determine all locations and variables. Only the delays are unknown. Each clock constraint and
+// each invariant on the way limits the difference between two points in time, so that the earliest solution is a
+// longest path. The result is checked by the simulator of the semantics (ir/network_run.hpp) before it is used.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/verdict.hpp"
+#include "ir/network_family.hpp"
+
+namespace grafverif {
+
+class Retiming {
+public:
+    /// `run` is a run of `network`, which is a member of the family or a relaxation of members. Otherwise, `fit` always
+    /// returns nothing.
+    Retiming(const Network& network, const Run& run);
+
+    /// Returns a run of `member` with the same edges, or nothing if there is none. `member` has the frame of the
+    /// network.
+    std::optional<Run> fit(const Network& member) const;
+
+private:
+    struct Point {
+        std::optional<Fire> fire = {};  ///< the edge that is taken at this time; empty for the limits of a loop
+        bool immediate = false;         ///< time does not pass between the previous point and this one
+        /// For each process and clock: the point of the last reset before this point.
+        std::vector<std::vector<std::size_t>> resets = {};
+        std::vector<Id<Network::Location>> locations = {};  ///< before this point
+    };
+    struct Difference;
+    std::vector<Difference> differences(const Network& member) const;
+
+    std::vector<Point> points_ = {};  ///< point 0 is power-on
+    std::optional<std::size_t> loop_ = {};
+};
+
+/// True if `run`, possibly continued by a delay, is a run of `network` and determines the verdict on a property with
+/// this pattern. Requires that it determines this verdict in another member of the family, and that both members agree
+/// on the property. For `inevitable` and `leads to`, the run can be continued forever or ends in a state without
+/// successors; for `no timelock` and `no deadlock`, it ends in a state without moves. False for patterns whose verdict
+/// depends on other runs as well.
+bool decides(const Network& network, const Run& run, Pattern pattern);
+
+}  // namespace grafverif
