@@ -139,7 +139,7 @@ private:
 
     // Events that are impossible after some points (chart_analyzer_traps.cpp).
 
-    /// A recurring event: a step is active, a transition is cleared, or a stored value changes.
+    /// An event that may recur: a step is active, a transition is cleared, or a stored value changes.
     struct Passing {
         enum class Kind { Step, Transition, Value } kind = Kind::Step;
         Query* question = nullptr;

@@ -73,7 +73,7 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
     // True if the engine can check timed and untimed models.
     const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
-        return "`--stats` is supported only by the embedded timed engine; remove `--stats` or the engine";
+        return "`--stats` is supported only by the embedded timed engine; remove `--stats` or the other option";
     if (options.why && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--why` is supported only by the embedded timed engine for closed loops; remove `--why` or the other "
                "option";

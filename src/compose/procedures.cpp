@@ -50,7 +50,7 @@ private:
     Exprs& exprs() { return network_.exprs; }
     Id<Expr> leaf_of(Id<Network::Variable> variable) { return leaf(network_, variable); }
 
-    /// True for an input, not held, whose sample write() reads.
+    /// True for an input that is not held and whose sample write() reads.
     bool is_written_late(VariableId input) const {
         return parts_.sample_written[input.index] && !parts_.is_held(input);
     }

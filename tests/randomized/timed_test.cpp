@@ -182,7 +182,7 @@ bool about_all_states(Pattern pattern) {
     return pattern != Pattern::Reachable && pattern != Pattern::ReachableAllSteps;
 }
 
-/// Adds every pattern over the operands of the network, so that each test covers every kind of property.
+/// Adds at least one property of each pattern that is decided without an observer, with random terms over the network.
 void add_queries(Network& network, Random& random) {
     std::vector<Id<Expr>> terms;
     for (const Id<Network::Variable> id : network.variables.ids())

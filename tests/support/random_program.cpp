@@ -43,7 +43,7 @@ public:
         return text;
     }
 
-    /// Declares an action and calls it in the following statements.
+    /// Returns the declaration of an action, and permits calls of it in the following statements.
     std::string action() {
         in_action_ = true;  // no loops, because a loop around the call may use the same variable
         std::string text = "ACTION act:\n" + statements(1) + statements(2) + "END_ACTION\n";

@@ -90,8 +90,9 @@ struct ChartRun {
     struct Act {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
-        bool begins = false;         ///< a cycle begins
-        bool scans = false;          ///< a scan of the task cycle begins; the scan at power-on `starts` instead
+        bool begins = false;  ///< a cycle begins
+        bool scans =
+            false;  ///< a scan of the task cycle begins; false for the scan at power-on, for which `starts` is true
         bool starts = false;         ///< true for the first evolution after power-on, in which all timers are false
         bool samples = false;        ///< inputs and timer outputs are sampled
         bool evolves = false;        ///< one evolution
@@ -179,8 +180,8 @@ struct ChartRun {
     /// Event indices of a smallest set of free moves without which the violation does not occur
     /// (explain/counterfactual.hpp); empty if not determined.
     std::vector<std::size_t> left_out = {};
-    /// A smallest set of input changes and timer expiries without which the violation does not occur, if inputs and
-    /// times are free (explain/inputs.hpp); ordered by event.
+    /// For a run with free inputs and times: a smallest set of input changes and timer expiries without which the
+    /// violation does not occur (explain/inputs.hpp), ordered by event.
     std::vector<Counterfactual> counterfactual_values = {};
 
     const State& after(const Row& row) const { return moments[row.moment].after; }

@@ -105,7 +105,8 @@ CliCommand mealy_usage() {
             "situation,\n"
             "and one output word for every combination of inputs in every state. Sets of inputs are printed as "
             "conditions,\n"
-            "not as lists. A chart with timers has additional transitions in which time passes.\n"
+            "not as lists. For a chart with timers, the machine has\n"
+            "additional transitions in which time passes.\n"
             "Formats: text, JSON, DOT (Graphviz), SVG.",
             {"grafverif mealy samples/tanks/tanks.grafcet",
              "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},

@@ -389,7 +389,7 @@ private:
 
 namespace {
 
-/// Returns the variables whose values in the abstract run are values of the loop.
+/// Returns the variables of the loop whose values the abstract run contains.
 std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
     std::set<Id<Network::Variable>> known;
     for (const Id<Network::Process> id : run.network.processes.ids()) {

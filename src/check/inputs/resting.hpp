@@ -10,8 +10,8 @@
 //             location from which c is not bounded before its next reset.
 //   outputs   no cycle of its urgent edges assigns a variable that a PLC reads, even if all variables of others change
 //             at any time; and no such cycle assigns a variable that another process reads, while the variables of the
-//             PLCs are constant. In both cases, the variables of a process for which the premise has been shown for all
-//             readers are constant.
+//             PLCs are constant. The premise is shown for one process after another: the variables of a process for which
+//             it has been shown, for all readers, change only finitely often and are assumed constant.
 //   moves     its urgent edges have no cycle while all variables of others are constant.
 //
 // An edge of a timer may accept a request: its guard has the conjunct `v`, and it assigns false to v, which only PLCs

@@ -55,7 +55,7 @@ bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, b
     return true;
 }
 
-/// Adds the states that were not expanded to `set`.
+/// Adds to `set` the states that were not expanded.
 void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
     limits.share_states(graph.states(), [&](std::size_t begin, std::size_t end) {
         for (auto state = static_cast<std::uint32_t>(begin); state != end; ++state)
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, cons
     return list;
 }
 
-/// Returns the expanded states that are not in `set`. Adds the states that were not expanded to `set`.
+/// Returns the expanded states that are not in `set`. Adds to `set` the states that were not expanded.
 std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Limits& limits) {
     join_open(graph, set, limits);
     return all_but(set, graph.states(), limits);

@@ -82,7 +82,7 @@ private:
         place(order);
     }
 
-    /// Returns the weight of straightness of a line at `item`. Forward lines have the highest weight, followed by
+    /// Returns the weight with which a line attracts `item` to the position where the line is straight. Forward lines have the highest weight, followed by
     /// lanes; backward lines have a low weight at nodes.
     double weight(std::size_t channel, const Net& net, std::size_t item) const {
         if (layers_.depth[net.target] > channel) return 8;

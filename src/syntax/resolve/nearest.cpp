@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t longest = 64;
 
 /// Returns the distance of two names (optimal string alignment), or a value of at least `bound` if the distance is not
-/// less than `bound`. Only cells at a distance less than `bound` from the diagonal are computed.
+/// less than `bound`. Only cells at a distance of at most `bound` from the diagonal are computed.
 std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) {
     const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
     if (difference >= bound || a.size() > longest || b.size() > longest) return bound;

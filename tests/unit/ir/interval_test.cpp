@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// Generates integer terms over some variables. Ranges and constants are small, near the limits of 32 bits, or beyond.
+/// Random integer terms and the types of their variables. Ranges and constants are small, near the limits of 32 bits, or beyond.
 struct IntegerTerms {
     Exprs exprs = {};
     std::vector<Type> types = {};

@@ -36,7 +36,7 @@ TEST(MacroSteps, StayActiveWhileTheirExpansionIs) {
     run(chart, "a");
     run(chart);
     EXPECT_EQ(situation(chart), "1 M 11");
-    run(chart, "a");  // step 12 is left while step 10 is entered again
+    run(chart, "a");  // steps 10 and 12 are entered together; then step 12 is left, and step 10 keeps M active
     EXPECT_EQ(situation(chart), "1 M 10");
     EXPECT_EQ(value(chart, "N"), 1);
 }
