@@ -128,8 +128,8 @@ void ChartAnalyzer::dead_transitions() {
     for (const Transition id : chart_.transitions.ids()) dead_transition(id);
 }
 
-/// Returns the text of the first conjunct of the condition that is false whenever the transition is enabled and whose
-/// variables all have names in the chart, or an empty string if there is none.
+/// Returns the first conjunct of the condition that is false whenever the transition is enabled, as text. All variables of
+/// the conjunct have names in the chart. The text is empty if no conjunct satisfies these conditions.
 std::string ChartAnalyzer::false_part(Transition id) {
     const Exprs& exprs = equations_.exprs;
     const Id<Expr> condition = equations_.firings[id.index].condition;

@@ -218,7 +218,7 @@ Diagnostic bad_task_cycle(Span where, std::int64_t least_ms, std::int64_t most_m
 Diagnostic cycle_without_time(Span where, std::string_view controller) {
     return error("cycle-without-time", where,
                  fmt::format("`{}` has a task cycle, which this untimed model does not represent; pass `--plant "
-                             "automata`, with the schedule `interleaved`, or `--cycle zero`",
+                             "automata --schedule interleaved`, or pass `--cycle zero`",
                              controller));
 }
 
