@@ -125,34 +125,74 @@ Outcome preserved(const Network& network, const Property& property) {
     return Outcome::Unknown;
 }
 
+const std::string buttons =
+    "environment Start = push_button(OUT = START); environment Stop = push_button(OUT = STOP);\n";
+
+/// Returns a loop whose chart has many transient situations, because its conditions are over two buttons only.
+std::string random_text(Random& random) {
+    const auto one_of = [&](const std::vector<std::string>& words) {
+        return words[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(words.size()) - 1))];
+    };
+    const std::vector<std::string> steps = {"0", "1", "2", "3", "4"};
+    const std::vector<std::string> conditions = {"START",         "!START",         "STOP",           "!STOP",
+                                                 "START && STOP", "START && !STOP", "!START && STOP", "true"};
+    std::string text = "grafcet chart { input START, STOP; output P, Q; initial step 0;\n";
+    for (std::size_t k = 1; k < steps.size(); ++k)
+        text += "step " + steps[k] + one_of({";", " { P; }", " { Q; }"}) + '\n';
+    for (int k = 0; k < 7; ++k) {
+        const std::string from = k < 5 ? steps[static_cast<std::size_t>(k)] : one_of(steps);
+        text += "transition t" + std::to_string(k) + ": " + from + " -> " + one_of(steps) + " when " +
+                one_of(conditions) + ";\n";
+    }
+    text += "}\nclosed_loop loop { controller chart; " + buttons;
+    const std::vector<std::string> visible = {"P", "Q", "!P", "START", "STOP", "!STOP"},
+                                   inner = {"X1", "X2", "X3", "X4"};
+    const auto term = [&] { return one_of(random_number(random, 0, 2) == 0 ? inner : visible); };
+    for (const char* pattern : {"never A && B", "A leads to B", "A precedes B", "reachable A && B", "never A at stable",
+                                "A at most 1 time between B and P", "A leads to B at stable"}) {
+        std::string sentence;
+        for (const char letter : std::string(pattern))
+            sentence += letter == 'A' || letter == 'B' ? term() : std::string(1, letter);
+        text += "property p" + std::to_string(text.size()) + ": " + sentence + ";\n";
+    }
+    return text + "}\n";
+}
+
+LoopUnderTest random_loop_of(Random& random, int seed) {
+    const ComposeOptions options = {.grain = Grain::Phased};
+    return seed % 3 == 0 ? composed_loop(random_loop_asked(random, 8), options)
+                         : read_loop(random_text(random), options);
+}
+
 TEST(RandomizedInputSampling, ProgramsThatSampleOncePerSearchHaveThePreservedVerdicts) {
-    int compared = 0;
+    int compared = 0, different = 0;
     for (int seed = 1; seed <= test_size(150); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         LoopUnderTest loop;
         try {
-            loop = composed_loop(random_loop_asked(random, 8), {.grain = Grain::Phased});
+            loop = random_loop_of(random, seed);
         } catch (const std::invalid_argument&) {
             continue;
         }
         const std::map<std::string, Outcome> model = outcomes(loop.network),
                                              program = outcomes(sampling_once(loop.network));
+        const auto time = program.find("no_timelock");
+        if (time == program.end() || time->second != Outcome::Holds) continue;  // the search must terminate
         for (const Property& property : loop.network.properties) {
             const auto given = model.find(property.name), found = program.find(property.name);
             if (given == model.end() || found == program.end()) continue;
             const bool known = given->second != Outcome::Unknown && found->second != Outcome::Unknown;
             if (!known) continue;
+            different += given->second != found->second ? 1 : 0;
             if (given->second != preserved(loop.network, property)) continue;
             ++compared;
             EXPECT_EQ(found->second, given->second) << property.name;
         }
     }
-    EXPECT_GT(compared, test_size(150));
+    EXPECT_GT(compared, test_size(150) / 5);
+    EXPECT_GT(different, 0) << "the two loops always have the same verdicts";
 }
-
-const std::string buttons =
-    "environment Start = push_button(OUT = START); environment Stop = push_button(OUT = STOP);\n";
 
 TEST(RandomizedInputSampling, ASearchOfTheModelCanReadOldAndNewInputs) {
     const Network network = read_loop(
