@@ -51,18 +51,6 @@ void remove_task_cycles(Model& model) {
         for (ClosedLoop::Controller& controller : loop.controllers) controller.cycle.reset();
 }
 
-namespace {
-
-/// Applies `--cycle`. An untimed model of a loop with a task cycle has plant automata unless `--plant` is present.
-void apply_cycle_time(Model& model, Options& options) {
-    if (options.cycle == CycleTime::Zero) return remove_task_cycles(model);
-    for (const ClosedLoop& loop : model.loops)
-        for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (controller.cycle && !options.plant) options.untimed.plant = PlantApproach::Automata;
-}
-
-}  // namespace
-
 std::optional<Model> read_model(const std::string& path, CommandContext& job) {
     const auto file = read_source(path, job);
     return file ? read_model(*file, path, job) : std::nullopt;
@@ -86,7 +74,7 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
     context.load = load;
     context.constants.insert(job.options.constants.begin(), job.options.constants.end());
     auto model = read_text(file, job.sources, context, job.diagnostics);
-    if (model) apply_cycle_time(*model, job.options);
+    if (model && job.options.cycle == CycleTime::Zero) remove_task_cycles(*model);
     return model;
 }
 
@@ -194,6 +182,14 @@ ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandC
 
 ModelOptions model_options(const Options& options) { return {options.mode, options.grain, options.untimed}; }
 
+ModelOptions model_options(const Options& options, const ClosedLoop& loop) {
+    ModelOptions made = model_options(options);
+    const auto has_cycle = [](const ClosedLoop::Controller& controller) { return controller.cycle.has_value(); };
+    if (!options.plant && std::ranges::any_of(loop.controllers, has_cycle))
+        made.untimed.plant = PlantApproach::Automata;
+    return made;
+}
+
 structured_text::Form structured_text_form(const Options& options) {
     return options.format == Format::Text ? structured_text::Form::Text : structured_text::Form::PlcopenXml;
 }
@@ -226,7 +222,7 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Comma
 }
 
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
-    return grafverif::transition_system_of(model, loop, model_options(job.options), job.diagnostics);
+    return grafverif::transition_system_of(model, loop, model_options(job.options, model.loops[loop]), job.diagnostics);
 }
 
 Colour colour_on(const Screen& screen, const Options& options) {

@@ -98,6 +98,9 @@ std::vector<Id<Chart::Step>> named_steps(const Chart& chart, std::string_view li
 
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandContext& job);
 ModelOptions model_options(const Options& options);
+/// Returns the same options for `loop`: an untimed model of a loop with a task cycle has plant automata unless `--plant`
+/// is present.
+ModelOptions model_options(const Options& options, const ClosedLoop& loop);
 /// Returns the output format selected by `--format`; the default is PLCopen XML.
 structured_text::Form structured_text_form(const Options& options);
 ConformOptions conform_options(const Options& options, const Limits& limits = {});

@@ -55,7 +55,7 @@ std::optional<Report> system_report(const SystemToCheck& system, CommandContext&
 
 std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, CommandContext& job,
                                      const CheckOptions& options) {
-    const ModelOptions how = model_options(job.options);
+    const ModelOptions how = model_options(job.options, model.loops[id]);
     const auto system = system_with_probes(model, id, how, job.diagnostics);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
     return system_report(system_to_check(*system, model, id, how), job, options);
@@ -105,7 +105,7 @@ void try_remedies(const Model& model, CommandContext& job, const ResourceLimits&
                   Deadline end, Decided& decided) {
     if (!decided.loop.valid() || bounds.interrupted() || !job.options.disabled_corrections.empty()) return;
     if (job.options.engine == Engine::Hwmcc || !needs_remedies(decided.report)) return;
-    const ModelOptions how = model_options(job.options);
+    const ModelOptions how = model_options(job.options, model.loops[decided.loop]);
     const bool by_default = job.options.engine == Engine::Embedded || job.options.engine == Engine::Auto ||
                             job.options.engine == Engine::Timed;
     const LimitedCheck check{model, decided.loop, how, decided.timed, by_default, options};

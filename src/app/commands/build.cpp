@@ -28,7 +28,7 @@ std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, CommandCo
     if (job.options.target != Target::Uppaal) {
         if (const auto system = transition_system_of(model, loop, job))
             made.push_back({{folder / (name + ".smv"), nusmv_model(*system, job.diagnostics)},
-                            job.options.untimed.plant == PlantApproach::Automata
+                            model_options(job.options, model.loops[loop]).untimed.plant == PlantApproach::Automata
                                 ? "NuSMV model of the closed loop with plant automata"
                                 : "NuSMV model of the controller with free inputs and timers"});
     }

@@ -80,6 +80,30 @@ TEST(TaskCycle, BothCycleTimesAreComparedOnRequest) {
     }
 }
 
+TEST(TaskCycle, AnUntimedTraceReplaysAndNeverBeginsAScanInAScan) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "pulse.grafcet",
+        "grafcet pulse { input A; output O; initial step 0; step 1; step 2 { O; } transition t0: 0 -> 1 when A;\n"
+        "    transition t1: 1 -> 2 when true; transition t2: 2 -> 0 when 5s/X2 && !A; }\n"
+        "closed_loop pulse_loop { controller pulse every 10ms; environment a = free(OUT = A); property off: never O; "
+        "}\n");
+    for (const std::string grain : {"phased", "atomic"})
+        for (const std::string cycle : {"task", "zero"})
+            for (const std::string mode : {"stability-search", "every-cycle"}) {
+                const Result result = grafverif({"check", file, "--untimed", "--plant", "automata", "--grain", grain,
+                                                 "--cycle", cycle, "--mode", mode});
+                EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+            }
+}
+
+TEST(TaskCycle, SuperviseRejectsIt) {
+    const Folder folder;
+    const Result result = grafverif({"supervise", folder.write("sorter.grafcet", sorter(" every 10ms"))});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_TRUE(has(result.err, "a task cycle in `supervise` is not supported; remove it [unsupported]")) << result.err;
+}
+
 TEST(TaskCycle, UntimedModelsHavePlantAutomataOrAreRejected) {
     const Folder folder;
     const std::string file = folder.write("sorter.grafcet", sorter(" every 10ms"));
