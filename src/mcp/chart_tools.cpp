@@ -187,6 +187,7 @@ Tool simulate_tool() {
         {{"file", Kind::Name, "path of the file, absolute or relative to a folder of the server", true},
          {"commands", Kind::Text, "commands, one per line", true}}};
     for (Argument& each : model_arguments()) tool.arguments.push_back(std::move(each));
+    for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
     tool.output_schema = {
         {"type", "object"},
         {"properties",

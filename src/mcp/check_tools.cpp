@@ -52,12 +52,8 @@ constexpr const char* errors_schema = R"({
 std::vector<Argument> check_arguments() {
     std::vector<Argument> all = input_arguments();
     for (Argument& each : model_arguments()) all.push_back(std::move(each));
+    for (Argument& each : loop_arguments()) all.push_back(std::move(each));
     const std::vector<Argument> own = {
-        {"grain",
-         Kind::Choice,
-         "phased: the plant can move within a PLC cycle; atomic: it cannot",
-         false,
-         {"phased", "atomic"}},
         {"engine",
          Kind::Choice,
          "engine (default: timed for a closed loop, otherwise auto)",
@@ -65,7 +61,6 @@ std::vector<Argument> check_arguments() {
          {"auto", "timed", "symbolic", "pdr", "bmc"}},
         {"untimed", Kind::Flag, "check the untimed model; the assumptions state what follows for the timed loop"},
         {"plant", Kind::Choice, "plant of the untimed model", false, {"none", "constraints", "automata"}},
-        {"set", Kind::Names, "values of constants of the closed loop, each as NAME=VALUE"},
         {"properties_file", Kind::Name, "property file, if the input is a PLC program (IEC 61131-3)"},
     };
     all.insert(all.end(), own.begin(), own.end());

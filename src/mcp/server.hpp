@@ -55,6 +55,9 @@ using Send = std::function<bool(std::string_view bytes)>;
 inline constexpr std::size_t largest_message = std::size_t{4} << 20U, most_messages = 64, most_running = 4,
                              most_waiting = 60;
 
+/// Limits of a call without the arguments `timeout` (seconds) and `max_memory` (MiB), if the server permits them.
+inline constexpr std::int64_t usual_timeout_s = 60, usual_memory_mib = 2048;
+
 /// Serves a client until it closes the stream or disappears. Calls that are running then are cancelled.
 void converse(const rpc::Receive& receive, const Send& send, const ServerEnvironment& environment);
 

@@ -27,7 +27,7 @@ constexpr std::array versions = {"2024-11-05", "2025-03-26", "2025-06-18"};
 constexpr std::string_view with_batches = "2025-03-26", with_structured_results = "2025-06-18";
 
 /// JSON-RPC 2.0 reserves the codes from -32000 to -32099 for errors of the server.
-constexpr int too_many_calls = -32000;
+constexpr int too_many_calls = -32000, resource_not_found = -32002;
 
 constexpr const char* instructions =
     "grafverif verifies controllers written in GRAFCET (IEC 60848) in closed loop with a model of their plant. Read "
@@ -70,6 +70,10 @@ void Session::take_batch(const Json& messages) {
                                  messages.empty()
                                      ? "the batch is empty"
                                      : "this version of the protocol has no batches; send single messages"));
+    if (messages.size() > most_messages)
+        return send(
+            rpc::failure(nullptr, rpc::invalid_request,
+                         fmt::format("the batch has more than {} messages; send several batches", most_messages)));
     const auto batch = std::make_shared<Batch>();
     batch->open = 1;
     for (const Json& message : messages) take_single(message, batch);
@@ -160,7 +164,7 @@ Json Session::read_resource(const Json& params) {
     const Json& uri = member(params, "uri");
     if (!uri.is_string()) throw RequestError{rpc::invalid_params, "`uri` must be a string"};
     auto content = resource_content(uri.get_ref<const std::string&>());
-    if (!content) throw RequestError{rpc::invalid_params, "unknown resource; `resources/list` lists all resources"};
+    if (!content) throw RequestError{resource_not_found, "unknown resource; `resources/list` lists all resources"};
     return std::move(*content);
 }
 
@@ -184,10 +188,11 @@ void Session::call(const Json& id, const Json& params, const SharedBatch& batch)
     const Json& token = member(member(params, "_meta"), "progressToken");
     ActiveCall active{++last_call_, std::make_shared<Work>(), batch, tool->name, rpc::is_id(token) ? token : Json()};
     active.begun = active.reported = std::chrono::steady_clock::now();
-    active.timeout_s = arguments.value("timeout", std::min<std::int64_t>(60, environment_.longest_call_s));
+    active.timeout_s = arguments.value("timeout", std::min(usual_timeout_s, environment_.longest_call_s));
     active.work->run = [this, id, number = active.number, tool = &*tool, arguments](const std::atomic<bool>& stop) {
-        auto result = std::make_shared<Json>(result_of(*tool, arguments, stop));
+        Json made = result_of(*tool, arguments, stop);
         const ReserveUse use(true);
+        const auto result = std::make_shared<Json>(std::move(made));
         later_([this, id, number, result] { finished(id, number, std::move(*result)); });
     };
     if (!runner_.submit(active.work))
@@ -225,8 +230,8 @@ Json Session::result_of(const Tool& tool, const Json& arguments, const std::atom
         return failed("there is not enough memory for the result");
     } catch (const std::system_error& failure) {
         return failed(failure.what());
-    } catch (const Json::exception& failure) {
-        return failed(fmt::format("internal error: unexpected output of a command: {}", failure.what()));
+    } catch (const std::exception& failure) {  // a command printed unexpected JSON
+        return failed(fmt::format("internal error: {}", failure.what()));
     }
 }
 

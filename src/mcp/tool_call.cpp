@@ -14,7 +14,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::int64_t usual_timeout_s = 60, usual_memory_mib = 2048;
 /// Time that a command may use beyond its limit to print its results (see app/system/watchdog.hpp) and to start.
 constexpr milliseconds time_to_print{3000};
 

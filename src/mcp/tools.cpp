@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mcp/tools.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -19,18 +21,29 @@ std::vector<Argument> model_arguments() {
             {"mode", Kind::Choice, "execution mode; overrides the model", false, {"stability-search", "every-cycle"}}};
 }
 
+std::vector<Argument> loop_arguments() {
+    return {{"grain",
+             Kind::Choice,
+             "phased: the plant can move within a PLC cycle; atomic: it cannot",
+             false,
+             {"phased", "atomic"}},
+            {"set", Kind::Names, "values of constants of the closed loop, each as NAME=VALUE"}};
+}
+
 std::vector<Tool> tools(const ServerEnvironment& environment) {
     std::vector<Tool> all = {read_tool(),     draw_tool(),    check_tool(),   explain_tool(),
                              simulate_tool(), analyse_tool(), compare_tool(), complete_tool()};
     for (Tool& tool : all) {
         tool.arguments.push_back({.name = "timeout",
                                   .kind = Kind::Number,
-                                  .description = "time limit of the call in seconds (default: 60)",
+                                  .description = fmt::format("time limit of the call in seconds (default: {})",
+                                                             std::min(usual_timeout_s, environment.longest_call_s)),
                                   .least = 1,
                                   .most = environment.longest_call_s});
         tool.arguments.push_back({.name = "max_memory",
                                   .kind = Kind::Number,
-                                  .description = "memory limit of the call in MiB (default: 2048)",
+                                  .description = fmt::format("memory limit of the call in MiB (default: {})",
+                                                             std::min(usual_memory_mib, environment.largest_call_mib)),
                                   .least = 16,
                                   .most = environment.largest_call_mib});
     }

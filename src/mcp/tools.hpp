@@ -42,5 +42,7 @@ Tool complete_tool();
 std::vector<Argument> input_arguments();
 /// Returns the arguments that select a loop or chart of the input, and the execution mode.
 std::vector<Argument> model_arguments();
+/// Arguments for tools that execute closed loops: grain and constants.
+std::vector<Argument> loop_arguments();
 
 }  // namespace grafverif::mcp

@@ -179,8 +179,10 @@ std::optional<fs::path> PermittedFolders::resolved(const fs::path& path, std::st
     if (!restricted_) return path;
     std::error_code failure;
     fs::path file = fs::absolute(path, failure);
-    if (!failure) file = fs::weakly_canonical(file, failure);
-    if (!failure && std::ranges::any_of(folders_, [&](const fs::path& folder) { return is_below(file, folder); }))
+    // `missing/../link` becomes `link` in the first pass, and its target in the second pass.
+    for (int pass = 0; pass < 2 && !failure; ++pass) file = fs::weakly_canonical(file, failure);
+    const bool is_resolved = !failure && !fs::is_symlink(fs::symlink_status(file, failure));
+    if (is_resolved && std::ranges::any_of(folders_, [&](const fs::path& folder) { return is_below(file, folder); }))
         return file;
     why = "it is outside the directories to which `--within` restricts reading";
     return {};
@@ -200,6 +202,7 @@ std::optional<fs::path> PermittedFolders::located(const fs::path& path, std::str
 std::optional<std::string> PermittedFolders::read(const fs::path& path, std::string& why, std::uintmax_t most) const {
     const auto file = resolved(path, why);
     if (!file) return {};
+    if (restricted_ && is_made_up(file->parent_path())) return why = "it is a virtual file of the kernel", std::nullopt;
     std::error_code failure;
     const std::uintmax_t size = fs::is_regular_file(*file, failure) ? fs::file_size(*file, failure) : 0;
     if (!failure && size > most) return why = fmt::format("larger than {} bytes", most), std::nullopt;

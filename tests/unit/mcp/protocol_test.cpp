@@ -287,6 +287,10 @@ TEST(McpProtocol, AnswersBatchesOfVersion20250326) {
     client.send(Json::array({{{"jsonrpc", "2.0"}, {"method", "notifications/initialized"}}}));
     client.send(Json::array());
     EXPECT_EQ(client.wait([](const Json& message) { return message.contains("error"); })["error"]["code"], -32600);
+    client.send(Json::array_t(most_messages + 1, ping));
+    EXPECT_TRUE(client.wait([](const Json& message) { return message.contains("error"); })["error"]["message"]
+                    .get<std::string>()
+                    .starts_with("the batch has more than 64 messages"));
     EXPECT_EQ(client.received(), 0U);
 }
 

@@ -269,6 +269,8 @@ TEST(McpTools, CompleteDoesNotReadIncludedFilesOutsideOfTheFolders) {
     };
     EXPECT_FALSE(proposes("../secret.grafcet"));
     EXPECT_FALSE(proposes(server.folder.file("secret.grafcet")));
+    fs::create_symlink("../secret.grafcet", server.folder.file("inside/hidden.grafcet"));
+    EXPECT_FALSE(proposes("missing/../hidden.grafcet"));
     server.folder.write("inside/public.grafcet", "component hidden_secret(input A) { initial location a; }\n");
     EXPECT_TRUE(proposes("public.grafcet"));
 }
