@@ -14,6 +14,9 @@
 
 namespace grafverif {
 
+/// Bounds on the number of states of one search in successive rounds of localization and input abstraction.
+inline constexpr std::uint64_t search_rounds[] = {1U << 14U, 1U << 17U, 1U << 20U, 1U << 24U};
+
 using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
 inline bool is_over(const Deadline& deadline) { return deadline && std::chrono::steady_clock::now() >= *deadline; }

@@ -36,7 +36,7 @@ void decide_by_inputs(const Network& network, const TimedOptions& options, Timed
     own.max_states = TimedOptions{}.max_states;
     InputSearch search(network, nothing, own, result,
                        {.followed = followed, .followed_coarse = followed, .explored = 0});
-    for (const std::uint64_t states : input_rounds)
+    for (const std::uint64_t states : search_rounds)
         if (!search.run(states, own.deadline)) return;
 }
 

@@ -65,8 +65,8 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
     // A search can use the time that earlier searches did not use. Therefore the search with the most properties is the
     // last one.
     std::ranges::reverse(open);
-    for (const std::uint64_t states : input_rounds) refine(states);
-    while (!open.empty() && !is_over(abstract, limits.stop)) refine(std::ranges::max(input_rounds));
+    for (const std::uint64_t states : search_rounds) refine(states);
+    while (!open.empty() && !is_over(abstract, limits.stop)) refine(std::ranges::max(search_rounds));
     open.clear();
     for (std::size_t i = 0; i < searches.size(); ++i)
         if (searches[i]->needs_whole()) open.push_back(i);

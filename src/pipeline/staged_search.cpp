@@ -78,8 +78,9 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, co
 
 bool StagedSearch::refine(std::uint64_t states, const Deadline& deadline) {
     // While input abstraction continues, large searches of fragments would use its time.
-    const std::uint64_t local = refines_inputs_ ? std::min(states, localization_rounds[1]) : states;
-    const bool cells = complete_ && complete_->refine(local, share_of(deadline, 3));
+    const bool cells =
+        complete_ && (refines_inputs_ ? complete_->refine(std::min(states, search_rounds[1]), share_of(deadline, 3))
+                                      : complete_->refine(states, deadline));
     refines_inputs_ = inputs_ && inputs_->run(states, deadline);
     return cells || refines_inputs_;
 }

@@ -24,6 +24,8 @@
 namespace grafverif::lsp {
 namespace {
 
+using rpc::framed;
+
 using Json = nlohmann::json;
 
 const char* const lamp = "file:///nowhere/lamp.grafcet";

@@ -47,9 +47,6 @@ struct InputLimits {
     std::map<std::string, InputsAbstracted> known = {};
 };
 
-/// Bounds on the number of states in successive rounds.
-inline constexpr std::uint64_t input_rounds[] = {1U << 14U, 1U << 17U, 1U << 20U, 1U << 24U};
-
 class InputAbstractionCheck;
 
 /// Decides properties that are open in `result` because a limit ended its search, or because integer time is not exact

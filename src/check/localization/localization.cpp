@@ -67,7 +67,7 @@ public:
             tasks_.clear();
             race_.reset();
         }
-        refine(localization_rounds[0], share_of(options_.deadline, 3));
+        refine(search_rounds[0], share_of(options_.deadline, 3));
     }
 
     bool refine(std::uint64_t states, const Deadline& deadline);
@@ -197,6 +197,7 @@ bool LocalizationCheck::refine(std::uint64_t states, const Deadline& deadline) {
     if (const std::uint64_t bound = std::min(states, limits_.local); bound > round_) {
         round_ = bound;
         local_deadline_ = deadline;
+        std::ranges::stable_partition(tasks_, [](const Task& task) { return task.requested.empty(); });
         search_round();
         std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
         const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
@@ -255,6 +256,7 @@ void LocalizationCheck::search(Task task) {
     const bool concerns_errors = task.requested.empty();
     std::erase_if(task.requested, [&](std::size_t k) { return !is_open(k); });
     if (task.requested.empty() && !concerns_errors) return;
+    if (concerns_errors && !awaits_verdict()) return postponed_.push_back(std::move(task));
     std::vector<Property> properties;
     for (const std::size_t k : task.requested) properties.push_back(*questions_[k]);
     std::vector<Id<Expr>> invariants;
@@ -275,7 +277,7 @@ void LocalizationCheck::search(Task task) {
     result_.bytes = std::max(result_.bytes, found.bytes);
     result_.seconds += found.seconds;
     if (!found.complete) {
-        if (found.states >= round_) postponed_.push_back(task);
+        if (found.states >= round_ || is_over(local_deadline_)) postponed_.push_back(std::move(task));
         return;
     }
     if (!found.errors.empty() && !ablations_.break_off) return open(task);
@@ -471,7 +473,8 @@ TimedResult check_timed_by_cells(const Network& network, const TimedOptions& opt
                                  const LocalAblations& ablations, const WholeSearch& whole) {
     CellSearch search(expand(network), options, limits, ablations, whole);
     search.begin();
-    for (const std::uint64_t states : localization_rounds) search.refine(states, share_of(options.deadline, 3));
+    const Deadline localization = share_of(options.deadline, 3);
+    for (const std::uint64_t states : search_rounds) search.refine(states, localization);
     if (search.needs_whole()) search.search_complete();
     return search.result();
 }

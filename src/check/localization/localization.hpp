@@ -32,9 +32,6 @@ struct LocalizationLimits {
 /// Searches the complete network, either directly or compositionally.
 using WholeSearch = std::function<TimedResult(const Network&, const TimedOptions&)>;
 
-/// Bounds on the number of states of one search in successive rounds; `LocalizationLimits::local` also applies.
-inline constexpr std::uint64_t localization_rounds[] = {1U << 14U, 1U << 17U, 1U << 20U, 1U << 24U};
-
 class LocalizationCheck;
 
 /// Executes check_timed_by_cells in steps, for callers that decide open verdicts between the steps.
@@ -49,7 +46,7 @@ public:
     /// Performs the first search of the complete network, and then the first round of localization.
     void begin();
     /// Performs a round of localization with searches of at most `states` states each. Has no effect if an earlier round
-    /// had the same bound. Returns false if no search is left for the next round.
+    /// had the same or a greater bound. Returns false if no search is left for the next round.
     bool refine(std::uint64_t states, const Deadline& deadline);
     /// Returns the result so far. Open verdicts have the obstacle `Bound`. A caller that decides an open verdict also
     /// sets its `abstraction`.

@@ -115,8 +115,7 @@ void print_properties(std::ostream& out, const System& system, const Names& name
         print_heading(out, property, names.properties[id.index]);
         const bool is_response = property.pattern == Pattern::LeadsTo || property.pattern == Pattern::Inevitable;
         if (is_response && system.components.empty())
-            out << "-- inputs are free in this model; a response that depends on the plant requires `--plant "
-                   "automata`\n";
+            out << "-- this model has no plant; a response that depends on the plant requires `--plant automata`\n";
         out << made.keyword << " NAME " << names.properties[id.index] << " := " << made.formula << ";\n";
     }
     for (; omitted != system.omitted.end(); ++omitted) print_omitted(out, *omitted);

@@ -69,8 +69,7 @@ private:
         }
         if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, id);
         const bool satisfied = !property.expected_violated;
-        const std::string outcome =
-            satisfied ? "declared in the file: satisfied" : "declared in the file: not satisfied";
+        const std::string outcome = satisfied ? "expected: satisfied" : "expected: not satisfied";
         const std::string comment = headline(property, property.name) + '\n' + std::string(remark(property)) + outcome;
         list.push_back({id, property.name, formula(property), comment, satisfied});
     }
@@ -97,8 +96,7 @@ private:
     void add_steps(std::vector<Query>& list, Id<Property> id) {
         const Property& property = network_.properties[id];
         const bool satisfied = !property.expected_violated;
-        const std::string outcome =
-            satisfied ? "declared in the file: satisfied" : "declared in the file: not satisfied for at least one step";
+        const std::string outcome = satisfied ? "expected: satisfied" : "expected for at least one step: not satisfied";
         for (const Id<Network::Variable> step : steps(property)) {
             const std::string name = property.name + '.' + step_variable_name(network_, step);
             list.push_back(

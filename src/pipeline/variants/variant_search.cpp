@@ -35,7 +35,7 @@ bool is_decided(const Verdict& verdict) {
 VariantSearch::VariantSearch(const CheckOptions& options, const Report& report, const VariantBounds& bounds)
     : options_(options) {
     SearchEffort last;
-    std::uint64_t states = 0, abstract_states = input_rounds[0];
+    std::uint64_t states = 0, abstract_states = search_rounds[0];
     for (const PropertyResult& answer : report.answers) {
         const std::uint64_t own = std::stoull("0" + answer.verdict.states);
         states = std::max(states, own);
@@ -50,12 +50,12 @@ VariantSearch::VariantSearch(const CheckOptions& options, const Report& report, 
     const bool in_passes = (states > bounds.few_states || !known_.empty()) && !options.whole;
     most_states_ =
         options.limits.states.value_or(std::max(8 * states, in_passes ? least_bound_in_passes : least_bound));
-    for (const std::uint64_t round : input_rounds)
+    for (const std::uint64_t round : search_rounds)
         if (round <= most_states_) last.rounds.push_back(round);
     if (in_passes && !known_.empty())
         efforts_.push_back({{.whole = bounds.brief, .local = 0}, {abstract_states}, false, true});
     if (in_passes)
-        for (const std::uint64_t round : {input_rounds[0], input_rounds[1]})
+        for (const std::uint64_t round : {search_rounds[0], search_rounds[1]})
             efforts_.push_back({{.whole = bounds.brief, .local = round}, {round}, false});
     efforts_.push_back(last);
 }

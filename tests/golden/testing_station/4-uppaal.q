@@ -1,18 +1,18 @@
 /*
 P14: the station always returns to rest
-declared in the file: satisfied
+expected: satisfied
 */
 !(X_0 && V_IN && H_IN) --> X_0 && V_IN && H_IN
 
 /*
 P15: no horizontal move unless the cup is up
-declared in the file: satisfied
+expected: satisfied
 */
 A[] not ((H_G_OUT || H_G_IN) && !V_IN)
 
 /*
 no_deadlock
-declared in the file: satisfied
+expected: satisfied
 */
 A[] not deadlock
 

@@ -148,9 +148,11 @@ TEST(Localization, SmallSearchDoesNotWaitForALargeOne) {
     EXPECT_EQ(outcome("small"), Outcome::Holds);
     EXPECT_EQ(outcome("large"), Outcome::Unknown);
     const std::uint64_t states = search.found().states;
-    EXPECT_TRUE(search.refine(localization_rounds[0], {})) << "the bound of the first round";
+    EXPECT_TRUE(search.refine(search_rounds[0], {})) << "the bound of the first round";
     EXPECT_EQ(search.found().states, states);
-    EXPECT_FALSE(search.refine(localization_rounds[1], {}));
+    EXPECT_TRUE(search.refine(search_rounds[1], std::chrono::steady_clock::now())) << "no time is left";
+    EXPECT_EQ(outcome("large"), Outcome::Unknown);
+    EXPECT_FALSE(search.refine(search_rounds[2], {}));
     EXPECT_EQ(outcome("large"), Outcome::Holds);
 }
 

@@ -69,9 +69,9 @@ TEST(UppaalQueries, ExpressEachPattern) {
 
 TEST(UppaalQueries, ContainNameTextAndOutcome) {
     const std::map<std::string, Query> found = queries(test::station());
-    EXPECT_EQ(found.at("P3").comment, "P3: it moves <at all> & \"well\"\ndeclared in the file: satisfied");
+    EXPECT_EQ(found.at("P3").comment, "P3: it moves <at all> & \"well\"\nexpected: satisfied");
     EXPECT_EQ(found.at("P3").outcome, "success");
-    EXPECT_EQ(found.at("R").comment, "R: this one fails\ndeclared in the file: not satisfied");
+    EXPECT_EQ(found.at("R").comment, "R: this one fails\nexpected: not satisfied");
     EXPECT_EQ(found.at("R").outcome, "failure");
     EXPECT_EQ(found.at("P1").outcome, "success");
 }
@@ -80,9 +80,8 @@ TEST(UppaalQueries, HaveNoExpectationForSingleStepsIfSomeStepIsUnreachable) {
     Network network = test::station();
     network.properties[{7}].expected_violated = true;
     ASSERT_EQ(network.properties[{7}].pattern, Pattern::ReachableAllSteps);
-    EXPECT_NE(queries_text(network).find(
-                  "S.X0\n"
-                  "this step can become active; declared in the file: not satisfied for at least one step"),
+    EXPECT_NE(queries_text(network).find("S.X0\n"
+                                         "this step can become active; expected for at least one step: not satisfied"),
               std::string::npos);
     EXPECT_EQ(test::project(network).find("<expect", test::project(network).find("S.X0")),
               test::project(network).find("<expect", test::project(network).find("A[] X_0 + X_1")));
@@ -127,8 +126,7 @@ TEST(UppaalQueries, AreEqualInTheQueryFileAndTheProject) {
 TEST(UppaalQueries, KeepACommentOpenUntilItsEnd) {
     Network network = test::station();
     network.properties[{0}].text = "a */ A[] false /* b";
-    EXPECT_NE(queries_text(network).find("/*\nP1: a * / A[] false /* b\ndeclared in the file: satisfied\n*/\n"),
-              std::string::npos);
+    EXPECT_NE(queries_text(network).find("/*\nP1: a * / A[] false /* b\nexpected: satisfied\n*/\n"), std::string::npos);
 }
 
 }  // namespace
