@@ -230,7 +230,9 @@ Json Session::result_of(const Tool& tool, const Json& arguments, const std::atom
         return failed("there is not enough memory for the result");
     } catch (const std::system_error& failure) {
         return failed(failure.what());
-    } catch (const std::exception& failure) {  // a command printed unexpected JSON
+    } catch (const Json::exception& failure) {
+        return failed(fmt::format("internal error: unexpected output of a command: {}", failure.what()));
+    } catch (const std::exception& failure) {
         return failed(fmt::format("internal error: {}", failure.what()));
     }
 }

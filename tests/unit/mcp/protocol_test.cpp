@@ -112,7 +112,7 @@ TEST(McpProtocol, RejectsInvalidMessagesAndContinues) {
         {R"({"jsonrpc":"2.0","id":8,"method":"tools/call"})", -32602, 8},
         {R"({"jsonrpc":"2.0","id":8,"method":"tools/call","params":{"name":"chek"}})", -32602, 8},
         {R"({"jsonrpc":"2.0","id":8,"method":"tools/call","params":{"name":"draw","arguments":5}})", -32602, 8},
-        {R"({"jsonrpc":"2.0","id":8,"method":"resources/read","params":{"uri":"file:///etc/passwd"}})", -32602, 8},
+        {R"({"jsonrpc":"2.0","id":8,"method":"resources/read","params":{"uri":"file:///etc/passwd"}})", -32002, 8},
         {R"({"jsonrpc":"2.0","id":8,"method":"resources/read"})", -32602, 8},
     };
     for (const Case& each : cases) {

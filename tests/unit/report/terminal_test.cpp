@@ -166,7 +166,7 @@ TEST(Terminal, PrintsTheSeparateAssumptionsOfEachGroup) {
 }
 
 TEST(Terminal, UndecidedPropertiesHaveNoImplications) {
-    Report report{"tanks", {"symbolic", "every-cycle", "", 0, "no plant"}, {}, {}};
+    Report report{"tanks", {.engine = "symbolic", .mode = "every-cycle", .untimed = "no plant"}, {}, {}};
     report.answers = {
         {{.property = "A", .outcome = Outcome::Holds, .states = "9"}, "", {}, "valid for every plant", ""},
         {{.property = "B", .reason = "it is about time"}, "", {}, "", ""}};
