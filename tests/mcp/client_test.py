@@ -17,7 +17,7 @@ LONG = "\n".join(
     ["grafcet slow {"] + [f"input i{k}; output o{k};" for k in range(16)] + ["initial step s;"]
     + [f"step a{k} {{ o{k}; }} transition t{k}: s -> a{k} when i{k}; transition u{k}: a{k} -> s when {k + 2}s/Xa{k};"
        for k in range(16)] + ["}", "closed_loop endless { controller slow;"]
-    + [f"environment e{k} = free(OUT = i{k});" for k in range(16)] + ["property p: never o0 && o1; }"])
+    + [f"environment e{k} = free(OUT = i{k});" for k in range(16)] + ["property p: o0 leads to o1; }"])
 
 
 class Mcp(unittest.TestCase):
