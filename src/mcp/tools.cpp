@@ -8,7 +8,11 @@
 
 namespace grafverif::mcp {
 
+namespace {
+
 using Kind = Argument::Kind;
+
+}  // namespace
 
 std::vector<Argument> input_arguments() {
     return {{"file", Kind::Name, "path of the file, absolute or relative to a folder of the server"},

@@ -54,9 +54,9 @@ public:
     std::vector<std::int64_t> inputs(const ControllerWords<Variable>& words, const ChartRun::Act& act,
                                      const std::vector<std::int64_t>& values) const {
         std::vector<std::int64_t> read;
-        const bool holds = !words.held.empty() && !act.starts && !act.scans;
+        const bool reads_held = !words.held.empty() && !act.starts && !act.scans;
         for (std::size_t k = 0; k < words.inputs.size(); ++k)
-            read.push_back(values[(holds ? words.held[k] : words.inputs[k].variable).index]);
+            read.push_back(values[(reads_held ? words.held[k] : words.inputs[k].variable).index]);
         return read;
     }
     /// Adds a signal for a value. An existing signal keeps its role.
