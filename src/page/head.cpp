@@ -90,7 +90,7 @@ std::vector<std::string> assumptions(const PageContent& content) {
         sentences.push_back(fmt::format(
             "Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time{}.",
             settings.engine, seconds_text(settings.time_unit_ms),
-            settings.cycle.empty() ? "" : ", and time starts the scans (" + settings.cycle + ")"));
+            settings.cycle.empty() ? "" : ", and scans start periodically (" + settings.cycle + ")"));
     else
         sentences.push_back(
             fmt::format("No time: the {} engine checked the untimed model ({}){}{}.", settings.engine, settings.untimed,
@@ -100,9 +100,9 @@ std::vector<std::string> assumptions(const PageContent& content) {
         sentences.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");
     if (settings.mode == word(ExecutionMode::StabilitySearch))
         sentences.push_back(
-            "Stability search: the PLC reads its inputs before each evolution, and writes its outputs when the "
-            "situation "
-            "is stable.");
+            fmt::format("Stability search: a PLC reads its inputs before each evolution{}, and writes its outputs when "
+                        "the situation is stable.",
+                        settings.cycle.empty() ? "" : " (with a task cycle, once per scan)"));
     else if (settings.mode == word(ExecutionMode::EveryCycle))
         sentences.push_back("Every cycle: the PLC makes one evolution per cycle and writes its outputs in each cycle.");
     else sentences.push_back(fmt::format("Modes of the controllers: {}.", settings.mode));
