@@ -112,30 +112,37 @@ private:
 
     void take_stops() {
         if (options_.stop.empty()) return;
-        const std::array<bool, 2> taken = {take_stop(0), take_stop(1)};
+        for (const std::size_t k : {0U, 1U}) take_stop(k);
+        const auto& taken = result_.stop_outputs;
         if (options_.stop.size() == 2) {
             for (const std::size_t k : {0U, 1U})
-                if (!taken[k])
+                if (taken[k].empty())
                     reject_stop(fmt::format("needs a program with the output `{}`, but {} is not one", options_.stop[k],
                                             sides_[k].label),
                                 "name an output of each program; pass one NAME if only one program has such an output");
-        } else if (!taken[0] && !taken[1]) reject_stop("names no output of a program", "name an output of a program");
+        } else if (taken[0].empty() && taken[1].empty())
+            reject_stop("names no output of a program", "name an output of a program");
+    }
+
+    /// Adds an error that no place in a file causes.
+    void reject(std::string_view problem, std::string_view remedy) {
+        diagnostics_.add(messages::not_comparable({}, problem, remedy));
     }
 
     void reject_stop(std::string_view problem, std::string_view remedy) {
         const bool unsupported = has_unsupported(sides_[0], stop_name(0)) || has_unsupported(sides_[1], stop_name(1));
-        diagnostics_.add(messages::not_comparable(
-            {},
+        reject(
             fmt::format("`{}` {}", stop_text(), unsupported ? "names an output whose type is not supported" : problem),
-            unsupported ? "use another type" : remedy));
+            unsupported ? "use another type" : remedy);
     }
 
-    /// Makes the output for stops internal. Returns false if the side does not have it.
-    bool take_stop(std::size_t k) {
+    /// Makes the output for stops internal, if the side has it.
+    void take_stop(std::size_t k) {
         CompareSide& side = sides_[k];
+        const std::string name = stop_name(k);
         const auto plug =
-            std::ranges::find_if(side.outputs, [&](const Plug& one) { return same_word(one.name, stop_name(k)); });
-        if (plug == side.outputs.end()) return false;
+            std::ranges::find_if(side.outputs, [&](const Plug& one) { return same_word(one.name, name); });
+        if (plug == side.outputs.end()) return;
         Exprs& exprs = side.scan->equations.exprs;
         const Id<Expr> value = side.scan->after[plug->own];
         side.stop = plug->type.boolean ? value : exprs.apply(Op::NotEqual, value, exprs.integer(0));
@@ -143,7 +150,6 @@ private:
         result_.stop_outputs[k] = plug->name;
         side.scan->equations.variables[plug->variable].role = Equations::Role::Internal;
         side.outputs.erase(plug);
-        return true;
     }
 
     void take_ignored() {
@@ -167,18 +173,20 @@ private:
         result_.ignored.erase(std::ranges::unique(result_.ignored).begin(), result_.ignored.end());
     }
 
+    /// True if the name is that of the output of side `k` that reports stops.
+    bool reports_stop(std::size_t k, std::string_view name) const {
+        return !result_.stop_outputs[k].empty() && same_word(result_.stop_outputs[k], name);
+    }
+
     void report_not_ignored(const std::string& name) {
         for (const std::size_t k : {0U, 1U})
-            if (!result_.stop_outputs[k].empty() && same_word(result_.stop_outputs[k], name)) {
-                diagnostics_.add(messages::not_comparable(
-                    {},
-                    fmt::format("`--ignore {}` omits the output `{}` of {}, which reports a stop by `{}`", name,
-                                result_.stop_outputs[k], sides_[k].label, stop_text()),
-                    "remove one of these options"));
+            if (reports_stop(k, name)) {
+                reject(fmt::format("`--ignore {}` omits the output `{}` of {}, which reports a stop by `{}`", name,
+                                   result_.stop_outputs[k], sides_[k].label, stop_text()),
+                       "remove one of these options");
                 return;
             }
-        diagnostics_.add(messages::not_comparable(
-            {}, fmt::format("`--ignore {}` names no output of the compared files", name), "name an output"));
+        reject(fmt::format("`--ignore {}` names no output of the compared files", name), "name an output");
     }
 
     static bool same_name(const CompareSide& side, std::string_view a, std::string_view b) {
@@ -211,11 +219,9 @@ private:
             if (kinds[k].empty()) report_unknown(sides_[k], names[k], entry);
         }
         if (kinds[0].empty() || kinds[1].empty() || kinds[0] == kinds[1]) return;
-        diagnostics_.add(
-            messages::not_comparable({},
-                                     fmt::format("{} assigns the {} `{}` to the {} `{}`", entry_text(entry), kinds[0],
-                                                 names[0], kinds[1], names[1]),
-                                     "name two inputs or two outputs"));
+        reject(fmt::format("{} assigns the {} `{}` to the {} `{}`", entry_text(entry), kinds[0], names[0], kinds[1],
+                           names[1]),
+               "name two inputs or two outputs");
     }
 
     /// Adds an error if two entries of `--map` name the same input or output.
@@ -224,12 +230,10 @@ private:
         const bool second = same_name(sides_[1], one.second, other.second);
         if (!first && !second) return;
         const std::string both = fmt::format("{} and {}", entry_text(one), entry_text(other));
-        diagnostics_.add(messages::not_comparable(
-            {},
-            first && second ? both + " are the same assignment"
-                            : fmt::format("{} assign two names to `{}` of {}", both, first ? one.first : one.second,
-                                          sides_[first ? 0 : 1].label),
-            "remove one of them"));
+        reject(first && second ? both + " are the same assignment"
+                               : fmt::format("{} assign two names to `{}` of {}", both, first ? one.first : one.second,
+                                             sides_[first ? 0 : 1].label),
+               "remove one of them");
     }
 
     /// Returns `input` or `output`; empty if the side has neither with this name.
@@ -241,18 +245,15 @@ private:
 
     void report_unknown(const CompareSide& side, std::string_view name, const Entry& entry) {
         if (const std::string option = omitting_option(side, name); !option.empty()) {
-            diagnostics_.add(messages::not_comparable({},
-                                                      fmt::format("`{}` omits the output `{}` of {}, which {} assigns",
-                                                                  option, name, side.label, entry_text(entry)),
-                                                      "remove one of these options"));
+            reject(fmt::format("`{}` omits the output `{}` of {}, which {} assigns", option, name, side.label,
+                               entry_text(entry)),
+                   "remove one of these options");
             return;
         }
         if (has_unsupported(side, name)) {
-            diagnostics_.add(
-                messages::not_comparable({},
-                                         fmt::format("{} assigns the output `{}` of {}, whose type is not supported",
-                                                     entry_text(entry), name, side.label),
-                                         fmt::format("use another type, or pass `--ignore {}` instead", name)));
+            reject(fmt::format("{} assigns the output `{}` of {}, whose type is not supported", entry_text(entry), name,
+                               side.label),
+                   fmt::format("use another type, or pass `--ignore {}` instead", name));
             return;
         }
         std::vector<std::string> known;
@@ -265,8 +266,7 @@ private:
     std::string omitting_option(const CompareSide& side, std::string_view name) const {
         for (const std::string& ignored : options_.ignored)
             if (same_name(side, ignored, name)) return "--ignore " + ignored;
-        const std::string& stop = result_.stop_outputs[&side == &sides_[0] ? 0 : 1];
-        return !stop.empty() && same_word(stop, name) ? stop_text() : "";
+        return reports_stop(&side == &sides_[0] ? 0 : 1, name) ? stop_text() : "";
     }
 
     /// Returns the name of the counterpart in the second side that the user has selected.
