@@ -62,10 +62,11 @@ public:
         // unknown or vacuous in the complete network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
         collect_queries();
+        if (tasks_.empty() && !race_) return;
         may_err_ = cells_that_may_err(network_, cells_);
         if (may_err_.contains(NetworkFragments::none)) {
             tasks_.clear();
-            race_.reset();
+            return race_.reset();
         }
         refine(search_rounds[0], share_of(options_.deadline, 3));
     }
@@ -82,6 +83,8 @@ private:
     struct Task {
         Cells cells = {};
         std::vector<std::size_t> requested = {};
+        /// True if the search can only show that no model error occurs in the fragments.
+        bool concerns_errors() const { return requested.empty(); }
     };
 
     /// A task without a result, with the other fragments that its fragments read. `known` is the number of invariants
@@ -197,7 +200,7 @@ bool LocalizationCheck::refine(std::uint64_t states, const Deadline& deadline) {
     if (const std::uint64_t bound = std::min(states, limits_.local); bound > round_) {
         round_ = bound;
         local_deadline_ = deadline;
-        std::ranges::stable_partition(tasks_, [](const Task& task) { return task.requested.empty(); });
+        std::ranges::stable_partition(tasks_, &Task::concerns_errors);
         search_round();
         std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
         const auto is_faultless = [&](std::uint32_t cell) { return faultless_.contains(cell); };
@@ -228,7 +231,7 @@ void LocalizationCheck::search_round() {
             search_tasks();
         }
     };
-    const auto concerns_errors = [](const Open& open) { return open.task.requested.empty(); };
+    const auto concerns_errors = [](const Open& open) { return open.task.concerns_errors(); };
     const auto search_each = [](const Open&) { return true; };
     const auto search_cells_that_may_err = [&](const auto& run) {
         for (const std::uint32_t cell : may_err_) {
@@ -253,7 +256,7 @@ bool LocalizationCheck::awaits_verdict() const {
 
 void LocalizationCheck::search(Task task) {
     if (is_over(local_deadline_)) return postponed_.push_back(std::move(task));
-    const bool concerns_errors = task.requested.empty();
+    const bool concerns_errors = task.concerns_errors();
     std::erase_if(task.requested, [&](std::size_t k) { return !is_open(k); });
     if (task.requested.empty() && !concerns_errors) return;
     if (concerns_errors && !awaits_verdict()) return postponed_.push_back(std::move(task));
