@@ -87,8 +87,10 @@ def decide(program: pathlib.Path, task: Task, timeout: int) -> Result:
     violated = [one for one in properties if one["verdict"] == "violated"]
     if violated:
         traces = [one["trace"]["run"]["moments"] for one in violated if one["trace"]]
-        scans = min((len(trace) - 1 for trace in traces), default=0)
-        proof = f"trace of {scans} scan{'s' if scans > 1 else ''}" if traces else "unbounded"
+        proof = "unbounded"
+        if traces:
+            scans = min(len(trace) - 1 for trace in traces)
+            proof = f"trace of {scans} scan{'s' if scans > 1 else ''}"
         return Result("VIOLATION", proof, seconds, frozenset(one["name"] for one in violated))
     if all(one["verdict"] == "holds" for one in properties) and run.returncode == 0:
         return Result("SAFE", "unbounded", seconds)
@@ -130,10 +132,10 @@ def main() -> int:
             reasons[f"{task.language}: {result.reason}"] += 1
         total += result.seconds
         print(markdown(task, result) if options.markdown else line(options.folder, task, result), flush=True)
-    print(", ".join(f"{number} {what}" for what, number in sorted(count.items())) + f", {total:.1f} s",
-          file=sys.stderr if options.markdown else sys.stdout)
+    summary = sys.stderr if options.markdown else sys.stdout
+    print(", ".join(f"{number} {what}" for what, number in sorted(count.items())) + f", {total:.1f} s", file=summary)
     for reason, number in reasons.most_common():
-        print(f"{number} without verdict: {reason}", file=sys.stderr if options.markdown else sys.stdout)
+        print(f"{number} without verdict: {reason}", file=summary)
     return 1 if count["DISAGREES"] else 0
 
 

@@ -13,6 +13,7 @@
 //   trace     {"loop_from", "steps":[{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
 //             "moment"}], "run"}
 //
+// PROPERTY also has `cycle` and `constants` if the loop has a task cycle or constants.
 // `trace_text` is the table of a trace, line by line. `assumptions` is the model to which the verdict applies, as text.
 //
 // JSON lines have one object per verdict; only an unexpected verdict has `trace_text`. For a model error or an error in

@@ -88,14 +88,15 @@ std::string cause_text(const ChartRun& run, const ChartRun::Cause& cause) {
 
 std::string causes_text(const ChartRun& run) {
     constexpr std::size_t most = 8;
-    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // causes of each time or interval
+    using Group = std::pair<std::string, std::vector<std::string>>;
+    std::vector<Group> groups;  // causes of each time or interval
     for (const ChartRun::Cause& cause : run.causes) {
         std::string when = "at " + event_text(run, run.moments[cause.first].after);
         const bool lasts = cause.first < cause.last;
         if (lasts && cause.last + 1 < run.moments.size())
             when = "from" + when.substr(2) + " to " + event_text(run, run.moments[cause.last].after);
         else if (lasts) when = "from" + when.substr(2) + " on";
-        auto group = std::ranges::find_if(groups, [&](const auto& one) { return one.first == when; });
+        auto group = std::ranges::find(groups, when, &Group::first);
         if (group == groups.end()) group = groups.insert(group, {std::move(when), {}});
         // Causes after several events of one instant can have the same text.
         std::string text = cause_text(run, cause);
@@ -104,10 +105,10 @@ std::string causes_text(const ChartRun& run) {
     std::string text;
     std::size_t count = 0;
     for (const auto& [when, causes] : groups)
-        for (const std::string& cause : causes) {
+        for (std::size_t k = 0; k < causes.size(); ++k) {
             if (++count > most) continue;
-            text += &cause == &causes.front() ? (text.empty() ? "" : "; ") + when + ": " : ", ";
-            text += cause;
+            text += k == 0 ? (text.empty() ? "" : "; ") + when + ": " : ", ";
+            text += causes[k];
         }
     return count > most ? fmt::format("{}; and {} more", text, count - most) : text;
 }
