@@ -5,7 +5,7 @@ set(entries "")
 foreach(file IN LISTS FILES)
     file(READ "${file}" text)
     get_filename_component(name "${file}" NAME_WE)
-    string(APPEND entries "    {.name = \"${name}\", .text = R\"~~~(${text})~~~\", .path = \"<library>/${name}.grafcet\"},\n")
+    string(APPEND entries "    {.name = \"${name}\", .text = R\"~~~(${text})~~~\"sv, .path = \"<library>/${name}.grafcet\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// SPDX-License-Identifier: MIT
 #include \"pipeline/components.hpp\"
@@ -14,7 +14,9 @@ namespace grafverif {
 
 namespace {
 
-const LibraryEntry entries[] = {
+using namespace std::string_view_literals;
+
+constexpr LibraryEntry entries[] = {
 ${entries}};
 
 }  // namespace

@@ -6,7 +6,7 @@ foreach(file IN LISTS FILES)
     file(READ "${file}" text)
     get_filename_component(name "${file}" NAME)
     literal_of("${text}" literal)
-    string(APPEND entries "    {\"${name}\", ${literal}},\n")
+    string(APPEND entries "    {\"${name}\", ${literal}sv},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// SPDX-License-Identifier: MIT
 #include \"app/serve/live_files.hpp\"
@@ -15,7 +15,9 @@ namespace grafverif::app {
 
 namespace {
 
-const LiveFile files[] = {
+using namespace std::string_view_literals;
+
+constexpr LiveFile files[] = {
 ${entries}};
 
 }  // namespace

@@ -6,7 +6,7 @@ foreach(file IN LISTS PAGES)
     file(READ "${file}" text)
     get_filename_component(name "${file}" NAME_WE)
     literal_of("${text}" literal)
-    string(APPEND entries "    {\"${name}\", ${literal}},\n")
+    string(APPEND entries "    {\"${name}\", ${literal}sv},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// SPDX-License-Identifier: MIT
 #include \"mcp/resources.hpp\"
@@ -15,7 +15,9 @@ namespace grafverif::mcp {
 
 namespace {
 
-const Page all[] = {
+using namespace std::string_view_literals;
+
+constexpr Page all[] = {
 ${entries}};
 
 }  // namespace

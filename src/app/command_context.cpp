@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/outputs.hpp"
+#include "ir/task_cycles.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/file_watcher.hpp"
 #include "pipeline/files.hpp"
@@ -19,6 +20,7 @@
 #include "read/text.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
+#include "support/printable.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
@@ -63,7 +65,7 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
         return {};
     }
     const Reach reach(path == "-" ? "./-" : path,  // standard input is treated as a file in the current folder
-                      job.options.include_folders, job.options.within);
+                      job.options.include_folders, PermittedFolders(job.options.within));
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         if (job.watch != nullptr) job.watch->note(included);
         auto text = reach.read(included, why);
@@ -180,13 +182,15 @@ ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandC
     return grafverif::execution_mode(model, chart, job.options.mode);
 }
 
+ReadOptions read_options(const Options& options) {
+    return {.include_folders = options.include_folders, .lossy = options.lossy, .constants = options.constants};
+}
+
 ModelOptions model_options(const Options& options) { return {options.mode, options.grain, options.untimed}; }
 
 ModelOptions model_options(const Options& options, const ClosedLoop& loop) {
     ModelOptions made = model_options(options);
-    const auto has_cycle = [](const ClosedLoop::Controller& controller) { return controller.cycle.has_value(); };
-    if (!options.plant && std::ranges::any_of(loop.controllers, has_cycle))
-        made.untimed.plant = PlantApproach::Automata;
+    if (!options.plant && has_task_cycle(loop)) made.untimed.plant = PlantApproach::Automata;
     return made;
 }
 
@@ -223,6 +227,11 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Comma
 
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
     return grafverif::transition_system_of(model, loop, model_options(job.options, model.loops[loop]), job.diagnostics);
+}
+
+void print_failures(const std::vector<std::string>& failures, const Streams& streams) {
+    for (const std::string& failure : failures)
+        streams.err << "grafverif: internal error: " << printable(failure) << '\n';
 }
 
 Colour colour_on(const Screen& screen, const Options& options) {

@@ -54,6 +54,9 @@ struct CommandContext {
 /// Returns the colour mode of output to `screen`, according to `--color`.
 Colour colour_on(const Screen& screen, const Options& options);
 
+/// Prints internal errors, one line each.
+void print_failures(const std::vector<std::string>& failures, const Streams& streams);
+
 /// While an object exists, the limits of time and memory and Ctrl-C apply to the command, and a progress line is shown
 /// on the terminal.
 class ResourceLimits {
@@ -97,9 +100,11 @@ std::vector<Id<Chart::Step>> named_steps(const Chart& chart, std::string_view li
                                          CommandContext& job);
 
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandContext& job);
+/// Returns the options with which commands read variants of the model again.
+ReadOptions read_options(const Options& options);
 ModelOptions model_options(const Options& options);
-/// Returns the same options for `loop`: an untimed model of a loop with a task cycle has plant automata unless `--plant`
-/// is present.
+/// Returns the same options for `loop`: an untimed model of a loop with a task cycle has plant automata unless
+/// `--plant` is present.
 ModelOptions model_options(const Options& options, const ClosedLoop& loop);
 /// Returns the output format selected by `--format`; the default is PLCopen XML.
 structured_text::Form structured_text_form(const Options& options);

@@ -113,8 +113,7 @@ std::string unknown_option(const std::string& given, const std::vector<Option>& 
     std::vector<std::string> names;
     for (const Option& option : known)
         if (!option.help.empty()) names.push_back("--" + option.long_name());
-    const std::string meant = nearest_of(given, names);
-    return fmt::format("unknown option `{}`{}", given, meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));
+    return unknown_name_text("option", given, names);
 }
 
 }  // namespace

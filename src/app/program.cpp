@@ -21,7 +21,7 @@
 #include "support/messages_system.hpp"
 #include "support/printable.hpp"
 #include "support/render.hpp"
-#include "syntax/resolve/nearest.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
 
@@ -283,10 +283,9 @@ std::vector<CliCommand> all_commands() {
 }
 
 std::string unknown_command(const std::string& name) {
-    Nearest nearest(name);
-    for (const Entry& entry : entries) nearest.offer(entry.usage().name);
-    return fmt::format("unknown command `{}`{}", name,
-                       nearest.best().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.best()));
+    std::vector<std::string> names;
+    for (const Entry& entry : entries) names.push_back(entry.usage().name);
+    return unknown_name_text("command", name, names);
 }
 
 ExitCode worse(ExitCode one, ExitCode other) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ir/patterns.hpp"
+
 namespace grafverif {
 
 namespace {
@@ -137,7 +139,7 @@ bool shows(const ExternalTraceImport& evidence, const Property& property, const 
 std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property,
                   const ExternalTrace& trace) {
     const Id<Expr> settled = property.at_stable ? flattened(system, flat, system.settled) : flat.exprs.constant(true);
-    const bool about_paths = property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo;
+    const bool about_paths = is_liveness(property.pattern);
     std::vector<Id<Expr>> operands;
     for (const Id<Expr> operand : property.operands) {
         operands.push_back(flattened(system, flat, operand));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "compose/compose.hpp"
@@ -53,8 +54,9 @@ struct Composition {
     /// For each variable of the plant: controllers with this input whose cycle time is zero.
     std::vector<std::vector<std::uint32_t>> readers = {};
     Id<Network::Variable> race = {};  ///< valid only if a race of stored actions is possible
-    /// Templates of timers by type (timers.cpp). A template is added with the first timer of its type.
-    std::map<int, Id<Network::Template>> timers = {};
+    /// Templates of timers by type: delays, `flags` and `waits` of the coupling (timers.cpp). A template is added with
+    /// the first timer of its type.
+    std::map<std::tuple<int, bool, bool>, Id<Network::Template>> timers = {};
 };
 
 /// Adds the variables of a controller: steps, internal variables, firing conditions, images, samples, timers, flags.

@@ -139,7 +139,10 @@ private:
         begin_cycle(read, {});
         edge(read, fired, always(), {}, {fire_});
         edge(fired, evolved, always(), {}, {evolve_});
-        if (every_cycle()) return void(edge(evolved, waiting_, always(), {}, {write_}));
+        if (every_cycle()) {
+            edge(evolved, waiting_, always(), {}, {write_});
+            return;
+        }
         const Id<Expr> stable = leaf(network(), parts_.stable);
         edge(evolved, waiting_, stable, {}, {write_});
         edge(evolved, waiting_, network().exprs.negation(stable), std::move(forget), {});

@@ -80,12 +80,15 @@ private:
         return {leaf_of(parts_.sample[input.index]), literal(exprs(), sample.type, sample.initial)};
     }
 
+    Network::Assignment sampled(VariableId input) {
+        return {leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])};
+    }
+
     /// Samples the inputs that are held.
     Assignments sample() {
         Assignments list;
         for (const VariableId input : parts_.sampled)
-            if (parts_.is_held(input))
-                list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
+            if (parts_.is_held(input)) list.push_back(sampled(input));
         return list;
     }
 
@@ -96,8 +99,7 @@ private:
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], now(firing.condition)});
         for (const VariableId input : parts_.sampled)
-            if (!parts_.is_held(input))
-                list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
+            if (!parts_.is_held(input)) list.push_back(sampled(input));
         return list;
     }
 
@@ -265,8 +267,7 @@ private:
                 list.push_back({leaf_of(parts_.pending[i]), exprs().constant(true)});
         if (!every_cycle_) return list;
         for (const VariableId input : parts_.sampled)  // write() follows immediately
-            if (is_written_late(input))
-                list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
+            if (is_written_late(input)) list.push_back(sampled(input));
         return list;
     }
 

@@ -20,6 +20,7 @@
 //   done -> idle    fall -> on, off
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 #include "compose/controller.hpp"
@@ -57,7 +58,7 @@ struct Coupling {
 class TimerBuilder {
 public:
     TimerBuilder(Exprs& exprs, Delays delays, Coupling coupling)
-        : exprs_(exprs), delays_(delays), coupling_(coupling), as_published_(!coupling.requests) {}
+        : exprs_(exprs), delays_(delays), coupling_(coupling) {}
 
     Network::Template build(std::string name) {
         automaton_.name = std::move(name);
@@ -65,16 +66,17 @@ public:
         if (delays_ != Delays::Fall) rise_ = {parameter("D", Network::ParameterKind::Constant, durations)};
         if (delays_ != Delays::Rise) fall_ = {parameter("F", Network::ParameterKind::Constant, durations)};
         level_ = parameter("X", Network::ParameterKind::Read, {});
-        if (!as_published_) pending_ = parameter("P", Network::ParameterKind::Written, {});
+        if (coupling_.requests) pending_ = parameter("P", Network::ParameterKind::Written, {});
         end_ = parameter("Q", Network::ParameterKind::Written, {});
         if (coupling_.flags) flag_ = parameter("EVOL_TI", Network::ParameterKind::Written, {});
         if (coupling_.waits) stable_ = parameter("stable", Network::ParameterKind::Read, {});
         if (delays_ != Delays::Fall) rise_.clock = automaton_.clocks.add({"t"});
         if (delays_ != Delays::Rise) fall_.clock = automaton_.clocks.add({"u"});
-        up_ = exprs_.conjunction(as_published_ ? exprs_.constant(true) : pending_, level_);
-        down_ = exprs_.conjunction(as_published_ ? exprs_.constant(true) : pending_, exprs_.negation(level_));
+        const Id<Expr> requested = coupling_.requests ? pending_ : exprs_.constant(true);
+        up_ = exprs_.conjunction(requested, level_);
+        down_ = exprs_.conjunction(requested, exprs_.negation(level_));
         switch (delays_) {
-        case Delays::Rise: as_published_ ? add_published() : add_rise(); break;
+        case Delays::Rise: coupling_.requests ? add_rise() : add_published(); break;
         case Delays::Fall: add_fall(); break;
         case Delays::Both: add_both(); break;
         }
@@ -115,7 +117,7 @@ private:
     /// Adds an edge that accepts a request. The edge resets the clock `starts`.
     void take(Location from, Location to, Id<Expr> request, std::vector<Network::Assignment> assignments,
               Id<Network::Clock> starts = {}) {
-        if (!as_published_) assignments.push_back({pending_, exprs_.constant(false)});
+        if (coupling_.requests) assignments.push_back({pending_, exprs_.constant(false)});
         Network::Edge edge{
             .from = from, .to = to, .urgent = true, .guard = request, .assignments = std::move(assignments)};
         if (starts.valid()) edge.resets.push_back(starts);
@@ -125,7 +127,7 @@ private:
     /// Adds an edge at the end of a delay. The edge is disabled while a request is pending.
     void elapse(Location from, Location to, const Delay& delay, std::vector<Network::Assignment> assignments) {
         std::vector<Id<Expr>> guard;
-        if (!as_published_) guard.push_back(exprs_.negation(pending_));
+        if (coupling_.requests) guard.push_back(exprs_.negation(pending_));
         if (coupling_.waits) guard.push_back(stable_);
         automaton_.edges.add({.from = from,
                               .to = to,
@@ -181,7 +183,6 @@ private:
     Exprs& exprs_;
     Delays delays_;
     Coupling coupling_;
-    bool as_published_;
     Network::Template automaton_ = {};
     Id<Expr> level_ = {}, pending_ = {}, end_ = {}, flag_ = {}, stable_ = {};
     Delay rise_ = {}, fall_ = {};
@@ -193,7 +194,7 @@ private:
 Id<Network::Template> template_for(Composition& composition, const Equations::Timer& timer, Coupling coupling,
                                    const std::vector<std::int64_t>& durations) {
     Network& network = composition.network;
-    const int type = static_cast<int>(delays(timer)) * 4 + (coupling.flags ? 2 : 0) + (coupling.waits ? 1 : 0);
+    const std::tuple type{static_cast<int>(delays(timer)), coupling.flags, coupling.waits};
     Id<Network::Template>& automaton = composition.timers[type];
     if (!automaton.valid()) {
         TimerBuilder builder(network.exprs, delays(timer), coupling);

@@ -13,15 +13,11 @@ namespace {
 /// Maximum number of edges within one instant. If more edges are taken, the loop is assumed to react infinitely often.
 constexpr std::size_t most_at_once = 1000;
 
-const Network::Edge& edge_of(const Network& network, const Fire& fire) {
-    return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
-}
-
 bool is_free(const Network& network, const Move& move) {
     const Fire* const fire = std::get_if<Fire>(&move);
     if (fire == nullptr) return false;
     const Network::Process& process = network.processes[fire->process];
-    const Network::Edge& edge = edge_of(network, *fire);
+    const Network::Edge& edge = taken_edge(network, *fire);
     const bool plant = process.kind == Network::ProcessKind::Plant || process.kind == Network::ProcessKind::Environment;
     return plant && !edge.urgent && network.templates[process.automaton].locations[edge.from].invariant.empty();
 }
@@ -50,7 +46,7 @@ public:
         for (std::size_t k = 0; k < most_at_once; ++k) {
             const std::vector<Fire> can = enabled(network_, state_);
             const auto next =
-                std::ranges::find_if(can, [&](const Fire& fire) { return edge_of(network_, fire).urgent; });
+                std::ranges::find_if(can, [&](const Fire& fire) { return taken_edge(network_, fire).urgent; });
             if (next == can.end()) return true;
             if (perform_it(*next) != Step::Result::Done) return false;
         }

@@ -19,10 +19,6 @@ namespace grafverif {
 
 namespace {
 
-const Network::Template& automaton(const Network& network, Id<Network::Process> process) {
-    return network.templates[network.processes[process].automaton];
-}
-
 /// Returns text such as `t <= 2s`.
 std::string clock_text(const Network& network, Id<Network::Process> id, const Network::ClockConstraint& constraint) {
     const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);

@@ -66,7 +66,8 @@ public:
     /// ("Exactness", 4), is also a proof for this member: at each bound of an invariant, each edge that releases the
     /// bound in the relaxation also releases it in the member, and bounds that are positive remain positive.
     bool releases_bounds_of(const ClockFacts& relaxation) const;
-    /// True if this member can take each edge once every clock is large enough, if the relaxation can do so. Only edges of locations without an invariant are considered.
+    /// True if this member can take each edge once every clock is large enough, if the relaxation can do so. Only edges
+    /// of locations without an invariant are considered.
     bool keeps_edges_of(const ClockFacts& relaxation) const;
     /// True if a clock constraint is strict.
     bool strict() const { return strict_; }

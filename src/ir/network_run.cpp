@@ -11,10 +11,6 @@ namespace grafverif {
 
 namespace {
 
-const Network::Template& automaton(const Network& network, Id<Network::Process> process) {
-    return network.templates[network.processes[process].automaton];
-}
-
 /// Returns the value of a leaf under the arguments of `process`.
 std::function<std::int64_t(const Expr&)> meaning(const NetworkState& state, const Network::Process& process) {
     return [&](const Expr& leaf) -> std::int64_t {
@@ -95,12 +91,6 @@ Step fire(const Network& network, NetworkState& state, const Fire& move) {
     return {};
 }
 
-bool urgent_edge_waits(const Network& network, const NetworkState& state) {
-    return std::ranges::any_of(enabled(network, state), [&](const Fire& move) {
-        return automaton(network, move.process).edges[move.edge].urgent;
-    });
-}
-
 Step pass(const Network& network, NetworkState& state, std::int64_t units) {
     if (units <= 0 || urgent_edge_waits(network, state)) return {Step::Result::Blocked, {}};
     for (std::vector<std::int64_t>& clocks : state.clocks)
@@ -144,6 +134,11 @@ std::vector<Fire> enabled(const Network& network, const NetworkState& state) {
         }
     }
     return moves;
+}
+
+bool urgent_edge_waits(const Network& network, const NetworkState& state) {
+    return std::ranges::any_of(enabled(network, state),
+                               [&](const Fire& move) { return taken_edge(network, move).urgent; });
 }
 
 bool may_delay(const Network& network, const NetworkState& state) {

@@ -23,6 +23,16 @@ struct NetworkState {
     bool operator==(const NetworkState&) const = default;
 };
 
+/// Returns the template of a process.
+inline const Network::Template& automaton(const Network& network, Id<Network::Process> process) {
+    return network.templates[network.processes[process].automaton];
+}
+
+/// Returns the edge of a move.
+inline const Network::Edge& taken_edge(const Network& network, const Fire& fire) {
+    return automaton(network, fire.process).edges[fire.edge];
+}
+
 NetworkState initial_state(const Network& network);
 
 /// The result of an attempted move.
@@ -43,6 +53,9 @@ Step perform(const Network& network, NetworkState& state, const Move& move);
 /// Returns all enabled edges, in the order of processes and edges. The result includes edges that cause a model error
 /// (see Step).
 std::vector<Fire> enabled(const Network& network, const NetworkState& state);
+
+/// True if an urgent edge is enabled; time cannot pass then.
+bool urgent_edge_waits(const Network& network, const NetworkState& state);
 
 /// True if one unit of time can pass.
 bool may_delay(const Network& network, const NetworkState& state);

@@ -2,7 +2,6 @@
 // Tuning: the verdicts on the properties of a closed loop for all values of some of its constants on a grid.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -28,7 +27,6 @@ struct TunedConstant {
         if (current < low || current > high || (current - low) % step != 0) return {};
         return static_cast<std::size_t>((current - low) / step);
     }
-    bool operator==(const TunedConstant&) const = default;
 };
 
 /// A verdict on one property at one point of the grid.
@@ -77,7 +75,6 @@ struct Tuning {
 /// A box of the grid: the first and the last index per constant.
 struct GridBox {
     std::vector<std::size_t> first = {}, last = {};
-    bool operator==(const GridBox&) const = default;
 };
 
 /// Calls `visit` with the indices of each point of a box. The last constant changes first.

@@ -6,6 +6,7 @@
 
 #include "grafverif/grafverif.hpp"
 #include "lsp/session.hpp"
+#include "rpc/uri.hpp"
 
 namespace grafverif::lsp {
 
@@ -123,7 +124,7 @@ Json Session::execute(const Json& params) {
     const auto command = params.at("command").get<std::string>();
     const Json arguments = params.value("arguments", Json::array());
     if (!arguments.is_array() || arguments.empty())
-        throw RequestError{invalid_params, command + " requires the address of a document as first argument"};
+        throw RequestError{rpc::invalid_params, command + " requires the address of a document as first argument"};
     const OpenText* const open = workspace_.find(arguments.at(0).get<std::string>());
     if (open == nullptr) throw RequestError{request_failed, "the document is not open"};
     const std::string path = open->path;
@@ -135,7 +136,7 @@ Json Session::execute(const Json& params) {
     if (command == "grafverif.showVerdict") return show_verdict(path, argument(1), argument(2));
     if (command == "grafverif.draw") return draw(path, argument(1));
     if (command == "grafverif.simulate") return simulate(path);
-    throw RequestError{invalid_params, "unknown command " + command};
+    throw RequestError{rpc::invalid_params, "unknown command " + command};
 }
 
 Json Session::show(const std::string& uri, bool elsewhere, const std::string& words) {
@@ -155,7 +156,7 @@ Json Session::show_verdict(const std::string& path, const std::string& loop, con
     }
     if (known == nullptr) throw RequestError{request_failed, "not yet checked; save the file or run the check"};
     const bool kept = can_.shows_documents && surroundings_.keep;
-    const std::string uri = kept ? uri_of_path(surroundings_.keep(property + ".txt", known->text)) : "";
+    const std::string uri = kept ? rpc::uri_of_path(surroundings_.keep(property + ".txt", known->text)) : "";
     if (kept) show(uri, false, known->text);
     else
         send({{"jsonrpc", "2.0"},
@@ -176,7 +177,7 @@ Json Session::draw(const std::string& path, const std::string& chart) {
         const std::string svg = svg_of(drawing_of(model, id));
         if (!surroundings_.keep) return {{"svg", svg}};
         const std::string drawn = surroundings_.keep(model.charts[id].name + ".svg", svg);
-        Json shown = show(uri_of_path(drawn), true, "drawn: " + drawn);
+        Json shown = show(rpc::uri_of_path(drawn), true, "drawn: " + drawn);
         shown["svg"] = svg;
         return shown;
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lsp/server.hpp"
 
-#include <atomic>
-#include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -29,22 +27,16 @@ bool put(rpc::Item item, rpc::Inbox& inbox) {
     return method != "exit";
 }
 
-rpc::Receiver::Callbacks receiver_callbacks(const Receive& receive, rpc::Inbox& inbox,
-                                            const std::function<void()>& hang_up) {
-    const auto begin = [&receive]() -> rpc::NextMessage {
-        return [framing = std::make_shared<rpc::Framing>(receive)] { return framing->next(); };
-    };
-    return {begin, [&inbox](rpc::Item item) { return put(std::move(item), inbox); }, hang_up};
-}
-
 }  // namespace
 
 Ending converse(const Receive& receive, const Send& send, const ServerEnvironment& surroundings) {
     rpc::Inbox inbox;
-    std::atomic<bool> ending = false;
     Session session(
-        send, surroundings, [&](std::function<void()> call) { inbox.put({.call = std::move(call)}); }, ending);
-    const rpc::Receiver receiver(receiver_callbacks(receive, inbox, surroundings.hang_up), inbox, ending);
+        send, surroundings, [&](std::function<void()> call) { inbox.put({.call = std::move(call)}); }, inbox.closing());
+    rpc::Framing framing(receive);
+    const rpc::Receiver receiver({[&] { return framing.next(); },
+                                  [&](rpc::Item item) { return put(std::move(item), inbox); }, surroundings.hang_up},
+                                 inbox);
     bool disconnected = false;
     while (!session.over() && !disconnected) {
         if (surroundings.keep_memory_back) surroundings.keep_memory_back();

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rpc/framing.hpp"
@@ -18,7 +19,8 @@
 namespace grafverif::lsp {
 
 using rpc::Receive;
-using rpc::Send;
+/// Writes all bytes.
+using Send = std::function<void(std::string_view bytes)>;
 
 /// Callbacks and settings of the program that runs the server.
 struct ServerEnvironment {

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "rpc/uri.hpp"
+
 namespace grafverif::lsp {
 
 using rpc::is_id;
@@ -26,7 +28,7 @@ void Session::send(const Json& message) { send_(rpc::framed(rpc::text_of(message
 
 void Session::fail(const Json& id, int code, const std::string& message) { send(rpc::failure(id, code, message)); }
 
-void Session::refuse(const std::string& error_text) { fail(nullptr, parse_error, error_text); }
+void Session::refuse(const std::string& error_text) { fail(nullptr, rpc::parse_error, error_text); }
 
 void Session::take(const Json& message, bool cancelled) {
     const Json& id = member(message, "id");
@@ -36,13 +38,13 @@ void Session::take(const Json& message, bool cancelled) {
         if (answers && id == "grafverif/progress/" + std::to_string(token_) && message.contains("result"))
             progress_is_requested();
         if (!answers)
-            fail(is_id(id) ? id : Json(), invalid_request, "the message is neither a request nor a notification");
+            fail(is_id(id) ? id : Json(), rpc::invalid_request, "the message is neither a request nor a notification");
         return;
     }
     const std::string name = method.get<std::string>();
     const bool request = is_id(id);
     const auto failed = [&](const std::string& why) {
-        if (request) return fail(id, internal_error, why);
+        if (request) return fail(id, rpc::internal_error, why);
         send({{"jsonrpc", "2.0"},
               {"method", "window/showMessage"},
               {"params", {{"type", 1}, {"message", "grafverif: " + name + ": " + why}}}});
@@ -54,7 +56,7 @@ void Session::take(const Json& message, bool cancelled) {
     } catch (const RequestError& refusal) {
         if (request) fail(id, refusal.code, refusal.message);
     } catch (const Json::exception&) {
-        if (request) fail(id, invalid_params, "the parameters of " + name + " do not conform to the protocol");
+        if (request) fail(id, rpc::invalid_params, "the parameters of " + name + " do not conform to the protocol");
     } catch (const std::bad_alloc&) {
         failed("out of memory");
     } catch (const std::system_error& failure) {
@@ -68,9 +70,10 @@ Json Session::initialize(const Json& params) {
     if (member(params, "processId").is_number_integer()) client_ = params["processId"].get<std::int64_t>();
     const Json& folders = member(params, "workspaceFolders");
     for (const Json& folder : folders.is_array() ? folders : Json::array())
-        if (member(folder, "uri").is_string()) workspace_.add_folder(path_of_uri(folder["uri"].get<std::string>()));
+        if (member(folder, "uri").is_string())
+            workspace_.add_folder(rpc::path_of_uri(folder["uri"].get<std::string>()));
     if (!folders.is_array() && member(params, "rootUri").is_string())
-        workspace_.add_folder(path_of_uri(params["rootUri"].get<std::string>()));
+        workspace_.add_folder(rpc::path_of_uri(params["rootUri"].get<std::string>()));
     state_ = State::Running;
     Json capabilities = {
         {"positionEncoding", "utf-16"},
@@ -119,7 +122,7 @@ void Session::notified(const std::string& method, const Json& params) {
     if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") dirty_ = true;
     if (method == "workspace/didChangeWorkspaceFolders") {
         for (const Json& folder : params.at("event").at("added"))
-            workspace_.add_folder(path_of_uri(folder.at("uri").get<std::string>()));
+            workspace_.add_folder(rpc::path_of_uri(folder.at("uri").get<std::string>()));
         dirty_ = true;
     }
 }
@@ -129,7 +132,7 @@ Json Session::answer(const std::string& method, const Json& params) {
     if (state_ == State::Fresh)
         throw RequestError{not_initialized, "the server is not initialized; send `initialize` first"};
     if (state_ != State::Running || method == "initialize")
-        throw RequestError{invalid_request, method + " is not allowed after `shutdown`"};
+        throw RequestError{rpc::invalid_request, method + " is not allowed after `shutdown`"};
     if (method == "shutdown") {
         state_ = State::ShutDown;
         return nullptr;
@@ -152,7 +155,7 @@ Json Session::answer(const std::string& method, const Json& params) {
         {"textDocument/formatting", &Session::formatting},
     };
     if (const auto handler = handlers.find(method); handler != handlers.end()) return (this->*handler->second)(params);
-    throw RequestError{no_such_method, "unsupported method " + method};
+    throw RequestError{rpc::no_such_method, "unsupported method " + method};
 }
 
 // -- diagnostics ------------------------------------------------------------------------------------------------------

@@ -106,11 +106,8 @@ private:
     bool end_requested_ = false;
     std::optional<std::int64_t> client_ = {};
 
-    // JSON-RPC 2.0 section 5.1, LSP 3.17 "ErrorCodes".
-    static constexpr int parse_error = rpc::parse_error, invalid_request = rpc::invalid_request,
-                         no_such_method = rpc::no_such_method, invalid_params = rpc::invalid_params,
-                         internal_error = rpc::internal_error, not_initialized = -32002, request_failed = -32803,
-                         request_cancelled = -32800;
+    /// LSP 3.17, "ErrorCodes".
+    static constexpr int not_initialized = -32002, request_failed = -32803, request_cancelled = -32800;
 
     Workspace workspace_;
     std::unique_ptr<const Names> names_ = {};

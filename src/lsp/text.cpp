@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lsp/text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
+#include <iterator>
 #include <utility>
 
 namespace grafverif::lsp {

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "rpc/uri.hpp"
-
 namespace grafverif::lsp {
 
 /// A position as an editor counts it. Lines and characters are numbered from 0.
@@ -58,8 +56,5 @@ struct Change {
     std::string text = {};
 };
 std::string changed(const Text& before, const Change& change);
-
-using rpc::path_of_uri;
-using rpc::uri_of_path;
 
 }  // namespace grafverif::lsp

@@ -8,6 +8,7 @@
 #include "pipeline/files.hpp"
 #include "pipeline/models.hpp"
 #include "read/formats.hpp"
+#include "rpc/uri.hpp"
 #include "syntax/language/parse.hpp"
 
 namespace grafverif::lsp {
@@ -28,7 +29,7 @@ std::string Workspace::key(const std::string& path) const {
 }
 
 void Workspace::open(const std::string& uri, std::int64_t version, const std::string& text) {
-    const std::string path = path_of_uri(uri);
+    const std::string path = rpc::path_of_uri(uri);
     auto nothing = std::make_shared<const Text>(std::string());
     OpenText fresh{uri, path, identity_of_existing(path), version, std::move(nothing), true};
     OpenText& open = open_.insert_or_assign(uri, std::move(fresh)).first->second;
@@ -54,7 +55,7 @@ void Workspace::change(const std::string& uri, std::int64_t version, const std::
 
 void Workspace::close(const std::string& uri) {
     open_.erase(uri);
-    disk_.erase(path_of_uri(uri));
+    disk_.erase(rpc::path_of_uri(uri));
 }
 
 const OpenText* Workspace::find(const std::string& uri) const {
@@ -74,7 +75,7 @@ const OpenText* Workspace::open_at(const std::string& path) const {
 
 std::string Workspace::uri_of(const std::string& path) const {
     const OpenText* const open = open_at(path);
-    return open != nullptr ? open->uri : uri_of_path(path);
+    return open != nullptr ? open->uri : rpc::uri_of_path(path);
 }
 
 std::string Workspace::shown(const std::string& path) const {
@@ -104,7 +105,7 @@ std::shared_ptr<const Text> Workspace::text(const std::string& path) {
     if (const auto known = disk_.find(path); known != disk_.end()) return known->second;
     watch_.note(path);
     std::string why;
-    auto content = PermittedFolders(within_).read(path, why);
+    auto content = within_.read(path, why);
     auto text = content ? std::make_shared<const Text>(std::move(*content)) : nullptr;
     return disk_.emplace(path, std::move(text)).first->second;
 }

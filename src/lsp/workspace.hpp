@@ -14,6 +14,7 @@
 #include "grafverif/grafverif.hpp"
 #include "lsp/text.hpp"
 #include "pipeline/file_watcher.hpp"
+#include "pipeline/files.hpp"
 #include "read/text.hpp"
 #include "syntax/language/tree.hpp"
 
@@ -48,9 +49,9 @@ class Workspace {
 public:
     /// If `within` is not empty, files on disk are read only below these folders. `stop`, if not null, cancels searches
     /// in folders.
-    explicit Workspace(std::vector<std::string> include_folders, std::vector<std::string> within = {},
+    explicit Workspace(std::vector<std::string> include_folders, const std::vector<std::string>& within = {},
                        const std::atomic<bool>* stop = nullptr)
-        : include_folders_(std::move(include_folders)), within_(std::move(within)), stop_(stop) {}
+        : include_folders_(std::move(include_folders)), within_(within), stop_(stop) {}
 
     /// Adds a folder to search for files that include open documents.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
@@ -93,7 +94,8 @@ private:
     std::vector<std::string> includes(const Parsed& file);
     void scan();
 
-    std::vector<std::string> include_folders_, within_, folders_ = {};
+    std::vector<std::string> include_folders_, folders_ = {};
+    PermittedFolders within_;
     const std::atomic<bool>* stop_;
     std::map<std::string, OpenText> open_ = {};  ///< open documents by address
     FileWatcher watch_ = {};

@@ -77,9 +77,7 @@ std::string value_error(const Argument& argument, const Json& value) {
 std::string unknown_argument(const std::vector<Argument>& known, const std::string& name) {
     std::vector<std::string> names;
     for (const Argument& each : known) names.push_back(each.name);
-    const std::string meant = nearest_of(name, names);
-    return fmt::format("unknown argument `{}`{}", printable(name.substr(0, longest_name)),
-                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));
+    return unknown_name_text("argument", printable(name.substr(0, longest_name)), names);
 }
 
 }  // namespace

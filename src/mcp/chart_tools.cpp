@@ -59,10 +59,9 @@ Json models_of(const Json& listed) {
 }
 
 ToolResult read(ToolCall& call) {
-    const std::string text = call.content();
+    const std::string text = call.content(), operand = call.operand();
     const FileFormat format = format_of(text);
-    const ProgramResult listed =
-        call.execute({"check", call.operand(), "--list", "--format=json", "--diagnostics=json"});
+    const ProgramResult listed = call.execute({"check", operand, "--list", "--format=json", "--diagnostics=json"});
     const Json models = Json::parse(listed.out, nullptr, false), messages = Json::parse(listed.err, nullptr, false);
     ToolResult result;
     result.data = {{"format", word(format)},
@@ -70,7 +69,7 @@ ToolResult read(ToolCall& call) {
                    {"models", models.is_array() ? models_of(models) : Json::array()},
                    {"diagnostics", messages.is_array() ? messages : Json::array()}};
     if (format == FileFormat::Xml || format == FileFormat::StructuredText) {
-        const ProgramResult imported = call.execute({"import", call.operand()});
+        const ProgramResult imported = call.execute({"import", operand});
         if (imported.status == 0) result.data["text"] = imported.out;
     }
     result.data["text"] = shortened(result.data["text"].get<std::string>(), longest_text);
@@ -81,7 +80,7 @@ ToolResult read(ToolCall& call) {
 
 ToolResult draw(ToolCall& call) {
     std::vector<std::string> command = {"draw", call.operand()};
-    for (std::string& option : call.options({"chart", "situation", "notation"})) command.push_back(std::move(option));
+    call.add_options(command, {"chart", "situation", "notation"});
     ProgramResult drawn = call.execute(std::move(command));
     if (drawn.status != 0) throw CallError{drawn.err};
     return {std::move(drawn.out), {}};
@@ -89,55 +88,43 @@ ToolResult draw(ToolCall& call) {
 
 ToolResult simulate(ToolCall& call) {
     std::vector<std::string> command = {"simulate", call.path("file"), "--script=-"};
-    for (std::string& option : call.options({"loop", "chart", "mode", "grain", "set"}))
-        command.push_back(std::move(option));
+    call.add_options(command, {"loop", "chart", "mode", "grain", "set"});
     call.set_input(call.text("commands") + "\nshow\n");
     const ProgramResult played = call.execute(std::move(command));
     constexpr int unmet = 1;
-    if (played.status != 0 && played.status != unmet) throw CallError{shortened(played.out, longest_text) + played.err};
-    ToolResult result{shortened(played.out, longest_text) + played.err};
-    result.data = {{"run", shortened(played.out, longest_text)},
-                   {"expectations_met", played.status == 0},
-                   {"messages", played.err}};
-    return result;
+    std::string run = shortened(played.out, longest_text), text = run + played.err;
+    if (played.status != 0 && played.status != unmet) throw CallError{std::move(text)};
+    return {std::move(text),
+            {{"run", std::move(run)}, {"expectations_met", played.status == 0}, {"messages", played.err}}};
 }
 
 ToolResult analyse(ToolCall& call) {
     std::vector<std::string> command = {"analyse", call.operand(), "--format=json"};
-    for (std::string& option : call.options({"chart", "mode"})) command.push_back(std::move(option));
+    call.add_options(command, {"chart", "mode"});
     const Json found = call.execute_json(std::move(command));
     ToolResult result;
-    result.data = {{"findings", Json::array()}};
-    for (const char* const member : {"chart", "mode", "complete", "obstacle", "open", "notes"})
-        result.data[member] = found.at(member);
+    copy_members(found, {"chart", "mode", "complete", "obstacle", "open", "notes"}, result.data);
     result.text = fmt::format("{}: {} findings{}\n", found.at("chart").get<std::string>(), found.at("findings").size(),
                               found.at("complete").get<bool>() ? "" : "; the search is not complete");
-    for (const Json& each : found.at("findings")) {
-        if (result.data["findings"].size() == most_findings) break;
-        Json finding = each;
+    Json findings = first_of(found.at("findings"), most_findings);
+    for (Json& finding : findings) {
         finding.erase("trace");
         result.text += message_line(finding, "level");
-        result.data["findings"].push_back(std::move(finding));
     }
+    result.data["findings"] = std::move(findings);
     for (const Json& note : found.at("notes")) result.text += "note: " + note.get<std::string>() + '\n';
     return result;
 }
 
 ToolResult compare(ToolCall& call) {
-    std::vector<std::string> command = {"compare", call.path("file"), call.path("other")};
-    for (std::string& option : call.options({"chart", "other_chart", "mode"})) command.push_back(std::move(option));
-    std::vector<std::string> with_json = command;
-    with_json.emplace_back("--format=json");
-    const Json found = call.execute_json(std::move(with_json));
+    std::vector<std::string> command = {"compare", call.path("file"), call.path("other"), "--format=json"};
+    call.add_options(command, {"chart", "other_chart", "mode"});
+    const Json found = call.execute_json(std::move(command));
     ToolResult result;
-    for (const char* const member :
-         {"charts", "mode", "outcome", "reason", "shortest", "constrained", "restricted", "ignored", "changes"})
-        result.data[member] = found.at(member);
-    result.data["scans"] = Json::array();
-    for (const Json& scan : found.at("scans")) {
-        if (result.data["scans"].size() == most_scans) break;
-        result.data["scans"].push_back(scan);
-    }
+    copy_members(found,
+                 {"charts", "mode", "outcome", "reason", "shortest", "constrained", "restricted", "ignored", "changes"},
+                 result.data);
+    result.data["scans"] = first_of(found.at("scans"), most_scans);
     result.text = fmt::format("{} ({})\n", found.at("outcome").get<std::string>(), found.at("mode").get<std::string>());
     if (found.at("reason").is_string()) result.text += found["reason"].get<std::string>() + '\n';
     for (const Json& scan : result.data["scans"]) result.text += scan.dump() + '\n';
@@ -166,7 +153,7 @@ Tool read_tool() {
 Tool draw_tool() {
     Tool tool{"draw", "Draw a chart", "Returns a drawing of a chart in the notation of IEC 60848, as SVG.",
               input_arguments()};
-    tool.arguments.push_back({"chart", Kind::Name, "chart, if the file has several"});
+    tool.arguments.push_back(chart_argument());
     tool.arguments.push_back({"situation", Kind::Name, "steps to mark as active, such as 3,5"});
     tool.arguments.push_back(
         {"notation", Kind::Choice, "notation of conditions (default: iec)", false, {"iec", "text"}});
@@ -175,17 +162,14 @@ Tool draw_tool() {
 }
 
 Tool simulate_tool() {
-    Tool tool{
-        "simulate",
-        "Simulate a loop or chart",
-        "Executes commands from power-on, one per line, and returns the run and the final values. `NAME = VALUE` sets "
-        "an "
-        "input. `wait 3s` lets time pass, and `wait` waits for the next event. `do INSTANCE [LOCATION]` moves the "
-        "plant, "
-        "and `NUMBER` selects a choice. `expect CLAIM`, `expect within 5s CLAIM` and `wait until CLAIM` check values. "
-        "`force STEP on|off` starts a what-if run. `repeat N {` ... `}` repeats commands.",
-        {{"file", Kind::Name, "path of the file, absolute or relative to a folder of the server", true},
-         {"commands", Kind::Text, "commands, one per line", true}}};
+    Tool tool{"simulate",
+              "Simulate a loop or chart",
+              "Executes commands from power-on, one per line, and returns the run and the final values. `NAME = VALUE` "
+              "sets an input. `wait 3s` lets time pass, and `wait` waits for the next event. `do INSTANCE [LOCATION]` "
+              "moves the plant, and `NUMBER` selects a choice. `expect CLAIM`, `expect within 5s CLAIM` and "
+              "`wait until CLAIM` check values. `force STEP on|off` starts a what-if run. `repeat N {` ... `}` repeats "
+              "commands.",
+              {file_argument(true), {"commands", Kind::Text, "commands, one per line", true}}};
     for (Argument& each : model_arguments()) tool.arguments.push_back(std::move(each));
     for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
     tool.output_schema = {
@@ -205,8 +189,8 @@ Tool analyse_tool() {
         "Finds possible faults of a chart without a plant, for arbitrary inputs: races, contradictory orders, total "
         "instability, elements that are never used.",
         input_arguments()};
-    tool.arguments.push_back({"chart", Kind::Name, "chart, if the file has several"});
-    tool.arguments.push_back(model_arguments().back());
+    tool.arguments.push_back(chart_argument());
+    tool.arguments.push_back(mode_argument());
     tool.output_schema = {{"type", "object"},
                           {"properties",
                            {{"chart", string_type()},
@@ -231,7 +215,7 @@ Tool compare_tool() {
          {"other", Kind::Name, "path of the second file", true},
          {"chart", Kind::Name, "chart of the first file, and of the second one unless `other_chart` is given"},
          {"other_chart", Kind::Name, "chart of the second file"}}};
-    tool.arguments.push_back(model_arguments().back());
+    tool.arguments.push_back(mode_argument());
     tool.output_schema = {{"type", "object"},
                           {"properties",
                            {{"charts", {{"type", "array"}}},

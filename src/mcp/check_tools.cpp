@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "mcp/tools.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif::mcp {
 
@@ -69,8 +70,7 @@ std::vector<Argument> check_arguments() {
 
 std::vector<std::string> check_command(ToolCall& call) {
     std::vector<std::string> command = {"check", call.operand(), "--format=json"};
-    for (std::string& option : call.options({"loop", "chart", "mode", "grain", "engine", "untimed", "plant", "set"}))
-        command.push_back(std::move(option));
+    call.add_options(command, {"loop", "chart", "mode", "grain", "engine", "untimed", "plant", "set"});
     if (call.has("properties_file")) command.push_back("--properties=" + call.path("properties_file"));
     return command;
 }
@@ -83,21 +83,21 @@ std::string text_of_lines(const Json& lines) {
     return text;
 }
 
-Json text_or_null(std::string text) { return text.empty() ? Json(nullptr) : Json(std::move(text)); }
-
 bool is_expected(const Json& property) { return property.at("verdict") == property.at("expected"); }
 
 /// Converts an element of `properties`. If `always` is false, only a violated or unexpected property has its trace.
 Json property_of(const Json& found, std::size_t longest_trace, bool always) {
     const bool shown = always || !is_expected(found);
-    Json made = {{"name", found.at("name")},
-                 {"description", found.at("text")},
-                 {"as_expected", is_expected(found)},
-                 {"counterexample",
-                  shown ? text_or_null(shortened(text_of_lines(found.at("trace_text")), longest_trace)) : Json()}};
-    for (const char* const member :
-         {"verdict", "expected", "vacuous", "declared", "reason", "assumptions", "notes", "file", "line", "column"})
-        made[member] = found.at(member);
+    Json made = {
+        {"name", found.at("name")},
+        {"description", found.at("text")},
+        {"as_expected", is_expected(found)},
+        {"counterexample",
+         shown ? Json(text_or_null(shortened(text_of_lines(found.at("trace_text")), longest_trace))) : Json()}};
+    copy_members(
+        found,
+        {"verdict", "expected", "vacuous", "declared", "reason", "assumptions", "notes", "file", "line", "column"},
+        made);
     return made;
 }
 
@@ -111,7 +111,7 @@ Json errors_of(const Json& document, std::size_t longest_trace) {
     return errors;
 }
 
-/// Returns a line such as `apart: violated, expected holds: the steps are never active together`.
+/// Returns a line such as `guarded: violated, expected holds: the steps are never active together`.
 std::string verdict_line(const Json& property) {
     std::string line =
         fmt::format("{}: {}", property["name"].get<std::string>(), property["verdict"].get<std::string>());
@@ -147,7 +147,7 @@ std::string verdicts_text(const Json& data, const Json& properties) {
 
 ToolResult check(ToolCall& call) {
     std::vector<std::string> command = check_command(call);
-    for (const std::string& option : call.options({"property"})) command.push_back(option);
+    call.add_options(command, {"property"});
     int code = 0;
     const Json found = call.execute_json(std::move(command), &code);
     Json properties = Json::array();
@@ -164,13 +164,8 @@ ToolResult check(ToolCall& call) {
 
 /// Returns the first steps of a trace, without the members that only programs need.
 Json steps_of(const Json& trace) {
-    Json steps = Json::array();
-    for (const Json& each : trace.at("steps")) {
-        if (steps.size() == most_steps) break;
-        Json step = each;
-        step.erase("moment");
-        steps.push_back(std::move(step));
-    }
+    Json steps = first_of(trace.at("steps"), most_steps);
+    for (Json& step : steps) step.erase("moment");
     return steps;
 }
 
@@ -204,7 +199,7 @@ std::string proof_text(const Json& proof) {
 
 ToolResult explain(ToolCall& call) {
     std::vector<std::string> command = check_command(call);
-    for (const std::string& option : call.options({"property", "why"})) command.push_back(option);
+    call.add_options(command, {"property", "why"});
     const Json found = call.execute_json(std::move(command));
     const auto property = std::ranges::find_if(
         found.at("properties"), [&](const Json& each) { return each.at("name") == call.text("property"); });

@@ -67,14 +67,12 @@ Json response_in(const std::string& bytes) {
 ToolResult complete(ToolCall& call) {
     const std::string text = call.content();
     const std::string file =
-        call.has("file") ? call.located("file").string() : call.environment().folders.front() + "/unsaved.grafcet";
+        call.file() ? call.file()->string() : call.environment().folders.front() + "/unsaved.grafcet";
     const ProgramResult served = call.execute_language_server(
         conversation(rpc::uri_of_path(file), text, call.number("line", 1), call.number("column", 1)));
     ToolResult result;
     Json proposals = Json::array();
-    const Json response = response_in(served.out);
-    for (const Json& item : response.at("items")) {
-        if (proposals.size() == most_proposals) break;
+    for (const Json& item : first_of(response_in(served.out).at("items"), most_proposals)) {
         const std::string detail = item.value("detail", "");
         proposals.push_back(
             {{"label", item.at("label")}, {"kind", kind_word(item.at("kind").get<int>())}, {"detail", detail}});

@@ -8,6 +8,7 @@
 // the server. Invalid messages do not end the server either: it sends an error response.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -30,6 +31,9 @@ struct CommandRun {
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag
 };
 
+/// Limits of a call without the arguments `timeout` (seconds) and `max_memory` (MiB), if the server permits them.
+inline constexpr std::int64_t usual_timeout_s = 60, usual_memory_mib = 2048;
+
 /// Callbacks and settings of the program that runs the server.
 struct ServerEnvironment {
     std::string version = {};
@@ -45,6 +49,10 @@ struct ServerEnvironment {
     std::function<void()> keep_memory_back = {};
     /// Ends a call of `Receive` that waits for bytes, if the client no longer reads.
     std::function<void()> hang_up = {};
+
+    /// Limits of a call without the arguments `timeout` and `max_memory`.
+    std::int64_t default_timeout_s() const { return std::min(usual_timeout_s, longest_call_s); }
+    std::int64_t default_memory_mib() const { return std::min(usual_memory_mib, largest_call_mib); }
 };
 
 /// Writes all bytes. Returns false if the client has disappeared.
@@ -54,9 +62,6 @@ using Send = std::function<bool(std::string_view bytes)>;
 /// time, and of calls that wait.
 inline constexpr std::size_t largest_message = std::size_t{4} << 20U, most_messages = 64, most_running = 4,
                              most_waiting = 60;
-
-/// Limits of a call without the arguments `timeout` (seconds) and `max_memory` (MiB), if the server permits them.
-inline constexpr std::int64_t usual_timeout_s = 60, usual_memory_mib = 2048;
 
 /// Serves a client until it closes the stream or disappears. Calls that are running then are cancelled.
 void converse(const rpc::Receive& receive, const Send& send, const ServerEnvironment& environment);

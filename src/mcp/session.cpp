@@ -30,12 +30,11 @@ constexpr std::string_view with_batches = "2025-03-26", with_structured_results 
 constexpr int too_many_calls = -32000, resource_not_found = -32002;
 
 constexpr const char* instructions =
-    "grafverif verifies controllers written in GRAFCET (IEC 60848) in closed loop with a model of their plant. Read "
-    "the "
-    "resources `grafverif://reference/...` before you write a `.grafcet` file. `read` lists the models and properties "
-    "of a file, `check` decides the properties, and `explain` shows the counterexample of one property. The tools do "
-    "not write files; pass `text` to check a draft. Results state their assumptions; repeat them when you report a "
-    "verdict.";
+    "grafverif verifies controllers written in GRAFCET (IEC 60848) in closed loop with a model of their plant. "
+    "Read the resources `grafverif://reference/...` before you write a `.grafcet` file. `read` lists the models and "
+    "properties of a file, `check` decides the properties, and `explain` shows the counterexample of one property. "
+    "The tools do not write files; pass `text` to check a draft. Results state their assumptions; repeat them when "
+    "you report a verdict.";
 
 }  // namespace
 
@@ -45,6 +44,8 @@ Session::Session(const Send& send, const ServerEnvironment& environment, Later l
       later_(std::move(later)),
       tools_(tools(environment)),
       runner_(most_running, most_waiting) {}
+
+bool Session::structured() const { return version_ >= with_structured_results; }
 
 void Session::send(const Json& message) {
     if (!disconnected_ && !send_(rpc::text_of(message) + '\n')) disconnected_ = true;
@@ -138,7 +139,7 @@ Json Session::answer(const std::string& method, const Json& params) {
     const bool is_list = method == "tools/list" || method == "resources/list" || method == "resources/templates/list";
     if (is_list && params.is_object() && params.contains("cursor"))
         throw RequestError{rpc::invalid_params, "unknown cursor; lists have one page"};
-    if (method == "tools/list") return tool_list(tools_, structured_);
+    if (method == "tools/list") return tool_list(tools_, structured());
     if (method == "resources/list") return resource_list();
     if (method == "resources/templates/list") return {{"resourceTemplates", Json::array()}};
     if (method == "resources/read") return read_resource(params);
@@ -151,9 +152,8 @@ Json Session::initialize(const Json& params) {
     if (!requested.is_string()) throw RequestError{rpc::invalid_params, "`protocolVersion` must be a string"};
     const auto known = std::ranges::find_if(versions, [&](const char* each) { return requested == each; });
     version_ = known != versions.end() ? *known : versions.back();
-    structured_ = version_ >= with_structured_results;
     Json info = {{"name", "grafverif"}, {"version", environment_.version}};
-    if (structured_) info["title"] = "grafverif";
+    if (structured()) info["title"] = "grafverif";
     return {{"protocolVersion", version_},
             {"capabilities", {{"tools", Json::object()}, {"resources", Json::object()}}},
             {"serverInfo", std::move(info)},
@@ -177,10 +177,8 @@ void Session::call(const Json& id, const Json& params, const SharedBatch& batch)
     if (tool == tools_.end()) {
         std::vector<std::string> names;
         for (const Tool& each : tools_) names.push_back(each.name);
-        const std::string unknown = name.get<std::string>().substr(0, longest_name), meant = nearest_of(unknown, names);
-        throw RequestError{rpc::invalid_params,
-                           fmt::format("unknown tool `{}`{}", printable(unknown),
-                                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant))};
+        const std::string unknown = printable(name.get<std::string>().substr(0, longest_name));
+        throw RequestError{rpc::invalid_params, unknown_name_text("tool", unknown, names)};
     }
     const Json arguments = params.contains("arguments") ? params["arguments"] : Json::object();
     if (const std::string error = argument_error(tool->arguments, arguments); !error.empty())
@@ -188,7 +186,7 @@ void Session::call(const Json& id, const Json& params, const SharedBatch& batch)
     const Json& token = member(member(params, "_meta"), "progressToken");
     ActiveCall active{++last_call_, std::make_shared<Work>(), batch, tool->name, rpc::is_id(token) ? token : Json()};
     active.begun = active.reported = std::chrono::steady_clock::now();
-    active.timeout_s = arguments.value("timeout", std::min(usual_timeout_s, environment_.longest_call_s));
+    active.timeout_s = arguments.value("timeout", environment_.default_timeout_s());
     active.work->run = [this, id, number = active.number, tool = &*tool, arguments](const std::atomic<bool>& stop) {
         Json made = result_of(*tool, arguments, stop);
         const ReserveUse use(true);
@@ -221,7 +219,7 @@ Json Session::result_of(const Tool& tool, const Json& arguments, const std::atom
         ToolCall call(environment_, arguments, stop);
         ToolResult result = tool.run(call);
         Json made = {{"content", Json::array({content(result.text)})}, {"isError", false}};
-        if (!result.data.is_null() && structured_) made["structuredContent"] = std::move(result.data);
+        if (!result.data.is_null() && structured()) made["structuredContent"] = std::move(result.data);
         else if (!result.data.is_null()) made["content"].push_back(content(rpc::text_of(result.data)));
         return made;
     } catch (const CallError& failure) {

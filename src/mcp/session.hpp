@@ -51,6 +51,8 @@ private:
         std::int64_t timeout_s = 0;
     };
 
+    /// True if the negotiated version has structured results.
+    bool structured() const;
     void send(const Json& message);
     void reply(Json message, const SharedBatch& batch);
     void take_batch(const Json& messages);
@@ -70,7 +72,6 @@ private:
     Later later_;
     std::vector<Tool> tools_;
     std::string version_ = {};  ///< negotiated version of the protocol; empty before `initialize`
-    bool structured_ = true;    ///< true if this version has structured results
     bool disconnected_ = false;
     std::uint64_t last_call_ = 0;
     std::map<Json, ActiveCall> calls_ = {};  ///< by request id

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/files.hpp"
-
 namespace grafverif::mcp {
 
 namespace {
@@ -17,58 +15,55 @@ using std::chrono::milliseconds;
 /// Time that a command may use beyond its limit to print its results (see app/system/watchdog.hpp) and to start.
 constexpr milliseconds time_to_print{3000};
 
-constexpr const char* outside = "it is outside the folders of the server";
-
 }  // namespace
 
 ToolCall::ToolCall(const ServerEnvironment& environment, Json arguments, const std::atomic<bool>& stop)
-    : environment_(environment), arguments_(std::move(arguments)), stop_(stop) {
-    const std::int64_t timeout = number("timeout", std::min(usual_timeout_s, environment.longest_call_s));
+    : environment_(environment), arguments_(std::move(arguments)), stop_(stop), folders_(environment.folders) {
+    const std::int64_t timeout = number("timeout", environment.default_timeout_s());
     deadline_ = std::chrono::steady_clock::now() + std::chrono::seconds(timeout);
 }
 
 std::string ToolCall::operand() {
     if (has("file") == has("text")) throw CallError{"pass either `file` or `text`"};
-    if (has("file")) return path("file");
+    if (has("file")) return operand_for(file_.emplace(located("file")));
     input_ = text("text");
     return "-";
 }
 
 std::filesystem::path ToolCall::located(const char* argument) const {
     std::string why;
-    auto file = PermittedFolders(environment_.folders).located(text(argument), why);
-    if (!file) throw CallError{fmt::format("cannot read `{}`: {}", text(argument), outside)};
+    auto file = folders_.located(text(argument), why);
+    if (!file) throw CallError{fmt::format("cannot read `{}`: {}", text(argument), why)};
     return std::move(*file);
 }
 
 std::string ToolCall::path(const char* argument) const { return operand_for(located(argument)); }
 
 std::string ToolCall::content() {
-    if (operand() == "-") return input_;
+    operand();
+    if (!file_) return input_;
     std::string why;
-    auto found = PermittedFolders(environment_.folders).read(located("file"), why, largest_message);
+    auto found = folders_.read(*file_, why, largest_message);
     if (!found) throw CallError{fmt::format("cannot read `{}`: {}", text("file"), why)};
     return std::move(*found);
 }
 
-std::vector<std::string> ToolCall::options(std::initializer_list<const char*> names) const {
-    std::vector<std::string> passed;
+void ToolCall::add_options(std::vector<std::string>& command, std::initializer_list<const char*> names) const {
     for (const char* const name : names) {
         if (!has(name)) continue;
         std::string option = std::string("--") + name;
         std::ranges::replace(option, '_', '-');
         const Json& value = arguments_[name];
-        const auto add = [&](const Json& each) { passed.push_back(option + "=" + each.get<std::string>()); };
-        if (value.is_boolean() && value.get<bool>()) passed.push_back(option);
+        const auto add = [&](const Json& each) { command.push_back(option + "=" + each.get<std::string>()); };
+        if (value.is_boolean() && value.get<bool>()) command.push_back(option);
         else if (value.is_string()) add(value);
         else if (value.is_array()) std::ranges::for_each(value, add);
     }
-    return passed;
 }
 
 ProgramResult ToolCall::run(CommandRun command) const {
     for (const std::string& folder : environment_.folders) command.arguments.push_back("--within=" + folder);
-    const auto memory = number("max_memory", std::min(usual_memory_mib, environment_.largest_call_mib));
+    const auto memory = number("max_memory", environment_.default_memory_mib());
     command.arguments.push_back(fmt::format("--max-memory={}M", memory));
     command.arguments.emplace_back("--color=never");
     command.deadline = deadline_ + (deadline_ - std::chrono::steady_clock::now()) / 10 + time_to_print;
@@ -107,6 +102,19 @@ std::string shortened(std::string text, std::size_t most) {
     const auto omitted = std::ranges::count(text.begin() + static_cast<std::ptrdiff_t>(kept), text.end(), '\n') + 1;
     text.resize(kept);
     return text + fmt::format("... ({} more lines)\n", omitted);
+}
+
+void copy_members(const Json& from, std::initializer_list<const char*> names, Json& to) {
+    for (const char* const name : names) to[name] = from.at(name);
+}
+
+Json first_of(const Json& list, std::size_t most) {
+    Json first = Json::array();
+    for (const Json& each : list) {
+        if (first.size() == most) break;
+        first.push_back(each);
+    }
+    return first;
 }
 
 }  // namespace grafverif::mcp

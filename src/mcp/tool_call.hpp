@@ -5,12 +5,15 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "mcp/server.hpp"
+#include "pipeline/files.hpp"
 
 namespace grafverif::mcp {
 
@@ -32,7 +35,6 @@ public:
     ToolCall(const ServerEnvironment& environment, Json arguments, const std::atomic<bool>& stop);
 
     bool has(const char* name) const { return arguments_.contains(name); }
-    bool flag(const char* name) const { return has(name) && arguments_[name].get<bool>(); }
     std::string text(const char* name) const { return has(name) ? arguments_[name].get<std::string>() : std::string(); }
     std::int64_t number(const char* name, std::int64_t fallback) const {
         return has(name) ? arguments_[name].get<std::int64_t>() : fallback;
@@ -41,6 +43,8 @@ public:
     /// Returns the operand for the input: the path in `file`, or `-` for `text`, which then is standard input. Throws
     /// CallError if the call has both arguments or none.
     std::string operand();
+    /// Returns the file of the input after a call of `operand` or `content`; nothing if the input is `text`.
+    const std::optional<std::filesystem::path>& file() const { return file_; }
     /// Returns the path in the argument, which is absolute and without links. A relative argument refers to the first
     /// folder of the server that contains such a file. Throws CallError if the path is outside of the folders.
     std::filesystem::path located(const char* argument) const;
@@ -48,9 +52,9 @@ public:
     std::string path(const char* argument) const;
     /// Returns the content of the input. Throws CallError if it cannot be read or is larger than a message.
     std::string content();
-    /// Returns `--option=value` for each given argument of this list: texts, choices, names (one option for each), and
+    /// Appends `--option=value` for each given argument of this list: texts, choices, names (one option for each), and
     /// flags (without a value). Underscores of the name become dashes.
-    std::vector<std::string> options(std::initializer_list<const char*> names) const;
+    void add_options(std::vector<std::string>& command, std::initializer_list<const char*> names) const;
 
     void set_input(std::string input) { input_ = std::move(input); }
     /// Executes a command within the limits of the call. Throws CallError if it does not end normally, and if it ends
@@ -70,10 +74,16 @@ private:
     Json arguments_;
     const std::atomic<bool>& stop_;
     std::chrono::steady_clock::time_point deadline_;
+    PermittedFolders folders_;
+    std::optional<std::filesystem::path> file_ = {};
     std::string input_ = {};
 };
 
 /// Returns the text, cut after `most` bytes at the end of a line, with a note that it is not complete.
 std::string shortened(std::string text, std::size_t most);
+/// Copies the members with these names, all of which `from` has.
+void copy_members(const Json& from, std::initializer_list<const char*> names, Json& to);
+/// Returns at most `most` elements of the beginning of the list.
+Json first_of(const Json& list, std::size_t most);
 
 }  // namespace grafverif::mcp

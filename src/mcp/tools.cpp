@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace grafverif::mcp {
@@ -14,15 +13,24 @@ using Kind = Argument::Kind;
 
 }  // namespace
 
+Argument file_argument(bool required) {
+    return {"file", Kind::Name, "path of the file, absolute or relative to a folder of the server", required};
+}
+
+Argument chart_argument() { return {"chart", Kind::Name, "chart, if the file has several"}; }
+
+Argument mode_argument() {
+    return {"mode", Kind::Choice, "execution mode; overrides the model", false, {"stability-search", "every-cycle"}};
+}
+
 std::vector<Argument> input_arguments() {
-    return {{"file", Kind::Name, "path of the file, absolute or relative to a folder of the server"},
-            {"text", Kind::Text, "content of a file that is not saved, instead of `file`"}};
+    return {file_argument(), {"text", Kind::Text, "content of a file that is not saved, instead of `file`"}};
 }
 
 std::vector<Argument> model_arguments() {
     return {{"loop", Kind::Name, "closed loop, if the file has several"},
             {"chart", Kind::Name, "chart, if the file has several, or to use a chart without its closed loop"},
-            {"mode", Kind::Choice, "execution mode; overrides the model", false, {"stability-search", "every-cycle"}}};
+            mode_argument()};
 }
 
 std::vector<Argument> loop_arguments() {
@@ -41,13 +49,13 @@ std::vector<Tool> tools(const ServerEnvironment& environment) {
         tool.arguments.push_back({.name = "timeout",
                                   .kind = Kind::Number,
                                   .description = fmt::format("time limit of the call in seconds (default: {})",
-                                                             std::min(usual_timeout_s, environment.longest_call_s)),
+                                                             environment.default_timeout_s()),
                                   .least = 1,
                                   .most = environment.longest_call_s});
         tool.arguments.push_back({.name = "max_memory",
                                   .kind = Kind::Number,
                                   .description = fmt::format("memory limit of the call in MiB (default: {})",
-                                                             std::min(usual_memory_mib, environment.largest_call_mib)),
+                                                             environment.default_memory_mib()),
                                   .least = 16,
                                   .most = environment.largest_call_mib});
     }

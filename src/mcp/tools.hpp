@@ -38,6 +38,9 @@ Tool check_tool();
 Tool explain_tool();
 Tool complete_tool();
 
+Argument file_argument(bool required = false);
+Argument chart_argument();
+Argument mode_argument();
 /// Returns the arguments that name the input: `file` and `text`, of which a call has exactly one.
 std::vector<Argument> input_arguments();
 /// Returns the arguments that select a loop or chart of the input, and the execution mode.

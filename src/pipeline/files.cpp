@@ -15,6 +15,7 @@
 #include <istream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "pipeline/descriptor.hpp"
 
@@ -39,13 +40,15 @@ std::string_view kind_of(mode_t mode) {
 
 constexpr std::size_t block_size = std::size_t{1} << 20U;
 
-std::string too_large() { return fmt::format("larger than {} MiB", largest_input >> 20U); }
+std::string too_large(std::uintmax_t most) { return fmt::format("larger than {} MiB", most >> 20U); }
+
+constexpr const char* outside_text = "it is outside the permitted directories";
 
 std::string device_and_node(const struct stat& status) { return fmt::format("{}:{}", status.st_dev, status.st_ino); }
 
 }  // namespace
 
-std::optional<std::string> content_of_file(const fs::path& path, std::string& why) {
+std::optional<std::string> content_of_file(const fs::path& path, std::string& why, std::uintmax_t most) {
     struct stat status = {};
     if (::stat(path.c_str(), &status) != 0) return why = reason(errno), std::nullopt;
     if (!S_ISREG(status.st_mode))
@@ -53,7 +56,7 @@ std::optional<std::string> content_of_file(const fs::path& path, std::string& wh
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
     if (!file.open() || ::fstat(file.number(), &status) != 0) return why = reason(errno), std::nullopt;
     if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;
-    return read_descriptor(file.number(), why);
+    return read_descriptor(file.number(), why, most);
 }
 
 std::optional<int> own_descriptor(const fs::path& path) {
@@ -71,7 +74,7 @@ std::optional<int> own_descriptor(const fs::path& path) {
     return {};
 }
 
-std::optional<std::string> read_descriptor(int descriptor, std::string& why) {
+std::optional<std::string> read_descriptor(int descriptor, std::string& why, std::uintmax_t most) {
     std::string content, block(block_size, '\0');
     for (;;) {
         const ssize_t count = ::read(descriptor, block.data(), block.size());
@@ -79,7 +82,7 @@ std::optional<std::string> read_descriptor(int descriptor, std::string& why) {
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return why = reason(errno), std::nullopt;
         content.append(block, 0, static_cast<std::size_t>(count));
-        if (content.size() > largest_input) return why = too_large(), std::nullopt;
+        if (content.size() > most) return why = too_large(most), std::nullopt;
     }
 }
 
@@ -87,7 +90,7 @@ std::optional<std::string> read_stream(std::istream& in, std::string& why) {
     std::string content, block(block_size, '\0');
     while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
         content.append(block, 0, static_cast<std::size_t>(in.gcount()));
-        if (content.size() > largest_input) return why = too_large(), std::nullopt;
+        if (content.size() > largest_input) return why = too_large(largest_input), std::nullopt;
     }
     return content;
 }
@@ -184,12 +187,13 @@ std::optional<fs::path> PermittedFolders::resolved(const fs::path& path, std::st
     const bool is_resolved = !failure && !fs::is_symlink(fs::symlink_status(file, failure));
     if (is_resolved && std::ranges::any_of(folders_, [&](const fs::path& folder) { return is_below(file, folder); }))
         return file;
-    why = "it is outside the directories to which `--within` restricts reading";
+    why = outside_text;
     return {};
 }
 
 std::optional<fs::path> PermittedFolders::located(const fs::path& path, std::string& why) const {
     std::optional<fs::path> first;
+    if (folders_.empty()) why = outside_text;
     for (const fs::path& folder : folders_) {
         const auto file = resolved(folder / path, why);  // an absolute path replaces the folder
         std::error_code failure;
@@ -203,10 +207,7 @@ std::optional<std::string> PermittedFolders::read(const fs::path& path, std::str
     const auto file = resolved(path, why);
     if (!file) return {};
     if (restricted_ && is_made_up(file->parent_path())) return why = "it is a virtual file of the kernel", std::nullopt;
-    std::error_code failure;
-    const std::uintmax_t size = fs::is_regular_file(*file, failure) ? fs::file_size(*file, failure) : 0;
-    if (!failure && size > most) return why = fmt::format("larger than {} bytes", most), std::nullopt;
-    return content_of_file(*file, why);
+    return content_of_file(*file, why, most);
 }
 
 std::string operand_for(const fs::path& file) {
@@ -217,8 +218,8 @@ std::string operand_for(const fs::path& file) {
     return relative.string().starts_with('-') ? "./" + relative.string() : relative.string();
 }
 
-Reach::Reach(const fs::path& main, const std::vector<std::string>& folders, const std::vector<std::string>& within)
-    : within_(within) {
+Reach::Reach(const fs::path& main, const std::vector<std::string>& folders, PermittedFolders within)
+    : within_(std::move(within)) {
     const auto add = [this](const fs::path& folder) {
         std::error_code failure;
         const fs::path full = fs::absolute(folder.empty() ? "." : folder, failure);

@@ -17,15 +17,16 @@ namespace grafverif {
 inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;  ///< maximum size of an input file in bytes
 
 /// Returns the content of the regular file at `path`. The result is empty if the file is missing, unreadable, larger
-/// than `largest_input`, or not a regular file (folder, pipe, device); `why` then has the reason. Never blocks.
-std::optional<std::string> content_of_file(const std::filesystem::path& path, std::string& why);
+/// than `most` bytes, or not a regular file (folder, pipe, device); `why` then has the reason. Never blocks.
+std::optional<std::string> content_of_file(const std::filesystem::path& path, std::string& why,
+                                           std::uintmax_t most = largest_input);
 
 /// Returns the number of a descriptor of this process if `path` is a name for one: `/dev/stdin`, `/dev/fd/3`,
 /// `/proc/self/fd/3`.
 std::optional<int> own_descriptor(const std::filesystem::path& path);
 
 /// Reads `descriptor` or `in` to the end, with the same size limit. May block.
-std::optional<std::string> read_descriptor(int descriptor, std::string& why);
+std::optional<std::string> read_descriptor(int descriptor, std::string& why, std::uintmax_t most = largest_input);
 std::optional<std::string> read_stream(std::istream& in, std::string& why);
 
 /// Returns an identity that is equal for all paths to one file, including hard and symbolic links. The identity of a
@@ -78,10 +79,9 @@ std::string operand_for(const std::filesystem::path& file);
 /// files.
 class Reach {
 public:
-    /// `main` is the main file; `folders` are given by the user. If `within` is not empty, only files below these
-    /// folders may be included.
+    /// `main` is the main file; `folders` are given by the user. Only files below the folders `within` may be included.
     Reach(const std::filesystem::path& main, const std::vector<std::string>& folders,
-          const std::vector<std::string>& within = {});
+          PermittedFolders within = PermittedFolders());
 
     /// Returns the content of the regular file at `path` if it may be included. Otherwise the result is empty, and
     /// `why` has the reason.

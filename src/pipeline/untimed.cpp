@@ -11,8 +11,6 @@ namespace grafverif {
 
 namespace {
 
-bool is_liveness(Pattern pattern) { return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo; }
-
 /// True if the value of `term` depends on the current value of a free variable.
 bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
     FlatSystem flat = flattened(system);

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "report/findings.hpp"
+#include "report/json_place.hpp"
 #include "report/json_trace.hpp"
 #include "support/json_text.hpp"
 
@@ -12,16 +13,6 @@ namespace grafverif {
 namespace {
 
 using FindingJson = nlohmann::ordered_json;
-
-void add_place(FindingJson& object, Span where, const Sources& sources) {
-    for (const char* key : {"file", "line", "column"}) object[key] = nullptr;
-    if (!sources.contains(where.source)) return;
-    const Source& source = sources[where.source];
-    const Place at = place(source.text, where.begin);
-    object["file"] = source.name;
-    object["line"] = at.line;
-    object["column"] = at.column;
-}
 
 FindingJson open_json(const OpenQuestion& question) {
     return {{"code", question.code},
@@ -44,11 +35,11 @@ FindingJson as_json(const Finding& finding, const Sources& sources) {
                           {"level", word(finding.level)},
                           {"subject", text_or_null(finding.subject)},
                           {"message", finding.message}};
-    add_place(object, finding.origin, sources);
+    add_place(object, file_place(sources, finding.origin));
     object["related"] = FindingJson::array();
     for (const Finding::Related& related : finding.related) {
         FindingJson place = {{"message", related.message}};
-        add_place(place, related.where, sources);
+        add_place(place, file_place(sources, related.where));
         object["related"].push_back(std::move(place));
     }
     if (!finding.lost.empty()) object["never_again"] = finding.lost;

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "report/json_place.hpp"
 #include "report/json_trace.hpp"
 #include "report/profile.hpp"
 #include "report/settings_text.hpp"
@@ -41,12 +42,6 @@ void add_constants(Json& object, const CheckSettings& settings) {
         list.push_back({{"name", each.name}, {"value", std::move(value)}, {"set", each.set}});
     }
     object["constants"] = std::move(list);
-}
-
-void add_place(Json& object, const std::optional<FilePlace>& where) {
-    object["file"] = where ? Json(where->file) : Json(nullptr);
-    object["line"] = where ? Json(where->at.line) : Json(nullptr);
-    object["column"] = where ? Json(where->at.column) : Json(nullptr);
 }
 
 /// Returns the table of a run, line by line.

@@ -14,15 +14,15 @@ namespace grafverif {
 
 namespace {
 
-std::string mode_text(bool searches, bool cycles) {
+template <class Controllers>
+std::string mode_text(const Controllers& controllers) {
+    bool searches = false, cycles = false;
+    for (const auto& controller : controllers)
+        (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
     std::string mode = searches ? "stability-search" : "";
     if (cycles) mode += searches ? ", every-cycle" : "every-cycle";
     return mode;
 }
-
-}  // namespace
-
-namespace {
 
 /// Returns text such as `task cycle 10ms` or `task cycles: press 10ms, door 5ms..10ms, lamp zero`. The result is empty
 /// if all cycle times are zero.
@@ -44,12 +44,8 @@ std::string cycle_text(const Controllers& controllers) {
 }  // namespace
 
 CheckSettings settings_of(const Network& network, std::string engine) {
-    bool searches = false, cycles = false;
-    for (const Network::Controller& controller : network.controllers)
-        (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
-    const std::string mode = mode_text(searches, cycles);
     return {.engine = std::move(engine),
-            .mode = mode,
+            .mode = mode_text(network.controllers),
             .grain = network.grain == Grain::Atomic ? "atomic" : "phased",
             .time_unit_ms = network.time_unit_ms,
             .cycle = cycle_text(network.controllers),
@@ -57,13 +53,10 @@ CheckSettings settings_of(const Network& network, std::string engine) {
 }
 
 CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed) {
-    bool searches = false, cycles = false;
-    for (const TransitionSystem::Controller& controller : system.controllers)
-        (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
     const bool timed = system.ticks.valid();
     const std::string cycle = cycle_text(system.controllers);
     return {.engine = std::move(engine),
-            .mode = mode_text(searches, cycles),
+            .mode = mode_text(system.controllers),
             .time_unit_ms = 0,
             .cycle = timed || cycle.empty() ? cycle : cycle + " not modelled: a scan may begin at any time",
             .untimed = std::move(untimed),

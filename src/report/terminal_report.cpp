@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ir/patterns.hpp"
 #include "report/profile.hpp"
 #include "report/settings_text.hpp"
 #include "report/table.hpp"
@@ -287,8 +288,7 @@ std::string_view end_of(const Verdict& verdict) {
     if (verdict.pattern == Pattern::NoDeadlock && !verdict.scope.left_out.empty())
         return "from here, no edge of the sub-loop can be taken, but time may pass";
     if (verdict.pattern == Pattern::NoDeadlock) return "from here, no edge can be taken, but time may pass";
-    const bool liveness = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
-    return liveness ? "from here, no edge can be taken" : "";
+    return is_liveness(verdict.pattern) ? "from here, no edge can be taken" : "";
 }
 
 void print_report(const Report& report, const TextOptions& options, std::ostream& out) {

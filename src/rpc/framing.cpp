@@ -30,33 +30,36 @@ std::optional<std::uint64_t> content_length(std::string_view line) {
     return failure == std::errc() ? length : UINT64_MAX;
 }
 
-}  // namespace
-
-Framing::Framing(Receive receive, std::size_t largest) : receive_(std::move(receive)), largest_(largest) {
-    line_.reserve(longest_header + buffer_.size());
+std::string too_large(std::uint64_t size, std::size_t largest) {
+    return fmt::format("a message of {} bytes exceeds the limit of {}", size, largest);
 }
 
-bool Framing::more() {
+}  // namespace
+
+bool ReceiveBuffer::more() {
     begin_ = 0;
-    end_ = receive_(buffer_);
+    end_ = receive_(bytes_);
     return end_ != 0;
+}
+
+Framing::Framing(Receive receive, std::size_t largest) : buffer_(std::move(receive)), largest_(largest) {
+    line_.reserve(longest_header + ReceiveBuffer::capacity);
 }
 
 /// Reads a line without its terminator. If the line is too long, only its last bytes are stored, so that a header after
 /// other bytes is found.
 bool Framing::line() {
     for (line_.clear();;) {
-        const std::string_view here(buffer_.data() + begin_, end_ - begin_);
+        const std::string_view here = buffer_.rest();
         const std::size_t count = std::min(here.find('\n'), here.size());
         line_.append(here.substr(0, count));
         if (line_.size() > longest_header) line_.erase(0, line_.size() - longest_header / 2);
-        begin_ += count;
+        buffer_.consume(std::min(count + 1, here.size()));
         if (count < here.size()) {
-            ++begin_;
             if (line_.ends_with('\r')) line_.pop_back();
             return true;
         }
-        if (!more()) return false;
+        if (!buffer_.more()) return false;
     }
 }
 
@@ -65,17 +68,17 @@ bool Framing::line() {
 bool Framing::take(std::size_t count, std::string* text) {
     bool refused = false;
     for (;;) {
-        const std::size_t here = std::min(count, end_ - begin_);
+        const std::string_view here = buffer_.rest().substr(0, count);
         try {
-            if (text != nullptr && !refused) text->append(buffer_.data() + begin_, here);
+            if (text != nullptr && !refused) text->append(here);
         } catch (const std::bad_alloc&) {
             refused = true;
             *text = {};
         }
-        begin_ += here;
-        count -= here;
+        buffer_.consume(here.size());
+        count -= here.size();
         if (count == 0) break;
-        if (!more()) return false;
+        if (!buffer_.more()) return false;
     }
     if (refused) throw std::bad_alloc();
     return true;
@@ -91,7 +94,7 @@ std::optional<Framed> Framing::next() {
     Framed message;
     const bool fits = *length <= largest_;
     if (!take(*length, fits ? &message.body : nullptr)) return {};
-    if (!fits) message.error_text = fmt::format("a message of {} bytes exceeds the limit of {}", *length, largest_);
+    if (!fits) message.error_text = too_large(*length, largest_);
     return message;
 }
 
@@ -99,18 +102,11 @@ std::optional<Framed> Framing::next() {
 /// into memory (`refused`), its remaining bytes are consumed without being stored. Returns false if there was no byte.
 bool LineFraming::line(Framed& message, bool& refused) {
     std::size_t size = 0;
-    const auto check_size = [&] {
-        if (size <= largest_) return;
-        message.error_text = fmt::format("a message of {} bytes exceeds the limit of {}", size, largest_);
-    };
-    for (bool any = false;; any = true) {
-        if (begin_ == end_) {
-            begin_ = 0;
-            end_ = receive_(buffer_);
-            if (end_ == 0) return check_size(), any;
-        }
-        const std::string_view here(buffer_.data() + begin_, end_ - begin_);
+    bool any = false;
+    for (bool terminated = false; !terminated && (!buffer_.rest().empty() || buffer_.more()); any = true) {
+        const std::string_view here = buffer_.rest();
         const std::size_t count = std::min(here.find('\n'), here.size());
+        terminated = count < here.size();
         size += count;
         try {
             if (size <= largest_ && !refused) message.body.append(here.substr(0, count));
@@ -118,11 +114,10 @@ bool LineFraming::line(Framed& message, bool& refused) {
             refused = true;
         }
         if (size > largest_ || refused) message.body = {};
-        begin_ += std::min(count + 1, here.size());
-        if (count == here.size()) continue;
-        check_size();
-        return true;
+        buffer_.consume(std::min(count + 1, here.size()));
     }
+    if (size > largest_) message.error_text = too_large(size, largest_);
+    return any;
 }
 
 std::optional<Framed> LineFraming::next() {

@@ -13,14 +13,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace grafverif::rpc {
 
 /// Waits for bytes and stores some of them at the beginning of the buffer. Returns their number; 0 at the end of the
 /// stream.
 using Receive = std::function<std::size_t(std::span<char> buffer)>;
-/// Writes all bytes.
-using Send = std::function<void(std::string_view bytes)>;
 
 /// Maximum size of a message in bytes, sufficient for a text of 256 MiB.
 inline constexpr std::size_t largest_message = std::size_t{320} << 20U;
@@ -29,6 +28,25 @@ inline constexpr std::size_t largest_message = std::size_t{320} << 20U;
 struct Framed {
     std::string body = {};
     std::string error_text = {};  ///< error message; if not empty, there is no body
+};
+
+/// Bytes that were received but not consumed yet.
+class ReceiveBuffer {
+public:
+    static constexpr std::size_t capacity = std::size_t{1} << 16U;
+
+    explicit ReceiveBuffer(Receive receive) : receive_(std::move(receive)) {}
+
+    std::string_view rest() const { return {bytes_.data() + begin_, end_ - begin_}; }
+    /// Consumes `count` bytes of the rest.
+    void consume(std::size_t count) { begin_ += count; }
+    /// Replaces the rest by the next bytes of the stream. Returns false at its end.
+    bool more();
+
+private:
+    Receive receive_;
+    std::array<char, capacity> bytes_ = {};
+    std::size_t begin_ = 0, end_ = 0;
 };
 
 /// Messages with headers.
@@ -41,22 +59,18 @@ public:
     std::optional<Framed> next();
 
 private:
-    bool more();
     bool line();
     bool take(std::size_t count, std::string* text);
 
-    Receive receive_;
+    ReceiveBuffer buffer_;
     std::size_t largest_;
-    /// Received bytes. The bytes from `begin_` to `end_` are not consumed yet.
-    std::array<char, std::size_t{1} << 16U> buffer_ = {};
-    std::size_t begin_ = 0, end_ = 0;
     std::string line_ = {};  ///< the current line of the header
 };
 
 /// Messages that are lines. Empty lines are skipped.
 class LineFraming {
 public:
-    LineFraming(Receive receive, std::size_t largest) : receive_(std::move(receive)), largest_(largest) {}
+    LineFraming(Receive receive, std::size_t largest) : buffer_(std::move(receive)), largest_(largest) {}
 
     /// Returns the next message, or nothing at the end of the stream. A last line without terminator is a message. If a
     /// call throws std::bad_alloc, its message is skipped, and the next call returns the following message.
@@ -65,10 +79,8 @@ public:
 private:
     bool line(Framed& message, bool& refused);
 
-    Receive receive_;
+    ReceiveBuffer buffer_;
     std::size_t largest_;
-    std::array<char, std::size_t{1} << 16U> buffer_ = {};
-    std::size_t begin_ = 0, end_ = 0;  ///< the bytes that are not consumed yet
 };
 
 /// Returns `body` with its header.

@@ -2,6 +2,7 @@
 // Inbox: a queue of messages of the client and results of other threads, in order.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -36,13 +37,16 @@ public:
 
     /// Returns the next item. Returns nothing if no item arrives within `timeout`, or if the queue is closed.
     std::optional<Item> take(std::chrono::milliseconds timeout);
+    /// True if the queue is closed and empty.
     bool closed() const;
+    /// True as soon as the queue is closed, although it may still have items.
+    const std::atomic<bool>& closing() const { return closed_; }
 
 private:
     mutable std::mutex door_ = {};
     std::condition_variable wake_ = {};
     std::deque<Item> items_ = {};
-    bool closed_ = false;
+    std::atomic<bool> closed_ = false;  ///< written while `door_` is locked
 };
 
 }  // namespace grafverif::rpc

@@ -10,19 +10,20 @@
 
 namespace grafverif::rpc {
 
-Receiver::Receiver(Callbacks callbacks, Inbox& inbox, std::atomic<bool>& ending)
-    : callbacks_(std::move(callbacks)), thread_([this, &inbox, &ending] { receive_all(inbox, ending); }) {}
+Receiver::Receiver(Callbacks callbacks, Inbox& inbox)
+    : callbacks_(std::move(callbacks)), inbox_(inbox), thread_([this] { receive_all(); }) {}
 
 Receiver::~Receiver() {
+    inbox_.close();
     if (callbacks_.hang_up) callbacks_.hang_up();
     thread_.join();
 }
 
 /// Puts the next message, or its error, into the inbox. Returns false after the last message.
-bool Receiver::receive_next(const NextMessage& next) const {
+bool Receiver::receive_next() const {
     Item item;
     try {
-        auto framed = next();
+        auto framed = callbacks_.next();
         if (!framed) return false;
         item = item_of(std::move(*framed));
     } catch (const std::bad_alloc&) {
@@ -34,20 +35,17 @@ bool Receiver::receive_next(const NextMessage& next) const {
 }
 
 /// Receives messages until the end of the stream, or until `put` returns false.
-void Receiver::receive_all(Inbox& inbox, std::atomic<bool>& ending) const {
+void Receiver::receive_all() const {
     try {
-        const NextMessage next = callbacks_.begin();
         for (bool more = true; more;) {
             try {
-                more = receive_next(next);
+                more = receive_next();
             } catch (const std::bad_alloc&) {  // not even the reserved memory is sufficient for the message
             }
         }
-    } catch (const std::bad_alloc&) {  // the buffer for receiving could not be allocated
     } catch (const std::system_error&) {
     }
-    ending = true;
-    inbox.close();
+    inbox_.close();
 }
 
 }  // namespace grafverif::rpc

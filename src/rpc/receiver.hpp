@@ -3,7 +3,6 @@
 // earlier one.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <thread>
@@ -19,23 +18,24 @@ using NextMessage = std::function<std::optional<Framed>()>;
 class Receiver {
 public:
     struct Callbacks {
-        std::function<NextMessage()> begin = {};  ///< starts to receive; called once
+        NextMessage next = {};
         /// Puts an item into the inbox. Returns false after the last message.
         std::function<bool(Item item)> put = {};
         std::function<void()> hang_up = {};  ///< ends the wait for bytes; may be empty
     };
-    /// The thread calls `begin` and `put`. At the end of the stream, it sets `ending` and closes the inbox.
-    Receiver(Callbacks callbacks, Inbox& inbox, std::atomic<bool>& ending);
-    /// Joins the thread.
+    /// The thread calls `next` and `put`. At the end of the stream, it closes the inbox.
+    Receiver(Callbacks callbacks, Inbox& inbox);
+    /// Closes the inbox, so that the thread no longer waits, and joins the thread.
     ~Receiver();
     Receiver(const Receiver&) = delete;
     Receiver& operator=(const Receiver&) = delete;
 
 private:
-    void receive_all(Inbox& inbox, std::atomic<bool>& ending) const;
-    bool receive_next(const NextMessage& next) const;
+    void receive_all() const;
+    bool receive_next() const;
 
     Callbacks callbacks_;
+    Inbox& inbox_;
     std::thread thread_;
 };
 

@@ -22,10 +22,6 @@ ChartRun::Kind kind_of(Network::ProcessKind kind) {
 
 bool holds(const NetworkState& state, Id<Network::Variable> variable) { return state.variables[variable.index] != 0; }
 
-bool calls(const Network::Edge& edge, Id<Network::Procedure> procedure) {
-    return procedure.valid() && std::ranges::find(edge.calls, procedure) != edge.calls.end();
-}
-
 /// Returns the variables that `edge` assigns directly, without its procedures. Each variable occurs once, in order of
 /// assignment.
 std::vector<Id<Network::Variable>> assigned(const Slots& slots, const Network::Edge& edge) {
@@ -173,9 +169,9 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
     ChartRun::Act act{.controller = {id.index},
                       .begins = edge.calls.empty() && edge.to != from.waiting,
                       .scans = from.words.cycle && !edge.urgent,
-                      .starts = calls(edge, from.start),
-                      .samples = calls(edge, from.fire),
-                      .evolves = calls(edge, from.evolve)};
+                      .starts = has_call(edge, from.start),
+                      .samples = has_call(edge, from.fire),
+                      .evolves = has_call(edge, from.evolve)};
     if (act.starts || act.samples) act.inputs = view_.inputs(from.words, act, before.variables);
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         if (act.samples) act.timers.push_back(holds(before, from.words.timers[k].end));
@@ -190,7 +186,7 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
     if (act.evolves) act.stable = holds(after, from.stable);
     if (act.evolves || act.starts) act.race = network_.race.valid() && holds(after, network_.race);
     const bool searches = network_.grain == Grain::Atomic && from.words.mode == ExecutionMode::StabilitySearch;
-    if (calls(edge, from.write) && (!searches || holds(after, from.stable))) act.writes = ChartRun::Act::Writes::Yes;
+    if (has_call(edge, from.write) && (!searches || holds(after, from.stable))) act.writes = ChartRun::Act::Writes::Yes;
     return act;
 }
 

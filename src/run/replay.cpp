@@ -236,9 +236,10 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
     const ChartRun::State* before = &run.moments.front().after;
     for (const ChartRun::Event& moment : run.moments) {
         const std::int64_t passed = moment.after.time_ms - before->time_ms;
-        for (ControllerReplay& replay : replays)
-            if (std::string what = run.timed && passed > 0 ? replay.pass(passed) : ""; !what.empty())
-                return Disagreement{moment.move, "controller " + replay.name(), std::move(what)};
+        if (run.timed && passed > 0)
+            for (ControllerReplay& replay : replays)
+                if (std::string what = replay.pass(passed); !what.empty())
+                    return Disagreement{moment.move, "controller " + replay.name(), std::move(what)};
         for (const ChartRun::Act& act : moment.acts) {
             ControllerReplay& replay = replays[act.controller.index];
             if (std::string what = replay.does(act, *before, moment.after); !what.empty())

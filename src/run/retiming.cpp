@@ -14,16 +14,6 @@ namespace {
 /// Maximum number of moves by which a run is continued.
 constexpr std::size_t most_moves = 10'000;
 
-const Network::Template& automaton(const Network& network, Id<Network::Process> process) {
-    return network.templates[network.processes[process].automaton];
-}
-
-bool has_urgent(const Network& network, const NetworkState& state) {
-    return std::ranges::any_of(enabled(network, state), [&](const Fire& move) {
-        return automaton(network, move.process).edges[move.edge].urgent;
-    });
-}
-
 }  // namespace
 
 /// The time of `to` minus the time of `from` is at least `least`.
@@ -39,7 +29,7 @@ Retiming::Retiming(const Network& network, const Run& run) {
     for (const auto& clocks : states->front().clocks) resets.emplace_back(clocks.size(), 0);
     points_.push_back({{}, true, resets, states->front().locations});
     const auto add = [&](std::optional<Fire> fire, const NetworkState& before) {
-        points_.push_back({fire, has_urgent(network, before), resets, before.locations});
+        points_.push_back({fire, urgent_edge_waits(network, before), resets, before.locations});
     };
     for (std::size_t i = 0; i < run.moves.size(); ++i) {
         const NetworkState& before = (*states)[i];
@@ -50,7 +40,7 @@ Retiming::Retiming(const Network& network, const Run& run) {
         const auto* fire = std::get_if<Fire>(&run.moves[i]);
         if (fire == nullptr) continue;
         add(*fire, before);
-        for (const Id<Network::Clock> clock : automaton(network, fire->process).edges[fire->edge].resets)
+        for (const Id<Network::Clock> clock : taken_edge(network, *fire).resets)
             resets[fire->process.index][clock.index] = points_.size() - 1;
     }
     add({}, states->back());
@@ -76,7 +66,7 @@ std::vector<Retiming::Difference> Retiming::differences(const Network& member) c
                   point.resets[process.index], i);
         if (!point.fire) continue;
         const Id<Network::Process> process = point.fire->process;
-        const Network::Edge& edge = automaton(member, process).edges[point.fire->edge];
+        const Network::Edge& edge = taken_edge(member, *point.fire);
         limit(edge.constraint, point.resets[process.index], i);
         std::vector<std::size_t> after = point.resets[process.index];
         for (const Id<Network::Clock> clock : edge.resets) after[clock.index] = i;
@@ -137,13 +127,11 @@ bool repeats(const Network& network, const Run& run, NetworkState now) {
     return false;
 }
 
-bool has_moves(const Network& network, const NetworkState& state) { return !enabled(network, state).empty(); }
-
 /// True if no edge can be taken from the state, immediately or later. `stops` receives whether time stops as well.
 bool has_no_edges(const Network& network, NetworkState now, bool& stops) {
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     for (std::size_t moves = 0; moves < most_moves; ++moves) {
-        if (has_moves(network, now)) return false;
+        if (!enabled(network, now).empty()) return false;
         NetworkState next = now;
         stops = perform(network, next, Delay{1}).result != Step::Result::Done;
         if (stops || capped(next, clocks) == capped(now, clocks)) return true;
@@ -157,8 +145,8 @@ bool has_no_edges(const Network& network, NetworkState now, bool& stops) {
 bool decides(const Network& network, const Run& run, Pattern pattern) {
     const auto states = replay(network, run);
     if (!states) return false;
-    if (is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps) return true;
-    const bool live = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo;
+    if (is_about_states(pattern)) return true;
+    const bool live = is_liveness(pattern);
     if (live && run.loop) return repeats(network, run, states->back());
     const bool ends = live || pattern == Pattern::NoTimelock || pattern == Pattern::NoDeadlock;
     // A strict bound may permit a delay of less than one unit.

@@ -2,8 +2,8 @@
 // ScanReplay: checks the scans of one controller in a run against its task cycle (TaskCycle), independently of the
 // translation. The first scan is at power-on; the time from each scan to the next is in the range of the cycle. A scan
 // takes no time and has one evolution, or in a search for stability all evolutions up to a stable one; then the outputs
-// are written. All its evolutions read the inputs as they are at its start, and no delay of a timer elapses between them. Without a task
-// cycle, every run is accepted.
+// are written. All its evolutions read the inputs as they are at its start, and no delay of a timer elapses between
+// them. Without a task cycle, every run is accepted.
 #pragma once
 
 #include <cstdint>

@@ -176,9 +176,7 @@ Id<Expr> takes(const PlantInstances& plant, Id<Network::Process> plc, const Choi
 /// if there is no such procedure.
 Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {
     if (!procedure.valid()) return {};
-    return takes(plant, plc, [&](const Network::Edge& edge) {
-        return std::ranges::find(edge.calls, procedure) != edge.calls.end();
-    });
+    return takes(plant, plc, [&](const Network::Edge& edge) { return has_call(edge, procedure); });
 }
 
 System::Controller words(const PlantInstances& plant, const Network::Controller& controller,

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "syntax/resolve/nearest_of.hpp"
-
 namespace grafverif {
 
 namespace {
@@ -94,12 +92,6 @@ std::string range_text(std::string_view name, const Type& type, std::int64_t val
 
 std::string ambiguous_text(std::string_view name, const std::vector<std::string>& all) {
     return fmt::format("`{}` is ambiguous between `{}` and `{}`; write the qualified name", name, all[0], all[1]);
-}
-
-std::string unknown_reason_text(std::string_view what, std::string_view name, const std::vector<std::string>& known) {
-    const std::string meant = nearest_of(name, known);
-    return fmt::format("unknown {} `{}`{}", what, name,
-                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));
 }
 
 }  // namespace grafverif

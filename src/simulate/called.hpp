@@ -41,7 +41,5 @@ std::string range_text(std::string_view name, const Type& type, std::int64_t val
 
 /// Returns the message that `name` denotes several elements. `all` contains their complete names.
 std::string ambiguous_text(std::string_view name, const std::vector<std::string>& all);
-/// Returns the message that there is no `what` with this name. The message suggests the most similar known name.
-std::string unknown_reason_text(std::string_view what, std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace grafverif

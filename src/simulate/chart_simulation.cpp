@@ -14,6 +14,7 @@
 #include "simulate/called.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/dialect.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif {
 
@@ -278,7 +279,7 @@ std::string ChartSimulation::refusal(const Setting& setting) const {
         std::vector<std::string> inputs;
         for (const Chart::Variable& variable : chart_.variables)
             if (variable.kind == Chart::VariableKind::Input) inputs.push_back(variable.name);
-        return unknown_reason_text("input", setting.name, inputs);
+        return unknown_name_text("input", setting.name, inputs);
     }
     return range_text(setting.name, found->type, setting.value);
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "simulate/called.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif {
 
@@ -74,7 +75,7 @@ std::optional<Now> now_of(const ChartRun& run, std::size_t moment, std::string_v
     if (!steps.empty()) return Now{std::ranges::binary_search(state.situation, steps.front()) ? 1 : 0, true, true};
     if (const LocationOfRun place = location_called(run, name); place.instance.valid())
         return Now{location_of(run.instances[place.instance].name) == place.location ? 1 : 0, false, true};
-    return problem = unknown_reason_text("variable or step", name, names_of(run)), std::nullopt;
+    return problem = unknown_name_text("variable or step", name, names_of(run)), std::nullopt;
 }
 
 std::string is_so(std::string_view name, const Now& now) {
@@ -146,10 +147,10 @@ std::optional<std::string> unmet_part(const Expectation& claim, const ChartRun& 
             const auto location = location_of(part.name);
             const auto instance = std::ranges::find(run.instances, part.name, &ChartRun::Instance::name);
             if (!location || instance == run.instances.end())
-                return problem = unknown_reason_text("instance", part.name, instances_of(run)), std::nullopt;
+                return problem = unknown_name_text("instance", part.name, instances_of(run)), std::nullopt;
             if (std::ranges::find(instance->locations, part.location) == instance->locations.end())
-                return problem = unknown_reason_text(fmt::format("location of `{}`", part.name), part.location,
-                                                     instance->locations),
+                return problem = unknown_name_text(fmt::format("location of `{}`", part.name), part.location,
+                                                   instance->locations),
                        std::nullopt;
             const bool holds = (*location == part.location) == (part.relation == Relation::In);
             if (!holds && unmet.empty()) unmet = fmt::format("`{}` is in `{}`", part.name, *location);

@@ -13,6 +13,7 @@
 #include "run/replay.hpp"
 #include "run/scanner.hpp"
 #include "simulate/called.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif {
 
@@ -21,10 +22,6 @@ namespace {
 bool of_plant(const Network& network, const Fire& fire) {
     const Network::ProcessKind kind = network.processes[fire.process].kind;
     return kind == Network::ProcessKind::Plant || kind == Network::ProcessKind::Environment;
-}
-
-const Network::Edge& edge_of(const Network& network, const Fire& fire) {
-    return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
 }
 
 /// Returns the first of the `moves` that assigns `value` to the variable.
@@ -115,7 +112,7 @@ std::vector<Choice> LoopSimulation::choices() const {
 
 /// Returns `do INSTANCE LOCATION` if this command is unambiguous, otherwise the number of the choice.
 std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size_t choice) const {
-    const auto target = [&](const Fire& fire) { return edge_of(network_, fire).to; };
+    const auto target = [&](const Fire& fire) { return taken_edge(network_, fire).to; };
     const auto same = [&](const Fire& other) {
         return other.process == moves[choice].process && target(other) == target(moves[choice]);
     };
@@ -167,7 +164,7 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
     std::vector<std::size_t> options(network_.processes.size(), 0), urgent_options = options;
     for (const Fire& fire : moves) {
         ++options[fire.process.index];
-        if (edge_of(network_, fire).urgent) ++urgent_options[fire.process.index];
+        if (taken_edge(network_, fire).urgent) ++urgent_options[fire.process.index];
     }
     const std::vector<Id<Network::Process>> hurried = impatient(network_, state_);
     const auto first = [&](const auto& wanted) -> std::optional<Fire> {
@@ -177,13 +174,13 @@ std::optional<Fire> LoopSimulation::next_by_itself() const {
     // If an instance has only one enabled urgent edge, this edge is taken. The timed edges of the instance are
     // alternatives that need not be taken.
     const auto alone = [&](const Fire& fire) {
-        const auto& count = edge_of(network_, fire).urgent ? urgent_options : options;
+        const auto& count = taken_edge(network_, fire).urgent ? urgent_options : options;
         return of_plant(network_, fire) && count[fire.process.index] == 1;
     };
     const auto of_kind = [&](Network::ProcessKind kind) {
         return first([&](const Fire& fire) { return network_.processes[fire.process].kind == kind; });
     };
-    if (const auto urgent = first([&](const Fire& fire) { return alone(fire) && edge_of(network_, fire).urgent; }))
+    if (const auto urgent = first([&](const Fire& fire) { return alone(fire) && taken_edge(network_, fire).urgent; }))
         return urgent;
     if (const auto timer = of_kind(Network::ProcessKind::Timer)) return timer;
     if (const auto cycle = of_kind(Network::ProcessKind::Controller)) return cycle;
@@ -285,7 +282,7 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
         std::vector<std::string> known;
         for (const Network::Variable& variable : network_.variables)
             if (settable(variable)) known.push_back(variable.display_name());
-        return unknown_reason_text("input", name, known);
+        return unknown_name_text("input", name, known);
     }
     if (std::string problem = range_text(name, found->type, value); !problem.empty()) return problem;
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
@@ -295,8 +292,7 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     const std::string problem = fmt::format("no move can make `{}` {} now", name, value_text);
     const Leeway delay = leeway(network_, state_);
     NetworkState later = state_;
-    const bool changes = delay.may_pass && delay.change && *delay.change <= delay.limit.value_or(*delay.change) &&
-                         perform(network_, later, Delay{*delay.change}).result == Step::Result::Done;
+    const bool changes = delay.change && perform(network_, later, Delay{*delay.change}).result == Step::Result::Done;
     if (!changes || !move_to(network_, later, enabled(network_, later), index, value)) return problem;
     return fmt::format("{}; let {} pass", problem, seconds_text(*delay.change * network_.time_unit_ms));
 }
@@ -304,16 +300,17 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
 std::string LoopSimulation::act(std::string_view instance, std::string_view location) {
     for (const Fire& fire : fires()) {
         const Network::Process& process = network_.processes[fire.process];
-        const Network::Location& target = network_.templates[process.automaton].locations[edge_of(network_, fire).to];
+        const Network::Location& target =
+            network_.templates[process.automaton].locations[taken_edge(network_, fire).to];
         if (process.name == instance && (location.empty() || target.name == location)) return choose(fire);
     }
     const auto named = std::ranges::find(recorded_run_.instances, instance, &ChartRun::Instance::name);
     const std::vector<std::string> known = instances_of(recorded_run_);
     if (named == recorded_run_.instances.end() && detail_ == Detail::Chart)
-        return unknown_reason_text("instance", instance, known);
+        return unknown_name_text("instance", instance, known);
     if (named != recorded_run_.instances.end() && !location.empty() &&
         std::ranges::find(named->locations, location) == named->locations.end())
-        return unknown_reason_text(fmt::format("`{}` location", instance), location, named->locations);
+        return unknown_name_text(fmt::format("`{}` location", instance), location, named->locations);
     return fmt::format("`{}` cannot move{} now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
 }
 

@@ -8,6 +8,7 @@
 
 #include "simulate/called.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif {
 
@@ -15,7 +16,7 @@ std::optional<WhatIfRun> what_if_of(const ChartRun& run, std::string_view step, 
     const std::vector<Id<ChartRun::Step>> meant = steps_called(run, step);
     std::vector<std::string> names;
     for (const ChartRun::Step& each : run.steps) names.push_back(each.full_name());
-    if (meant.empty()) return problem = unknown_reason_text("step", step, names), std::nullopt;
+    if (meant.empty()) return problem = unknown_name_text("step", step, names), std::nullopt;
     if (meant.size() > 1)
         return problem = ambiguous_text(step, {names[meant[0].index], names[meant[1].index]}), std::nullopt;
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {

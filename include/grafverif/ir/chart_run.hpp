@@ -91,8 +91,8 @@ struct ChartRun {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
         bool begins = false;  ///< a cycle begins
-        bool scans =
-            false;  ///< a scan of the task cycle begins; false for the scan at power-on, for which `starts` is true
+        /// A scan of the task cycle begins. False for the scan at power-on, for which `starts` is true.
+        bool scans = false;
         bool starts = false;         ///< true for the first evolution after power-on, in which all timers are false
         bool samples = false;        ///< inputs and timer outputs are sampled
         bool evolves = false;        ///< one evolution

@@ -182,6 +182,9 @@ struct Network {
 
 std::vector<std::string> verify(const Network& network);
 
+/// True if the edge calls the procedure, which may be invalid.
+bool has_call(const Network::Edge& edge, Id<Network::Procedure> procedure);
+
 /// Returns the value of `bound` for the arguments of `process`. A clock bound reads only constants.
 std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound);
 

@@ -72,8 +72,7 @@ ExitCode analyse_one(const Model& model, Id<Chart> chart, CommandContext& job, c
     if (job.options.output) deliver(text, job, streams);
     else streams.out << text;  // the printed text contains no control characters except colour codes
     if (job.options.sarif) add_findings(analysis, job.sources, job.reports->sarif);
-    for (const std::string& failure : analysis.failures)
-        streams.err << "grafverif: internal error: " << failure << '\n';
+    print_failures(analysis.failures, streams);
     return exit_code(analysis);
 }
 

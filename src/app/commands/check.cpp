@@ -14,6 +14,7 @@
 #include "app/reports.hpp"
 #include "app/system/watchdog.hpp"
 #include "app/traces.hpp"
+#include "ir/task_cycles.hpp"
 #include "report/json.hpp"
 #include "report/settings_text.hpp"
 #include "report/terminal.hpp"
@@ -93,8 +94,7 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
         print_why(*decided.why, requested.verbose, streams.out);
     if (requested.format == Format::Text && !requested.quiet) print_remedies(decided.trials, streams.out);
     streams.out.flush();
-    for (const std::string& failure : report.failures)
-        streams.err << "grafverif: internal error: " << printable(failure) << '\n';
+    print_failures(report.failures, streams);
     note_trace(report, job, streams);
     note(decided, model, job);
     const ExitCode code = app::exit_code(report, bounds.interrupted());
@@ -124,7 +124,8 @@ ExitCode check_one(const Model& model, CommandContext& job, ResourceLimits& boun
         requested.verbose || requested.format == Format::Json || requested.trace_vcd || requested.trace_svg;
     auto decided = decide(model, job, bounds, witnesses, streams);
     if (!decided) return ExitCode::Input;
-    const bool compares = requested.cycle == CycleTime::Both && decided->loop.valid();
+    const bool compares =
+        requested.cycle == CycleTime::Both && decided->loop.valid() && has_task_cycle(model.loops[decided->loop]);
     if (compares && !compare_with_cycle_zero(model, *decided, job, bounds, streams)) return ExitCode::Input;
     return show(*decided, model, job, bounds, streams);
 }

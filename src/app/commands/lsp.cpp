@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <istream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -91,13 +90,7 @@ ExitCode lsp(CommandContext& job, const Streams& streams) {
     if (job.options.response_timeout_ms)
         surroundings.response_timeout = std::chrono::milliseconds(*job.options.response_timeout_ms);
     const grafverif::lsp::Send send = [&](std::string_view bytes) { streams.out << bytes << std::flush; };
-    if (!streams.alone) {
-        const auto receive = [&](std::span<char> buffer) {
-            streams.in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-            return static_cast<std::size_t>(streams.in.gcount());
-        };
-        return code_of(grafverif::lsp::converse(receive, send, surroundings));
-    }
+    if (!streams.alone) return code_of(grafverif::lsp::converse(receive_from(streams.in), send, surroundings));
     const Interrupt interrupt;
     const CancellableInput input(interrupt.requested());
     Pages pages(job.options);

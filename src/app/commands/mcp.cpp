@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
-#include <istream>
 #include <mutex>
 #include <optional>
 #include <ostream>
@@ -42,8 +41,9 @@ ProgramResult execute_here(const grafverif::mcp::CommandRun& run) {
 
 /// Returns the absolute paths of the folders; nothing after an error.
 std::optional<std::vector<std::string>> folders_of(CommandContext& job) {
+    const std::vector<std::string> here = {"."};
     std::vector<std::string> folders;
-    for (const std::string& folder : job.options.operands) {
+    for (const std::string& folder : job.options.operands.empty() ? here : job.options.operands) {
         std::error_code failure;
         const std::filesystem::path resolved = std::filesystem::canonical(folder, failure);
         if (failure || !std::filesystem::is_directory(resolved, failure))
@@ -51,7 +51,6 @@ std::optional<std::vector<std::string>> folders_of(CommandContext& job) {
         else folders.push_back(resolved.string());
     }
     if (job.diagnostics.has_errors()) return {};
-    if (folders.empty()) folders.push_back(std::filesystem::canonical(".").string());
     return folders;
 }
 
@@ -77,11 +76,7 @@ ExitCode mcp(CommandContext& job, const Streams& streams) {
             const std::lock_guard hold(one);
             return execute_here(run);
         };
-        const auto receive = [&](std::span<char> buffer) {
-            streams.in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-            return static_cast<std::size_t>(streams.in.gcount());
-        };
-        grafverif::mcp::converse(receive, send, environment);
+        grafverif::mcp::converse(receive_from(streams.in), send, environment);
         return ExitCode::Done;
     }
     std::signal(SIGPIPE, SIG_IGN);  // if the client disappears, writing fails, and the running calls are cancelled
@@ -101,14 +96,11 @@ CliCommand mcp_usage() {
         0,
         any_number - 1,
         "run a server for assistants: read, draw, check, explain, simulate, analyse, compare, complete",
-        "Implements the Model Context Protocol (2024-11-05, 2025-03-26, 2025-06-18) on standard input and output, for "
-        "programs\n"
-        "that start it (docs/how-to/mcp.md has the configuration). Only files below the FOLDERs are read (default: "
-        "the\n"
-        "current directory), and nothing is written. Each call of a tool is executed by a separate process with its "
-        "own limits\n"
-        "of time and memory. --max-memory limits the server and is the largest memory limit that a call can request\n"
-        "(default: 8192M). The server exits when the client closes the stream.",
+        "Implements the Model Context Protocol (2024-11-05, 2025-03-26, 2025-06-18) on standard input and output,\n"
+        "for programs that start it (docs/how-to/mcp.md has the configuration). Only files below the FOLDERs are\n"
+        "read (default: the current directory), and nothing is written. Each call of a tool is executed by a\n"
+        "separate process with its own limits of time and memory. --max-memory limits the server and is the largest\n"
+        "memory limit that a call can request (default: 8192M). The server exits when the client closes the stream.",
         {"grafverif mcp", "grafverif mcp charts templates --timeout 2min"},
         {OptionGroup::Mcp}};
 }

@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "app/system/cancellable_input.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
-#include <system_error>
+#include <istream>
 
 namespace grafverif::app {
-
-CancellableInput::CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "no pipe");
-}
-
-CancellableInput::~CancellableInput() {
-    ::close(ends_[0]);
-    ::close(ends_[1]);
-}
 
 std::size_t CancellableInput::receive(std::span<char> buffer) const {
     // The interval is in milliseconds. Polling is necessary because a signal may interrupt another thread.
     constexpr int poll_interval = 200;
     while (!end_requested_) {
-        std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{ends_[0], POLLIN, 0}};
+        std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{pipe_.read.number(), POLLIN, 0}};
         const int ready = ::poll(waited.data(), waited.size(), poll_interval);
         if (ready < 0 && errno != EINTR) return 0;
         if (ready <= 0) continue;
@@ -38,7 +29,14 @@ std::size_t CancellableInput::receive(std::span<char> buffer) const {
 
 void CancellableInput::stop() const {
     const char any = 0;
-    [[maybe_unused]] const ssize_t written = ::write(ends_[1], &any, 1);
+    [[maybe_unused]] const ssize_t written = ::write(pipe_.write.number(), &any, 1);
+}
+
+rpc::Receive receive_from(std::istream& in) {
+    return [&in](std::span<char> buffer) {
+        in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+        return static_cast<std::size_t>(in.gcount());
+    };
 }
 
 }  // namespace grafverif::app

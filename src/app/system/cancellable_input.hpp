@@ -2,10 +2,13 @@
 // CancellableInput: standard input of a server, which a client may keep open without writing.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
+#include <iosfwd>
 #include <span>
+
+#include "pipeline/descriptor.hpp"
+#include "rpc/framing.hpp"
 
 namespace grafverif::app {
 
@@ -13,10 +16,7 @@ namespace grafverif::app {
 class CancellableInput {
 public:
     /// Throws std::system_error if the system refuses a pipe.
-    explicit CancellableInput(const std::atomic<bool>& end_requested);
-    ~CancellableInput();
-    CancellableInput(const CancellableInput&) = delete;
-    CancellableInput& operator=(const CancellableInput&) = delete;
+    explicit CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {}
 
     /// Waits for bytes and stores some of them. Returns their number; 0 at the end.
     std::size_t receive(std::span<char> buffer) const;
@@ -24,7 +24,10 @@ public:
 
 private:
     const std::atomic<bool>& end_requested_;
-    std::array<int, 2> ends_ = {};
+    Pipe pipe_ = make_pipe();
 };
+
+/// Returns a function that reads the stream. The stream must outlive the function.
+rpc::Receive receive_from(std::istream& in);
 
 }  // namespace grafverif::app

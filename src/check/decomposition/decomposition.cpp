@@ -11,6 +11,7 @@
 #include "check/shares.hpp"
 #include "check/timed/property_queries.hpp"
 #include "ir/network_subsystems.hpp"
+#include "ir/patterns.hpp"
 #include "support/element_of.hpp"
 
 namespace grafverif {
@@ -254,8 +255,7 @@ void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNum
             "no trace is given: combined with the other sub-loops, the trace would repeat only after very many steps");
         return;
     }
-    const bool maximal = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo ||
-                         verdict.pattern == Pattern::NoTimelock;
+    const bool maximal = is_liveness(verdict.pattern) || verdict.pattern == Pattern::NoTimelock;
     if (maximal && !verdict.run->loop) verdict.run = continued(network_, std::move(*verdict.run));
     if (verdict.run->moves.size() <= most_moves) return;
     verdict.run.reset();

@@ -7,6 +7,7 @@
 
 #include "check/decomposition/subsystem_runs.hpp"
 #include "check/decomposition/subsystem_searches.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif {
 
@@ -95,7 +96,7 @@ void InterleavedCheck::give(Id<Property> id, const Verdict& found, SearchScope s
 void InterleavedCheck::answer(Id<Property> id) {
     const Property& property = system_.properties[id];
     const PartList chosen = parts_.reads(property.operands);
-    const bool about_states = settled_separately(property.pattern);
+    const bool about_states = is_about_states(property.pattern);
     if (chosen == parts_.all()) return needs_complete(id, "");
     if (!about_states && !parts_.flat().justice.empty())
         return needs_complete(id, "fairness of a run depends on all sub-loops");

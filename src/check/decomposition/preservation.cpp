@@ -82,9 +82,7 @@ std::string because(const Verdict& verdict, bool at_stable) {
     return "shares only time with it and has no timelock";
 }
 
-bool settled_separately(Pattern pattern) {
-    return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
-}
+bool settled_separately(Pattern pattern) { return is_about_states(pattern); }
 
 void mark_vacuous(Verdict& verdict, const std::vector<const OmittedSubsystem*>& left_out) {
     const char* const why = "time does not pass in this model";

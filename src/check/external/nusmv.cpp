@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/evidence.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif {
 
@@ -211,8 +212,7 @@ std::optional<SystemRun> validated(Verdict& verdict, const NusmvOutput& answers,
     const bool reachable = pattern == Pattern::Reachable;
     verdict.outcome = truths.front() != reachable ? Outcome::Holds : Outcome::Violated;
     if (truths.front()) return {};
-    const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo ||
-                             pattern == Pattern::RawLtl || pattern == Pattern::RawCtl;
+    const bool about_paths = is_liveness(pattern) || pattern == Pattern::RawLtl || pattern == Pattern::RawCtl;
     const auto printed_trace = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
     const std::string why = !printed_trace ? "the program printed no trace for its verdict"
                                            : doubt(question.system, question.flat, question.property, *printed_trace);

@@ -31,12 +31,10 @@ void InputAbstractionCheck::collect() {
         if (is_of_loop && (is_limited || verdict.obstacle == UnknownReason::Inexact)) {
             if (property.pattern == Pattern::AlwaysPossible && (!property.at_stable || result_.settles))
                 possible.verdicts.push_back(k);
-            if ((property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo) &&
-                !property.at_stable)
-                response.verdicts.push_back(k);
+            if (is_liveness(property.pattern) && !property.at_stable) response.verdicts.push_back(k);
         }
         if (!is_limited) continue;
-        if (!is_about_single_states(property.pattern) && property.pattern != Pattern::ReachableAllSteps) continue;
+        if (!is_about_states(property.pattern)) continue;
         if (property.at_stable && !result_.settles) continue;
         explored_.push_back(k);
         Levels levels = first_levels(property, false);

@@ -35,10 +35,8 @@ bool has_local(const Network& network, const TimedOptions& options) {
     return terms_have_values(network) && std::ranges::any_of(network.properties, [&](const Property& property) {
                const Pattern pattern = property.pattern;
                return timed::is_selected(options, property) &&
-                      (is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps ||
-                       pattern == Pattern::NoDeadlock || pattern == Pattern::NoTimelock ||
-                       pattern == Pattern::AlwaysPossible || pattern == Pattern::Inevitable ||
-                       pattern == Pattern::LeadsTo);
+                      (is_about_states(pattern) || is_liveness(pattern) || pattern == Pattern::NoDeadlock ||
+                       pattern == Pattern::NoTimelock || pattern == Pattern::AlwaysPossible);
            });
 }
 

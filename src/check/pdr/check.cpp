@@ -11,6 +11,7 @@
 #include "check/pdr/pdr.hpp"
 #include "check/pdr/unrolling.hpp"
 #include "check/unsupported.hpp"
+#include "ir/patterns.hpp"
 #include "ir/probes.hpp"
 #include "support/element_of.hpp"
 
@@ -22,8 +23,7 @@ namespace {
 
 /// Returns the reason why this engine does not support a property, or an empty string if the engine supports it.
 std::string refusal(Pattern pattern) {
-    const bool about_runs =
-        pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
+    const bool about_runs = is_liveness(pattern) || pattern == Pattern::AlwaysPossible;
     return about_runs ? "a property of runs, but this engine decides only properties of states"
                       : unsupported_reason(pattern);
 }

@@ -84,7 +84,7 @@ std::vector<std::vector<AbstractState>> PropertyQueries::paths(Graph& graph) con
     std::vector<std::vector<AbstractState>> found;
     for (const PropertyQuery& question : questions_) {
         const Pattern pattern = question.property->pattern;
-        const bool single = is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
+        const bool single = is_about_states(pattern);
         const std::uint32_t state =
             single && question.watch != none ? watch_.found(question.watch) : PropertyMonitor::none;
         found.push_back(state == PropertyMonitor::none ? std::vector<AbstractState>{}

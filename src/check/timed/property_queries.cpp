@@ -97,15 +97,13 @@ void PropertyQueries::add_query(Id<Property> about, const Property& property) {
 bool PropertyQueries::follow_edges() const {
     return std::ranges::any_of(questions_, [](const PropertyQuery& question) {
         const Pattern pattern = question.property->pattern;
-        return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
+        return is_liveness(pattern) || pattern == Pattern::AlwaysPossible;
     });
 }
 
 bool PropertyQueries::are_about_single_states() const {
-    return std::ranges::all_of(questions_, [](const PropertyQuery& question) {
-        const Pattern pattern = question.property->pattern;
-        return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
-    });
+    return std::ranges::all_of(
+        questions_, [](const PropertyQuery& question) { return is_about_states(question.property->pattern); });
 }
 
 void PropertyQueries::compile(PropertyQuery& question) {

@@ -9,6 +9,7 @@
 #include <ostream>
 
 #include "emit/nusmv/text.hpp"
+#include "ir/patterns.hpp"
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"
 
@@ -113,8 +114,7 @@ void print_properties(std::ostream& out, const System& system, const Names& name
         const Specification made = specification(printer, property);
         out << '\n';
         print_heading(out, property, names.properties[id.index]);
-        const bool is_response = property.pattern == Pattern::LeadsTo || property.pattern == Pattern::Inevitable;
-        if (is_response && system.components.empty())
+        if (is_liveness(property.pattern) && system.components.empty())
             out << "-- this model has no plant; a response that depends on the plant requires `--plant automata`\n";
         out << made.keyword << " NAME " << names.properties[id.index] << " := " << made.formula << ";\n";
     }

@@ -7,6 +7,7 @@
 
 #include "emit/uppaal/text.hpp"
 #include "emit/uppaal/uppaal.hpp"
+#include "ir/task_cycles.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/constants.hpp"
 
@@ -95,9 +96,7 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
         << "// Time unit: " << duration_text(network.time_unit_ms) << ".\n"
         << (network.constants.empty() ? "" : "// Constants: " + constants_text(network.constants) + ".\n")
         << "// Assumed: a PLC cycle takes no time"
-        << (std::ranges::any_of(network.controllers, [](const auto& each) { return each.words.cycle.has_value(); })
-                ? ", and a clock begins the scans of a task cycle"
-                : "")
+        << (has_task_cycle(network) ? ", and a clock begins the scans of a task cycle" : "")
         << "; no time passes while the guard of an edge with `" << names.channel << "!` holds.\n";
     if (std::ranges::find(network.properties, Pattern::NoTimelock, &Property::pattern) == network.properties.end())
         out << "// Not part of this project: `no timelock`, which UPPAAL cannot express; `grafverif check` decides "
@@ -163,15 +162,25 @@ std::string_view purpose(const Network::Controller& controller, Id<Network::Proc
     return procedure == controller.write ? "the outputs of the new situation" : "";
 }
 
-void write_procedure(std::ostream& out, const Network& network, const Terms& terms, const std::string& name,
-                     const Network::Controller* controller, Id<Network::Template> automaton,
+/// Returns the state of the cycle in the target location of `edge`; empty if it needs no description.
+std::string_view phase_after(const Network::Controller& controller, const Network::Edge& edge) {
+    if (edge.to == controller.waiting) return {};
+    if (has_call(edge, controller.fire)) return "the inputs are sampled";
+    if (has_call(edge, controller.evolve)) return "the evolution is made";
+    return edge.calls.empty() && edge.from == controller.waiting ? "a cycle has begun" : "";
+}
+
+void write_procedure(std::ostream& out, const Network& network, const Names& names, Id<Network::Template> automaton,
                      Id<Network::Procedure> id) {
+    const Network::Controller* const controller = controller_of(network, automaton);
+    const Network::Procedure& procedure = network.templates[automaton].procedures[id];
+    const Terms terms(network, names, automaton);
     out << '\n';
     if (controller != nullptr)
         if (const std::string_view text = purpose(*controller, id); !text.empty()) out << "// " << text << '\n';
-    out << "void " << name << "() {\n";
+    out << "void " << names.locals[automaton.index].procedures[id.index] << "() {\n";
     std::string_view section;
-    for (const Network::Assignment& assignment : network.templates[automaton].procedures[id].assignments) {
+    for (const Network::Assignment& assignment : procedure.assignments) {
         const std::string_view heading = heading_of(network, controller, id, assignment);
         if (!heading.empty() && heading != section) out << "    // " << heading << '\n';
         section = heading;
@@ -198,17 +207,9 @@ std::string parameters_of_kind(const Network::Template& automaton, const LocalNa
 std::string phases_text(const Network& network, const LocalNames& names, const Network::Controller& controller) {
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
     std::string text = names.locations[controller.waiting.index] + ": between two cycles";
-    for (const Network::Edge& edge : automaton.edges) {
-        if (edge.to == controller.waiting) continue;
-        const auto calls = [&](Id<Network::Procedure> procedure) {
-            return std::ranges::find(edge.calls, procedure) != edge.calls.end();
-        };
-        const std::string_view phase = calls(controller.fire)     ? "the inputs are sampled"
-                                       : calls(controller.evolve) ? "the evolution is made"
-                                       : edge.calls.empty() && edge.from == controller.waiting ? "a cycle has begun"
-                                                                                               : "";
-        if (!phase.empty()) text += "; " + names.locations[edge.to.index] + ": " + std::string(phase);
-    }
+    for (const Network::Edge& edge : automaton.edges)
+        if (const std::string_view phase = phase_after(controller, edge); !phase.empty())
+            text += "; " + names.locations[edge.to.index] + ": " + std::string(phase);
     return text;
 }
 
@@ -305,9 +306,7 @@ void write_template_declarations(std::ostream& out, const Network& network, cons
     if (controller != nullptr && entity.locations.size() > 1)
         out << "// " << phases_text(network, local, *controller) << '\n';
     for (const std::string& clock : local.clocks) out << "clock " << clock << ";\n";
-    const Terms terms(network, names, automaton);
-    for (const Id<Network::Procedure> id : entity.procedures.ids())
-        write_procedure(out, network, terms, local.procedures[id.index], controller, automaton, id);
+    for (const Id<Network::Procedure> id : entity.procedures.ids()) write_procedure(out, network, names, automaton, id);
     for (const auto& [name, body] : guards) {
         out << "\nbool " << name << "() {\n";
         std::string_view lead = "    return ";

@@ -9,6 +9,7 @@
 #include "ir/network/variables.hpp"
 #include "ir/network_inputs.hpp"
 #include "ir/slots.hpp"
+#include "ir/task_cycles.hpp"
 
 namespace grafverif {
 
@@ -219,8 +220,7 @@ private:
 }  // namespace
 
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations) {
-    const auto has_cycle = [](const Network::Controller& controller) { return controller.words.cycle.has_value(); };
-    if (std::ranges::any_of(network.controllers, has_cycle)) return {};
+    if (has_task_cycle(network)) return {};
     const Finder finder(network, ablations);
     std::vector<AbstractableProcess> found;
     for (const Id<Network::Process> id : network.processes.ids())

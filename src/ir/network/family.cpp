@@ -8,13 +8,14 @@ namespace grafverif {
 
 namespace {
 
-/// Calls `visit` for each list of clock constraints of an expanded network, in the order of ClockConstants.
+/// Calls `visit` for each process of an expanded network and each list of its clock constraints, in the order of
+/// ClockConstants.
 template <class Of, class Visit>
 void for_each_list(Of& network, const Visit& visit) {
     for (auto& process : network.processes) {
         auto& automaton = network.templates[process.automaton];
-        for (auto& location : automaton.locations) visit(location.invariant);
-        for (auto& edge : automaton.edges) visit(edge.constraint);
+        for (auto& location : automaton.locations) visit(process, location.invariant);
+        for (auto& edge : automaton.edges) visit(process, edge.constraint);
     }
 }
 
@@ -26,18 +27,12 @@ bool has_upper(Op relation) { return relation != Op::Greater && relation != Op::
 FamilyMember member_of(const Network& network) {
     Network flat = expand(network);
     ClockConstants constants;
-    for (const Network::Process& process : flat.processes) {
-        const auto note = [&](const std::vector<Network::ClockConstraint>& list) {
-            for (const Network::ClockConstraint& constraint : list)
-                constants.push_back(bound_value(flat, process, constraint.bound));
-        };
-        const Network::Template& automaton = flat.templates[process.automaton];
-        for (const Network::Location& location : automaton.locations) note(location.invariant);
-        for (const Network::Edge& edge : automaton.edges) note(edge.constraint);
-    }
     const Id<Expr> none = flat.exprs.integer(0);
-    for_each_list(flat, [&](std::vector<Network::ClockConstraint>& list) {
-        for (Network::ClockConstraint& constraint : list) constraint.bound = none;
+    for_each_list(flat, [&](const Network::Process& process, std::vector<Network::ClockConstraint>& list) {
+        for (Network::ClockConstraint& constraint : list) {
+            constants.push_back(bound_value(flat, process, constraint.bound));
+            constraint.bound = none;
+        }
     });
     flat.constants.clear();
     return {expand(flat), std::move(constants)};  // the second expansion omits the terms of the constants
@@ -76,7 +71,7 @@ Relaxation relaxation_of(const Network& frame, const std::vector<const ClockCons
             made.greatest[i] = std::max(made.greatest[i], (*constants)[i]);
         }
     std::size_t next = 0;
-    for_each_list(frame, [&](const std::vector<Network::ClockConstraint>& list) {
+    for_each_list(frame, [&](const Network::Process&, const std::vector<Network::ClockConstraint>& list) {
         for (const Network::ClockConstraint& constraint : list) {
             if (!has_lower(constraint.relation)) made.least[next] = made.greatest[next];
             if (!has_upper(constraint.relation)) made.greatest[next] = made.least[next];
@@ -93,7 +88,7 @@ Network network_of(const Network& frame, const ClockConstants& constants) {
 Network network_of(const Network& frame, const Relaxation& relaxation) {
     Network network = frame;
     std::size_t next = 0;
-    for_each_list(network, [&](std::vector<Network::ClockConstraint>& list) {
+    for_each_list(network, [&](const Network::Process&, std::vector<Network::ClockConstraint>& list) {
         std::vector<Network::ClockConstraint> made;
         for (Network::ClockConstraint constraint : list) {
             const std::int64_t least = relaxation.least[next], greatest = relaxation.greatest[next];
@@ -113,7 +108,7 @@ Network network_of(const Network& frame, const Relaxation& relaxation) {
 
 ClockFacts::ClockFacts(const Network& network) {
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
-    for_each_list(network, [&](const std::vector<Network::ClockConstraint>& list) {
+    for_each_list(network, [&](const Network::Process&, const std::vector<Network::ClockConstraint>& list) {
         for (const Network::ClockConstraint& constraint : list)
             strict_ = strict_ || constraint.relation == Op::Less || constraint.relation == Op::Greater;
     });

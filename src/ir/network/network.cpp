@@ -246,6 +246,10 @@ private:
 
 std::vector<std::string> verify(const Network& network) { return Verifier(network).faults(); }
 
+bool has_call(const Network::Edge& edge, Id<Network::Procedure> procedure) {
+    return procedure.valid() && std::ranges::find(edge.calls, procedure) != edge.calls.end();
+}
+
 std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound) {
     const auto value = evaluate(network.exprs, bound, [&](const Expr& leaf) {
         assert(leaf.op == Op::Parameter);

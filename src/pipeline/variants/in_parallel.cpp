@@ -18,7 +18,7 @@ void in_parallel(std::size_t count, unsigned jobs, const std::function<bool()>& 
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::exception_ptr failure;
-    const auto serve = [&] {
+    const auto run_calls = [&] {
         try {
             for (std::size_t k = next++; k < count && !stopped(); k = next++) work(k);
         } catch (...) {
@@ -31,9 +31,9 @@ void in_parallel(std::size_t count, unsigned jobs, const std::function<bool()>& 
         std::vector<std::jthread> threads;
         try {
             for (std::size_t k = 0; k < std::min<std::size_t>(thread_count(jobs), count); ++k)
-                threads.emplace_back(serve);
+                threads.emplace_back(run_calls);
         } catch (const std::system_error&) {
-            if (threads.empty()) serve();
+            if (threads.empty()) run_calls();
         }
     }
     if (failure) std::rethrow_exception(failure);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks variants of a model in parallel.
+// Calls a function for a range of indices in several threads.
 #pragma once
 
 #include <cstddef>

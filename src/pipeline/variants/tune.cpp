@@ -55,6 +55,7 @@ struct Job {
     Indices points = {}, rows = {};
     std::vector<Verdict> verdicts = {};
     std::vector<std::string> failures = {};
+    std::optional<ClockFacts> facts = {};  ///< facts about the network; computed when they are first read
 };
 
 class Tuner {
@@ -159,20 +160,19 @@ private:
         const std::size_t point = tuning_.point(indices);
         if (!points_.known(point)) return;
         Job job = job_at(point);
-        job.rows.clear();
-        for (std::size_t row = 0; row < kinds_.size(); ++row) {
-            job.rows.push_back(row);
-            job.verdicts.push_back(report.answers[row].verdict);
-        }
+        for (const PropertyResult& answer : report.answers) job.verdicts.push_back(answer.verdict);
         apply(job);
     }
+
+    /// Returns the network that the job checks.
+    Network network_for(const Job& job) const { return network_of(points_.frame(job.points.front()), job.relaxation); }
 
     // -- transfers -------------------------------------------------------------------------------------------------
 
     std::size_t agreement(std::size_t row, std::size_t point) { return points_.agreement(point, kinds_[row].base); }
 
     /// Returns the network on which the property of a row is decided. The observers of checks of points have probes.
-    Network seen_by(std::size_t row, const Network& network, bool exact) const {
+    Network seen_by(std::size_t row, Network network, bool exact) const {
         if (!kinds_[row].watched) return network;
         const Vacuity vacuity = exact ? Vacuity::Probed : Vacuity::Ignored;
         for (const Id<Property> id : watched(network))
@@ -183,19 +183,20 @@ private:
     /// Returns the open points that agree with `point` on the property of the row.
     Indices open_points(std::size_t row, std::size_t point) {
         Indices found;
+        const std::size_t wanted = agreement(row, point);
         for (std::size_t other = 0; other < tuning_.points; ++other)
-            if (is_open(row, other) && agreement(row, other) == agreement(row, point)) found.push_back(other);
+            if (is_open(row, other) && agreement(row, other) == wanted) found.push_back(other);
         return found;
     }
 
-    void apply(const Job& job) {
+    void apply(Job& job) {
         tuning_.failures.insert(tuning_.failures.end(), job.failures.begin(), job.failures.end());
         for (const Verdict& verdict : job.verdicts)
             for (const std::size_t row : job.rows)
                 if (tuning_.rows[row].property == verdict.property) apply(job, row, verdict);
     }
 
-    void apply(const Job& job, std::size_t row, const Verdict& verdict) {
+    void apply(Job& job, std::size_t row, const Verdict& verdict) {
         const std::size_t first = job.points.front();
         // An unknown verdict on a relaxation is not a result.
         const PointVerdict made =
@@ -216,8 +217,7 @@ private:
     void transfer_run(const Job& job, std::size_t row, const Verdict& verdict) {
         const Indices candidates = nearest_points(job, row);
         if (candidates.empty()) return;
-        const Network from = network_of(points_.frame(job.points.front()), job.relaxation);
-        const Retiming retiming(seen_by(row, from, job.exact), *verdict.run);
+        const Retiming retiming(seen_by(row, network_for(job), job.exact), *verdict.run);
         std::size_t found = 0, failed = 0;
         for (const std::size_t point : candidates) {
             if (stopped() || failed > most_failures + 2 * found) return;
@@ -250,30 +250,30 @@ private:
         return points;
     }
 
-    void transfer_proof(const Job& job, std::size_t row, const Verdict& verdict) {
-        std::optional<ClockFacts> facts;
+    void transfer_proof(Job& job, std::size_t row, const Verdict& verdict) {
         for (const std::size_t point : job.points) {
-            if (!is_open(row, point)) continue;
-            if (!facts) facts.emplace(network_of(points_.frame(job.points.front()), job.relaxation));
-            if (!is_shared(row, verdict, *facts, point)) continue;
+            if (!is_open(row, point) || !is_shared(job, row, verdict, point)) continue;
             decide(row, point, {verdict.outcome});
             ++tuning_.transferred;
         }
     }
 
+    const ClockFacts& facts_of(Job& job) const { return job.facts ? *job.facts : job.facts.emplace(network_for(job)); }
+
     /// True if the verdict on the relaxation is also the verdict at the point (docs/explanation/parameters.md).
-    bool is_shared(std::size_t row, const Verdict& verdict, const ClockFacts& relaxed, std::size_t point) {
+    bool is_shared(Job& job, std::size_t row, const Verdict& verdict, std::size_t point) {
         const Pattern pattern = verdict.pattern;
         if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps)
             return verdict.outcome == Outcome::Violated;
         if (verdict.outcome != Outcome::Holds) return false;
         if (is_about_all_states(pattern)) return true;
         if (pattern == Pattern::NoTimelock)
-            return !verdict.abstraction && !verdict.scope.cells && points_.facts(point).releases_bounds_of(relaxed);
+            return !verdict.abstraction && !verdict.scope.cells &&
+                   points_.facts(point).releases_bounds_of(facts_of(job));
         const bool time_passes =
             timelock_ && tuning_.rows[*timelock_].verdicts[point].outcome == Outcome::Holds && !kinds_[row].watched;
-        if (pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo) return time_passes;
-        return pattern == Pattern::NoDeadlock && time_passes && points_.facts(point).keeps_edges_of(relaxed);
+        if (is_liveness(pattern)) return time_passes;
+        return pattern == Pattern::NoDeadlock && time_passes && points_.facts(point).keeps_edges_of(facts_of(job));
     }
 
     // -- search ----------------------------------------------------------------------------------------------------
@@ -428,7 +428,6 @@ private:
         return best;
     }
 
-    /// Checks the networks. A relaxation may have many more states than any point; therefore its check is limited.
     void check(std::vector<Job>& jobs) {
         options_.jobs = jobs.size() > 1 ? 1 : request_.jobs;
         in_parallel(
@@ -442,8 +441,9 @@ private:
         }});
     }
 
-    void check(Job& job) const {
-        const Network network = network_of(points_.frame(job.points.front()), job.relaxation);
+    /// The check of a relaxation is limited, because it may have many more states than any point.
+    void check(Job& job) {
+        const Network network = network_for(job);
         if (job.exact) return check_as_declared(network, job);
         if (!verify(network).empty()) return;  // an urgent edge may violate a relaxed invariant
         job.verdicts =
@@ -485,7 +485,7 @@ private:
     std::size_t decided_ = 0;             ///< number of decided verdicts
     std::optional<std::size_t> timelock_ = {};
     CheckOptions options_ = {};
-    mutable std::optional<VariantSearch> search_ = {};  ///< search of relaxations
+    std::optional<VariantSearch> search_ = {};  ///< search of relaxations
     /// Rows for which a relaxation was checked.
     std::map<std::pair<const Network*, Relaxation>, Indices> tried_ = {};
 };

@@ -98,7 +98,7 @@ bool TunePoints::read(const std::function<bool()>& stopped, Diagnostics& diagnos
 
 const ClockFacts& TunePoints::facts(std::size_t point) {
     Point& at = points_[point];
-    if (!at.facts) at.facts = std::make_unique<ClockFacts>(network(point));
+    if (!at.facts) at.facts.emplace(network(point));
     return *at.facts;
 }
 

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +39,7 @@ private:
     struct Point {
         std::optional<std::size_t> frame = {};
         ClockConstants constants = {};
-        std::unique_ptr<ClockFacts> facts = {};
+        std::optional<ClockFacts> facts = {};
     };
     /// Frames by hash.
     struct FrameSet {

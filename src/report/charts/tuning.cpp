@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-#include "report/report_source.hpp"
+#include "report/json_place.hpp"
 #include "report/settings_text.hpp"
 #include "support/json_text.hpp"
 #include "support/printable.hpp"
@@ -145,9 +145,7 @@ void print_row(const Tuning& tuning, const Row& row, bool map, std::ostream& out
 }  // namespace
 
 std::string value_text(const TunedConstant& constant, std::int64_t value) {
-    return constant.kind == NamedConstant::Kind::Duration && value == 0
-               ? "0s"
-               : value_text(NamedConstant{.name = constant.name, .kind = constant.kind, .value = value});
+    return value_text(NamedConstant{.name = constant.name, .kind = constant.kind, .value = value});
 }
 
 std::string point_text(const Tuning& tuning, std::size_t point) {
@@ -234,10 +232,7 @@ Json value_json(const TunedConstant& constant, std::int64_t value) {
 
 Json row_json(const Tuning& tuning, const Row& row, const Sources& sources) {
     Json made = {{"name", row.property}, {"text", text_or_null(row.text)}};
-    const auto where = file_place(sources, row.origin);
-    made["file"] = where ? Json(where->file) : Json(nullptr);
-    made["line"] = where ? Json(where->at.line) : Json(nullptr);
-    made["column"] = where ? Json(where->at.column) : Json(nullptr);
+    add_place(made, file_place(sources, row.origin));
     made["declared"] = row.declared;
     made["expected"] = row.expected_violated ? "violated" : "holds";
     made["current"] = word(row.current.outcome);

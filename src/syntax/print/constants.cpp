@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "syntax/print/constants.hpp"
 
+#include <charconv>
+
 #include "support/overloaded.hpp"
 #include "syntax/print/dialect.hpp"
 
@@ -13,6 +15,18 @@ std::string value_text(const NamedConstant& constant) {
     case NamedConstant::Kind::Duration: return duration_text(constant.value);
     }
     unreachable();
+}
+
+std::optional<std::int64_t> value_of(NamedConstant::Kind kind, const std::string& text) {
+    if (kind == NamedConstant::Kind::Boolean) {
+        if (text == "true" || text == "false") return text == "true";
+        return {};
+    }
+    if (kind == NamedConstant::Kind::Duration) return duration_ms(text);
+    std::int64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(text.data(), end, number);
+    return failure == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
 std::string constants_text(const std::vector<NamedConstant>& constants) {

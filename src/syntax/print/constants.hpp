@@ -2,6 +2,8 @@
 // Constants of a closed loop as text, such as `N = 4 (set), T = 3s`.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,8 @@ namespace grafverif {
 
 /// Returns the value as text such as `4`, `true` or `3s`.
 std::string value_text(const NamedConstant& constant);
+/// Parses a value such as `4`, `true` or `3s`. The result is empty if the text is not a value of this type.
+std::optional<std::int64_t> value_of(NamedConstant::Kind kind, const std::string& text);
 /// Returns a list of all constants, with a mark for constants that the user has set; empty if there are none.
 std::string constants_text(const std::vector<NamedConstant>& constants);
 

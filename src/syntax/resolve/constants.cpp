@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Resolves the named constants of a closed loop. The value of a constant may depend on earlier constants, and the user
 // can override it. Terms contain the value instead of the name, so that constants do not exist in later stages.
-#include <charconv>
+#include "syntax/print/constants.hpp"
+
 #include <string>
 #include <vector>
 
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
-#include "syntax/print/dialect.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 
 namespace grafverif {
@@ -23,20 +23,6 @@ TermKind kind_of(Named::Kind kind) {
     case Named::Kind::Duration: return TermKind::Duration;
     }
     unreachable();
-}
-
-/// Parses a value from the command line. The result is empty if the value does not have this type.
-std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) {
-    if (kind == Named::Kind::Boolean) {
-        if (text == "true" || text == "false") return text == "true";
-        return {};
-    }
-    std::int64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, number);
-    const bool whole = failure == std::errc() && stop == end;
-    if (kind == Named::Kind::Integer) return whole ? std::optional(number) : std::nullopt;
-    return duration_ms(text);
 }
 
 /// Returns the declared type, or the type of the value if none is declared, or nothing after an error.

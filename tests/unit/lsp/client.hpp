@@ -18,6 +18,7 @@
 
 #include "lsp/server.hpp"
 #include "lsp/text.hpp"
+#include "rpc/uri.hpp"
 
 namespace grafverif::lsp {
 
@@ -103,7 +104,8 @@ public:
     // -- sessions
     Json begin(const Json& capabilities = Json::object(), const std::string& folder = "") {
         Json params = {{"processId", nullptr}, {"rootUri", nullptr}, {"capabilities", capabilities}};
-        if (!folder.empty()) params["workspaceFolders"] = Json::array({{{"uri", uri_of_path(folder)}, {"name", "w"}}});
+        if (!folder.empty())
+            params["workspaceFolders"] = Json::array({{{"uri", rpc::uri_of_path(folder)}, {"name", "w"}}});
         Json answered = result("initialize", params);
         notify("initialized", Json::object());
         return answered;
@@ -183,7 +185,7 @@ public:
 
     const std::string& path() const { return path_; }
     std::string file(const std::string& name) const { return path_ + "/" + name; }
-    std::string uri(const std::string& name) const { return uri_of_path(file(name)); }
+    std::string uri(const std::string& name) const { return rpc::uri_of_path(file(name)); }
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(file(name), std::ios::binary) << text;
     }

@@ -61,11 +61,11 @@ TEST(LspText, IsChangedInPlaces) {
 
 TEST(LspText, NamesFilesByAddress) {
     const std::string path = "/a b/\u00E9%#.grafcet";
-    EXPECT_EQ(uri_of_path(path), "file:///a%20b/%C3%A9%25%23.grafcet");
-    EXPECT_EQ(path_of_uri(uri_of_path(path)), path);
-    EXPECT_EQ(path_of_uri("file://localhost/a%2"), "/a%2");
-    EXPECT_EQ(path_of_uri("untitled:Untitled-1"), "untitled:Untitled-1");
-    EXPECT_EQ(uri_of_path("untitled:Untitled-1"), "untitled:Untitled-1");
+    EXPECT_EQ(rpc::uri_of_path(path), "file:///a%20b/%C3%A9%25%23.grafcet");
+    EXPECT_EQ(rpc::path_of_uri(rpc::uri_of_path(path)), path);
+    EXPECT_EQ(rpc::path_of_uri("file://localhost/a%2"), "/a%2");
+    EXPECT_EQ(rpc::path_of_uri("untitled:Untitled-1"), "untitled:Untitled-1");
+    EXPECT_EQ(rpc::uri_of_path("untitled:Untitled-1"), "untitled:Untitled-1");
 }
 
 TEST(LspDiagnostics, FollowEdits) {

@@ -81,9 +81,10 @@ TEST(LspNames, LeadToTheirDeclarationAcrossIncludes) {
     Editor editor;
     const auto line = [&](const std::string& text) {
         const Json found = editor.at("textDocument/definition", "loop.grafcet", text);
-        return found.is_null() ? std::string("none")
-                               : path_of_uri(found["uri"].get<std::string>()).substr(editor.folder.path().size() + 1) +
-                                     ":" + std::to_string(found["range"]["start"]["line"].get<int>());
+        return found.is_null()
+                   ? std::string("none")
+                   : rpc::path_of_uri(found["uri"].get<std::string>()).substr(editor.folder.path().size() + 1) + ":" +
+                         std::to_string(found["range"]["start"]["line"].get<int>());
     };
     EXPECT_EQ(line(with(loop, "controller press", "controller pr@ess")), "press.grafcet:1");
     EXPECT_EQ(line(with(loop, "OUT = START", "OUT = ST@ART")), "press.grafcet:2");

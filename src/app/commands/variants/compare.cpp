@@ -154,8 +154,7 @@ ExitCode compare(CommandContext& job, const Streams& streams) {
     else streams.out << std::move(out).str();  // the printed text contains no control characters except colour codes
     ExitCode code = ExitCode::Done;
     for (const Comparison& found : all) {
-        for (const std::string& failure : found.failures)
-            streams.err << "grafverif: internal error: " << failure << '\n';
+        print_failures(found.failures, streams);
         code = worse(code, exit_code(found));
     }
     return code;

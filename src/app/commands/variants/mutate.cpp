@@ -219,10 +219,7 @@ private:
     /// mutant that needs many must not use the time of all others.
     static constexpr std::size_t most_shares = 8;
 
-    bool stopped() const {
-        return (limits_.stop != nullptr && limits_.stop->load()) ||
-               (limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline);
-    }
+    bool stopped() const { return is_over(limits_.deadline, limits_.stop); }
 
     void run_once() {
         in_parallel(
@@ -328,8 +325,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     mutation.possible = mutation.mutants.size();
     sample(mutation.mutants, job.options.limit.value_or(mutation.possible), job.options.seed);
     mutation.results.resize(mutation.mutants.size());
-    const ReadOptions read{
-        .include_folders = job.options.include_folders, .lossy = job.options.lossy, .constants = job.options.constants};
+    const ReadOptions read = read_options(job.options);
     MutantChecker bench(*model, *chart, main, job.sources, read, job.options.mode);
     StateFile state(job.options);
     if (!state.open(job.diagnostics)) return ExitCode::Input;
@@ -354,8 +350,7 @@ ExitCode mutate(CommandContext& job, const Streams& streams) {
     else print_mutation(mutation, job.sources, out);
     deliver(std::move(out).str(), job, streams);
     for (const auto& mutant_result : mutation.results)
-        for (const std::string& failure : mutant_result ? mutant_result->failures : std::vector<std::string>{})
-            streams.err << "grafverif: internal error: " << failure << '\n';
+        if (mutant_result) print_failures(mutant_result->failures, streams);
     return exit_code(mutation, stopped);
 }
 

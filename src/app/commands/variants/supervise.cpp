@@ -256,19 +256,17 @@ ExitCode supervise(CommandContext& job, const Streams& streams) {
     if (!loop) return ExitCode::Input;
     const ResourceLimits bounds(job.options, streams);
     const Options& options = job.options;
-    const SuperviseRequest request{
-        .properties = options.properties,
-        .marked = options.marked,
-        .transitions = options.held != Held::Outputs,
-        .outputs = options.held != Held::Transitions,
-        .mode = options.mode,
-        .read = {.include_folders = options.include_folders, .lossy = options.lossy, .constants = options.constants},
-        .limits = bounds.limits()};
+    const SuperviseRequest request{.properties = options.properties,
+                                   .marked = options.marked,
+                                   .transitions = options.held != Held::Outputs,
+                                   .outputs = options.held != Held::Transitions,
+                                   .mode = options.mode,
+                                   .read = read_options(options),
+                                   .limits = bounds.limits()};
     auto found = supervised(*model, *loop, *job.sources.ids().begin(), job.sources, request, job.diagnostics);
     if (!found) return ExitCode::Input;
     found->reason = with_remedy(with_who_stopped(std::move(found->reason), bounds.interrupted(), options), options);
-    for (const std::string& failure : found->failures)
-        streams.err << "grafverif: internal error: " << printable(failure) << '\n';
+    print_failures(found->failures, streams);
     if (!found->failures.empty()) return ExitCode::Failure;
     work_is_done();
     if (!write_chart(*found, job, streams)) return ExitCode::Input;

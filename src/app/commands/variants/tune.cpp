@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -19,7 +17,7 @@
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
 #include "support/printable.hpp"
-#include "syntax/print/dialect.hpp"
+#include "syntax/print/constants.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
@@ -91,14 +89,6 @@ private:
         return {};
     }
 
-    static std::optional<std::int64_t> value(NamedConstant::Kind kind, const std::string& text) {
-        if (kind == NamedConstant::Kind::Duration) return duration_ms(text);
-        std::int64_t number = 0;
-        const char* const end = text.data() + text.size();
-        const auto [stop, failure] = std::from_chars(text.data(), end, number);
-        return failure == std::errc() && stop == end ? std::optional(number) : std::nullopt;
-    }
-
     std::optional<TunedConstant> read(const WrittenRange& written, const NamedConstant& constant) {
         const bool duration = constant.kind == NamedConstant::Kind::Duration;
         const auto wrong = [&](std::string_view problem, std::string_view remedy) {
@@ -108,9 +98,9 @@ private:
         if (constant.kind == NamedConstant::Kind::Boolean)
             return wrong(fmt::format("the constant `{}` is a truth value", constant.name),
                          "`--over` accepts numbers and durations; compare `--set` with `true` and `false`");
-        const auto low = value(constant.kind, written.low), high = value(constant.kind, written.high);
+        const auto low = value_of(constant.kind, written.low), high = value_of(constant.kind, written.high);
         const auto step = written.step.empty() ? std::optional<std::int64_t>(duration ? 1000 : 1)
-                                               : value(constant.kind, written.step);
+                                               : value_of(constant.kind, written.step);
         if (!low || !high || !step)
             return wrong(fmt::format("the constant `{}` is {} and cannot have the values `{}{}{}`", constant.name,
                                      duration ? "a duration" : "an integer", printable(written.values()),
@@ -173,13 +163,12 @@ ExitCode tune(CommandContext& job, const Streams& streams) {
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
     if (!loop) return ExitCode::Input;
     const Options& options = job.options;
-    TuneRequest request{
-        .constants = RangeReader(model->loops[*loop], job).read(),
-        .properties = options.properties,
-        .how = model_options(options),
-        .read = {.include_folders = options.include_folders, .lossy = options.lossy, .constants = options.constants},
-        .jobs = options.jobs,
-        .every_point = options.tune.every_point};
+    TuneRequest request{.constants = RangeReader(model->loops[*loop], job).read(),
+                        .properties = options.properties,
+                        .how = model_options(options),
+                        .read = read_options(options),
+                        .jobs = options.jobs,
+                        .every_point = options.tune.every_point};
     if (request.constants.empty()) return ExitCode::Input;
     const ResourceLimits bounds(options, streams);
     request.limits = bounds.limits();
@@ -188,8 +177,7 @@ ExitCode tune(CommandContext& job, const Streams& streams) {
     const bool stopped = bounds.interrupted() || is_over(request.limits.deadline);
     if (stopped) found->reasons.front() = with_who_stopped("stopped", bounds.interrupted(), options);
     found->reasons.front() = with_remedy(found->reasons.front(), options);
-    for (const std::string& failure : found->failures)
-        streams.err << "grafverif: internal error: " << printable(failure) << '\n';
+    print_failures(found->failures, streams);
     work_is_done();
     std::ostringstream out;
     if (options.format == Format::Json) out << tuning_json(*found, job.sources) << '\n';
