@@ -13,6 +13,38 @@
 
 namespace grafverif {
 
+/// Reads the fields of a text sequentially. A field that begins with a quote may extend over several lines.
+class CsvScanner {
+public:
+    struct Field {
+        std::string text = {};
+        std::size_t begin = 0, end = 0;  ///< place in the text
+    };
+
+    explicit CsvScanner(std::string_view text, char separator = ',', std::size_t at = 0)
+        : text_(text), separator_(separator), at_(at) {}
+
+    /// Reads a field up to the next separator or line end.
+    Field field();
+    /// Reads a separator; returns false if there is none here.
+    bool separator() { return at({&separator_, 1}) && ++at_ != 0; }
+    void skip_line_ends();
+    bool at_end() const { return at_ >= text_.size(); }
+    std::size_t place() const { return at_; }
+
+private:
+    bool at(std::string_view any) const { return !at_end() && any.find(text_[at_]) != std::string_view::npos; }
+    bool at_blank() const { return at(" \t") && text_[at_] != separator_; }
+    std::string quoted();
+
+    std::string_view text_;
+    char separator_;
+    std::size_t at_;
+};
+
+/// Returns the separator of a row: the semicolon if there is one and no comma, otherwise the comma.
+char csv_separator(std::string_view line);
+
 struct CsvField {
     std::string text = {};
     Span where = {};
@@ -29,19 +61,17 @@ public:
     /// Reads the next row; returns false at the end of the table.
     bool next(CsvRow& row);
 
-    Span here() const { return {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)}; }
+    Span here() const {
+        const auto place = static_cast<std::uint32_t>(scanner_.place());
+        return {source_, place, place};
+    }
 
 private:
-    bool at_end() const { return at_ >= text_.size(); }
-    bool at(std::string_view any) const { return !at_end() && any.find(text_[at_]) != std::string_view::npos; }
     CsvField field();
-    std::string quoted();
 
     Id<Source> source_;
-    std::string_view text_;
-    char separator_ = ',';
+    CsvScanner scanner_;
     char comment_;
-    std::size_t at_ = 0;
 };
 
 }  // namespace grafverif
