@@ -48,15 +48,20 @@ std::string device_and_node(const struct stat& status) { return fmt::format("{}:
 
 }  // namespace
 
-std::optional<std::string> content_of_file(const fs::path& path, std::string& why, std::uintmax_t most) {
+Descriptor open_regular(const fs::path& path, std::string& why) {
     struct stat status = {};
-    if (::stat(path.c_str(), &status) != 0) return why = reason(errno), std::nullopt;
+    if (::stat(path.c_str(), &status) != 0) return why = reason(errno), Descriptor();
     if (!S_ISREG(status.st_mode))
-        return why = kind_of(status.st_mode), std::nullopt;  // opening a device may have side effects
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
-    if (!file.open() || ::fstat(file.number(), &status) != 0) return why = reason(errno), std::nullopt;
-    if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;
-    return read_descriptor(file.number(), why, most);
+        return why = kind_of(status.st_mode), Descriptor();  // opening a device may have side effects
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+    if (!file.open() || ::fstat(file.number(), &status) != 0) return why = reason(errno), Descriptor();
+    if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), Descriptor();
+    return file;
+}
+
+std::optional<std::string> content_of_file(const fs::path& path, std::string& why, std::uintmax_t most) {
+    const Descriptor file = open_regular(path, why);
+    return file.open() ? read_descriptor(file.number(), why, most) : std::nullopt;
 }
 
 std::optional<int> own_descriptor(const fs::path& path) {

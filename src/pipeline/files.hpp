@@ -12,9 +12,15 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/descriptor.hpp"
+
 namespace grafverif {
 
 inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;  ///< maximum size of an input file in bytes
+
+/// Opens the regular file at `path` for reading. The descriptor is not open if the file is missing, unreadable or not a
+/// regular file (folder, pipe, device); `why` then has the reason. Never blocks.
+Descriptor open_regular(const std::filesystem::path& path, std::string& why);
 
 /// Returns the content of the regular file at `path`. The result is empty if the file is missing, unreadable, larger
 /// than `most` bytes, or not a regular file (folder, pipe, device); `why` then has the reason. Never blocks.

@@ -13,7 +13,7 @@ namespace grafverif::app {
 std::size_t CancellableInput::receive(std::span<char> buffer) const {
     // The interval is in milliseconds. Polling is necessary because a signal may interrupt another thread.
     constexpr int poll_interval = 200;
-    while (!end_requested_) {
+    while (!is_over(deadline_, &end_requested_)) {
         std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{pipe_.read.number(), POLLIN, 0}};
         const int ready = ::poll(waited.data(), waited.size(), poll_interval);
         if (ready < 0 && errno != EINTR) return 0;

@@ -7,16 +7,18 @@
 #include <iosfwd>
 #include <span>
 
+#include "check/shares.hpp"
 #include "pipeline/descriptor.hpp"
 #include "rpc/framing.hpp"
 
 namespace grafverif::app {
 
-/// Reads standard input until `end_requested` is true. A call of `stop` ends the wait for input.
+/// Reads standard input until `end_requested` is true or the deadline is over. A call of `stop` ends the wait for input.
 class CancellableInput {
 public:
     /// Throws std::system_error if the system refuses a pipe.
-    explicit CancellableInput(const std::atomic<bool>& end_requested) : end_requested_(end_requested) {}
+    explicit CancellableInput(const std::atomic<bool>& end_requested, Deadline deadline = {})
+        : end_requested_(end_requested), deadline_(deadline) {}
 
     /// Waits for bytes and stores some of them. Returns their number; 0 at the end.
     std::size_t receive(std::span<char> buffer) const;
@@ -24,6 +26,7 @@ public:
 
 private:
     const std::atomic<bool>& end_requested_;
+    Deadline deadline_;
     Pipe pipe_ = make_pipe();
 };
 
