@@ -176,6 +176,7 @@ ParsedOptions parse_options(const CliCommand& verb, std::span<const std::string>
     if (options.help) return {options, {}, former_names};
     options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, OptionGroup::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
+    if (accepts(verb, OptionGroup::Log) && !options.log) return {{}, "`--log FILE` is missing"};
     if (options.format == Format::Sarif) {  // `--format sarif -o FILE` is equivalent to `--sarif FILE`
         options.sarif = options.output.value_or("-");
         options.output.reset();

@@ -71,8 +71,9 @@ struct Options {
     std::optional<std::uint64_t> resolution_ms = {};  ///< option of `compare`
     bool settled = false;                             ///< option of `compare`: compare after programs have settled
     bool imported_charts = false;                     ///< option of `compare`: import charts of IEC 61131-3
-    std::vector<std::string> renamings = {}, ignored_outputs = {};  ///< options of `compare`
-    std::string stop_output = {};                                   ///< option of `compare`
+    std::vector<std::string> renamings = {},
+                             ignored_outputs = {};  ///< options of `compare`; renamings also of `replay`
+    std::string stop_output = {};                   ///< option of `compare`
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     CycleTime cycle = CycleTime::Task;
@@ -135,6 +136,8 @@ struct Options {
         {};                                            ///< `test`: limit for one response; `serve`: limit for one check
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
     std::uint64_t max_evolutions = 1000;               ///< option of `st`; at most 32 bits
+    std::optional<std::string> log = {};               ///< option of `replay`
+    std::optional<std::uint64_t> jitter_ms = {};       ///< option of `replay` and `monitor`
     std::optional<std::string> script = {};            ///< option of `simulate`
     std::optional<std::string> exclusions = {};        ///< option of `analyse`
     std::optional<std::uint64_t> random_seed = {};
@@ -168,6 +171,7 @@ inline constexpr std::array path_options = {
     PathOption{"survivors", &Options::survivors, PathUse::WrittenFolder},
     PathOption{"script", &Options::script, PathUse::Read},
     PathOption{"sequence", &Options::sequence, PathUse::Read},
+    PathOption{"log", &Options::log, PathUse::Read},
     PathOption{"exclusions", &Options::exclusions, PathUse::Read},
     PathOption{"properties", &Options::property_file, PathUse::Read},
 };
@@ -229,6 +233,8 @@ enum class OptionGroup {
     Date,
     Drawing,
     Compare,
+    Log,
+    Recording,
     Mutants,
     Serve,
     Lsp,

@@ -63,6 +63,8 @@ constexpr std::array entries = {
     Entry{testgen_usage, testgen},
     Entry{plc_usage, plc},
     Entry{test_usage, test},
+    Entry{replay_usage, replay},
+    Entry{monitor_usage, monitor},
     Entry{st_usage, st},
     Entry{manual_usage, manual},
     Entry{completion_usage, completion},

@@ -21,6 +21,7 @@ namespace {
 std::string validate_input(const CliCommand& verb, const Options& options) {
     std::vector<std::string> readers;
     if (accepts(verb, OptionGroup::Clock) && !accepts(verb, OptionGroup::Bench)) readers.push_back("the scans");
+    if (accepts(verb, OptionGroup::Recording) && !accepts(verb, OptionGroup::Log)) readers.push_back("the samples");
     if (accepts(verb, OptionGroup::Walk) && !options.script && !options.random_seed)
         readers.push_back("the commands (without `--script`)");
     if (accepts(verb, OptionGroup::File))

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Texts of diagnostics about tests, test tables and Structured Text.
+// Texts of diagnostics about tests, test tables, recordings and Structured Text.
 #include "support/messages.hpp"
 
 #include <fmt/format.h>
 
 #include "support/messages_choice.hpp"
+#include "support/messages_log.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -66,6 +67,35 @@ Diagnostic misplaced_activation(Span where) {
     return error("bad-sequence", where,
                  "step 0 is misplaced or has other values than the scan that activates the initial steps; make it the "
                  "first row of its sequence, with one cycle and the inputs of step 1");
+}
+
+// -- recordings --
+
+Diagnostic bad_log(Span where, std::string_view problem) { return error("bad-log", where, std::string(problem)); }
+
+Diagnostic unrecorded_inputs(Span where, std::string_view chart, std::string_view names) {
+    return error("unrecorded", where,
+                 fmt::format("the log has no column for {} of `{}`; record each input, or pass `--map COLUMN=NAME`",
+                             names, clipped(chart)));
+}
+
+Diagnostic no_recorded_output(Span where, std::string_view chart) {
+    return error(
+        "unrecorded", where,
+        fmt::format("the log has no column for an output of `{}`; record an output, or pass `--map COLUMN=NAME`",
+                    clipped(chart)));
+}
+
+Diagnostic unrecorded_outputs(std::string_view chart, std::string_view names) {
+    return warning(
+        "unrecorded", {},
+        fmt::format("the log has no column for {} of `{}`, which {} not checked; record each output, or pass "
+                    "`--map COLUMN=NAME`",
+                    names, clipped(chart), names.find(", ") == std::string_view::npos ? "is" : "are"));
+}
+
+Diagnostic ignored_columns(Span where, std::string_view names) {
+    return note(where, fmt::format("ignored, because no checked chart has such an input or output: {}", names));
 }
 
 // -- charts that cannot be compared --

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads tables and lines: tests and exclusions in CSV, lines of the test protocol, and interactive commands.
+// Reads tables and lines: tests and exclusions in CSV, recordings, lines of the test protocol, and interactive
+// commands.
 #include <sstream>
 
 #include "fuzz/common.hpp"
@@ -27,10 +28,11 @@ const Chart& press() {
 }
 
 /// Checks that messages about unknown lines contain no control characters.
-std::string session_complaint(const std::string& verb, std::string_view typed) {
+std::string session_complaint(std::vector<std::string> words, std::string_view typed) {
     static const app::Folder folder;
     static const std::string file = folder.write("press.grafcet", press_text);
-    const app::Result result = app::grafverif({verb, file}, std::string(typed));
+    words.insert(words.begin() + 1, file);
+    const app::Result result = app::grafverif(words, std::string(typed));
     if (result.code == app::ExitCode::Failure) return "internal error:\n" + result.out + result.err;
     for (const std::string* text : {&result.out, &result.err})
         for (const char byte : *text)
@@ -92,8 +94,12 @@ std::string scan_complaint(std::string_view bytes) {
     return {};
 }
 
-std::string plc_complaint(std::string_view bytes) { return session_complaint("plc", bytes); }
+std::string plc_complaint(std::string_view bytes) { return session_complaint({"plc"}, bytes); }
+std::string monitor_complaint(std::string_view bytes) {
+    const std::string complaint = session_complaint({"monitor"}, bytes);
+    return complaint.empty() ? session_complaint({"replay", "--log=-"}, bytes) : complaint;
+}
 
-std::string simulate_complaint(std::string_view bytes) { return session_complaint("simulate", bytes); }
+std::string simulate_complaint(std::string_view bytes) { return session_complaint({"simulate"}, bytes); }
 
 }  // namespace grafverif::fuzz

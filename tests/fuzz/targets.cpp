@@ -17,6 +17,7 @@ std::span<const Target> targets() {
         Target{"exclusions", exclusions_complaint},
         Target{"scan", scan_complaint},
         Target{"plc", plc_complaint},
+        Target{"monitor", monitor_complaint},
         Target{"simulate", simulate_complaint},
         Target{"nusmv", nusmv_complaint},
         Target{"verifyta", verifyta_complaint},

@@ -29,6 +29,7 @@ std::string test_table_complaint(std::string_view bytes);
 std::string exclusions_complaint(std::string_view bytes);
 std::string scan_complaint(std::string_view bytes);
 std::string plc_complaint(std::string_view bytes);
+std::string monitor_complaint(std::string_view bytes);
 std::string simulate_complaint(std::string_view bytes);
 std::string nusmv_complaint(std::string_view bytes);
 std::string verifyta_complaint(std::string_view bytes);

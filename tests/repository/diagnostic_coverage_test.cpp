@@ -38,7 +38,8 @@ const std::set<std::string> of_the_world = {
     "cannot-listen",     "missing-folder",  "not-in-depfile",     "not-comparable",         "beyond-32-bits",
     "not-a-state-file",  "other-format",    "threads-refused",    "not-in-program",         "recursive-unit",
     "program-too-large", "unbounded-loop",  "no-program",         "several-programs",       "bad-property",
-    "deprecated-option", "not-standard",    "cycle-without-time", "undocumented-reading"};
+    "deprecated-option", "not-standard",    "cycle-without-time", "undocumented-reading",   "bad-log",
+    "unrecorded"};
 
 TEST(Repository, EveryDiagnosticHasATest) {
     const std::set<std::string> all = codes();

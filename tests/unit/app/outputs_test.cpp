@@ -362,6 +362,8 @@ Words call(const CliCommand& verb, const std::string& file, const Folder& folder
     if (accepts(verb, OptionGroup::OutputDirectory)) words.insert(words.end(), {"-o", folder.file("")});
     if (accepts(verb, OptionGroup::Mutants)) words.insert(words.end(), {"--limit", "1"});
     if (accepts(verb, OptionGroup::Tuning)) words.insert(words.end(), {"--over", "GAP=1s..2s"});
+    if (accepts(verb, OptionGroup::Log))
+        words.insert(words.end(), {"--log", folder.write("log.csv", "time,x,L\n0,0,0\n")});
     return words;
 }
 
@@ -374,7 +376,8 @@ TEST(StandardInput, IsReadOrRejectedByNameInEveryCommandThatReadsAFile) {
             const Folder folder;
             const Result result = grafverif(call(verb, name, folder), violated);
             reading += result.code != ExitCode::Input ? 1 : 0;
-            const bool has_no_other = verb.name != "plc" && verb.name != "serve" && verb.name != "import";
+            const bool has_no_other =
+                verb.name != "plc" && verb.name != "monitor" && verb.name != "serve" && verb.name != "import";
             EXPECT_EQ(result.code != ExitCode::Input, has_no_other) << result.err;
             EXPECT_TRUE(result.code != ExitCode::Input || result.err.find("standard input") != std::string::npos ||
                         result.err.find("[nothing-to-import]") != std::string::npos)
@@ -430,6 +433,7 @@ void with_each_path_option(const Folder& folder, const std::string& file, const 
                 words.resize(2);
             if (accepts(verb, OptionGroup::Walk) && option.name == "junit")
                 words.insert(words.end(), {"--script", folder.write("s.txt", "expect X0\n")});
+            if (option.name == "log") words.resize(2);
             if (option.name == "depfile") words.insert(words.end(), {"--depfile-target", "x"});
             if (option.name == "output" && accepts(verb, OptionGroup::OutputDirectory)) words.resize(2);
             words.push_back("--" + option.name);

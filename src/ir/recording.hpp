@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// RecordingVerdict: result of the check of a recording of inputs and outputs against a chart. The definition of an
+// admissible timing is in run/recording/recording_check.hpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/ir/chart_run.hpp"
+
+namespace grafverif {
+
+/// The first part of a recording that no admissible timing explains, and the last output that the timing with the
+/// longest explained part does not explain.
+struct Deviation {
+    std::int64_t time_us = 0;     ///< time of the recorded change, or of the change of the chart
+    std::uint64_t line = 0;       ///< line of the recorded value
+    std::string output = {};      ///< name in the chart
+    std::int64_t recorded = 0;    ///< recorded value
+    std::int64_t allowed = 0;     ///< value of the chart in this timing
+    bool missing_change = false;  ///< true: the chart changes the output; false: the recording changes it
+    std::string situation = {};   ///< active steps, such as `{2, 5}`
+    ChartRun run = {};            ///< last instants of this timing
+    bool run_is_complete = true;  ///< false if the run does not begin at power-on
+
+    bool operator==(const Deviation&) const = default;
+};
+
+struct RecordingVerdict {
+    enum class Kind { Conforms, Deviates, Unknown };
+    std::string chart = {};
+    Kind kind = Kind::Conforms;
+    std::string reason = {};                   ///< for Unknown
+    std::optional<Deviation> deviation = {};   ///< for Deviates
+    std::vector<std::string> unrecorded = {};  ///< outputs that the recording does not contain
+
+    bool operator==(const RecordingVerdict&) const = default;
+};
+
+/// A state property of a closed loop that reads only recorded variables.
+struct RecordedProperty {
+    std::string name = {};
+    std::string loop = {};
+    bool violated = false;
+    std::int64_t time_us = 0;  ///< if violated: time of the first values that violate it
+    std::uint64_t line = 0;    ///< if violated: line of these values
+
+    bool operator==(const RecordedProperty&) const = default;
+};
+
+/// Verdicts of several charts for one recording.
+struct RecordingReport {
+    std::string log = {};  ///< name of the log
+    std::int64_t jitter_us = 0;
+    std::uint64_t samples = 0;               ///< number of samples that were read
+    std::int64_t first_us = 0, last_us = 0;  ///< times of the first and the last of these samples
+    bool stopped = false;                    ///< true if a limit or the user ended the check before the end of the log
+    std::vector<RecordingVerdict> verdicts = {};
+    std::vector<RecordedProperty> properties = {};
+
+    bool operator==(const RecordingReport&) const = default;
+};
+
+/// Returns `conforms`, `deviates` or `unknown`.
+constexpr std::string_view word(RecordingVerdict::Kind kind) {
+    switch (kind) {
+    case RecordingVerdict::Kind::Conforms: return "conforms";
+    case RecordingVerdict::Kind::Deviates: return "deviates";
+    case RecordingVerdict::Kind::Unknown: break;
+    }
+    return "unknown";
+}
+
+}  // namespace grafverif

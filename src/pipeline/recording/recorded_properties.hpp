@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Checks state properties of closed loops on recorded values. A property is violated if its condition is false for
+// recorded values that do not change for more than four times the jitter. Shorter combinations can result from the
+// delays of the recording and are not reported. The result assumes that no pulse of an output is missing in the recording.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/closed_loop.hpp"
+#include "ir/recording.hpp"
+
+namespace grafverif {
+
+class RecordedProperties {
+public:
+    /// `names` contains for each column the name of its variable. Selects the properties `always`, `never` and `exactly
+    /// one of` of all loops that read only these variables. `model` must outlive the object.
+    RecordedProperties(const Model& model, const std::vector<std::string>& names, std::int64_t jitter_us);
+
+    /// Sets a value of the sample at `time_us`. Times do not decrease.
+    void set(std::size_t column, std::int64_t value, std::int64_t time_us, std::uint64_t line);
+    /// Ends the sample at `time_us`: reports the properties that were violated up to this time.
+    void pass(std::int64_t time_us);
+
+    const std::vector<RecordedProperty>& results() const { return results_; }
+
+private:
+    struct Checked {
+        const ClosedLoop* loop = nullptr;
+        Id<Property> property = {};
+        std::vector<std::size_t> column_of = {};  ///< for each symbol of the loop: its column
+        std::vector<bool> reads = {};             ///< for each column
+        std::int64_t since_us = 0;                ///< time of the last change of a variable that the property reads
+        std::uint64_t line = 0;
+        bool pending = true;  ///< true if the values since `since_us` have not been evaluated
+    };
+
+    bool holds(const Checked& checked) const;
+
+    std::int64_t jitter_us_;
+    std::vector<std::optional<std::int64_t>> values_;  ///< for each column; empty before its first value
+    std::vector<Checked> checked_ = {};
+    std::vector<RecordedProperty> results_ = {};
+};
+
+}  // namespace grafverif

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/recording/recording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "check/shares.hpp"
+#include "pipeline/recording/recorded_properties.hpp"
+#include "read/recording/log_reader.hpp"
+#include "run/recording/recording_check.hpp"
+#include "run/scanner.hpp"
+#include "support/messages_choice.hpp"
+#include "support/messages_log.hpp"
+#include "support/wording.hpp"
+#include "syntax/resolve/nearest_of.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Variable = Id<Chart::Variable>;
+
+std::string list_of(const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 8;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(names.size(), shown); ++k)
+        text += fmt::format("{}`{}`", k == 0 ? "" : ", ", messages::clipped(names[k]));
+    return text + (names.size() > shown ? fmt::format(", and {} more", names.size() - shown) : "");
+}
+
+std::vector<std::string> names_of(const Chart& chart, const std::vector<Variable>& variables) {
+    std::vector<std::string> names;
+    for (const Variable id : variables) names.push_back(chart.variables[id].name);
+    return names;
+}
+
+/// One of the checked charts.
+struct CheckedChart {
+    const Chart* chart = nullptr;
+    std::vector<Variable> variable_of = {};    ///< for each column: its variable, or an invalid id
+    std::vector<std::size_t> column_of = {};   ///< for each variable: its column + 1, or 0
+    std::vector<std::string> unrecorded = {};  ///< outputs without column
+    std::unique_ptr<RecordingCheck> check = {};
+    RecordedSample sample = {};  ///< values with the time of the last row
+    bool decided = false;
+};
+
+class RecordingReader {
+public:
+    RecordingReader(LogBlocks log, const std::string& name, const RecordingOptions& options, Sources& sources,
+                    Diagnostics& diagnostics)
+        : reader_(std::move(log), name, sources, diagnostics),
+          options_(options),
+          diagnostics_(diagnostics),
+          errors_(diagnostics.errors()) {
+        report_.log = name;
+        report_.jitter_us = options.jitter_ms * 1000;
+    }
+
+    std::optional<RecordingReport> run(const Model& model, const std::vector<Id<Chart>>& charts) {
+        if (options_.stop_early) reader_.stop_at_error();
+        if (!reader_.open()) return {};
+        for (const Id<Chart> id : charts) charts_.push_back(bound(model.charts[id]));
+        check_names();
+        if (failed()) return {};
+        std::vector<std::string> names;
+        for (std::size_t k = 0; k < reader_.columns().size(); ++k)
+            names.push_back(is_used(k) ? mapped(reader_.columns()[k].name) : "");
+        properties_.emplace(model, names, report_.jitter_us);
+        LogRow row;
+        while (!is_decided() && !stopped() && reader_.next(row)) add(row);
+        if (report_.samples == 0 && !failed())
+            diagnostics_.add(messages::bad_log(reader_.where(), "the log has no sample; add at least one row"));
+        finish_sample();
+        if (failed() && (!options_.stop_early || report_.samples < 2)) return {};
+        report_.stopped = failed() || (!is_decided() && stopped());
+        collect_verdicts();
+        return std::move(report_);
+    }
+
+private:
+    bool failed() const { return diagnostics_.errors() != errors_; }
+
+    void collect_verdicts() {
+        for (CheckedChart& checked : charts_) {
+            report_.verdicts.push_back(checked.check->verdict());
+            RecordingVerdict& verdict = report_.verdicts.back();
+            verdict.unrecorded = checked.unrecorded;
+            if (!report_.stopped || verdict.kind != RecordingVerdict::Kind::Conforms) continue;
+            verdict.kind = RecordingVerdict::Kind::Unknown;
+            verdict.reason = failed() ? "an invalid line ended the check; no deviation up to this line"
+                                      : "stopped before the end of the log; no deviation up to this sample";
+        }
+        report_.properties = properties_->results();
+    }
+
+    const std::string& mapped(const std::string& column) const {
+        for (const auto& [from, to] : options_.map)
+            if (from == column) return to;
+        return column;
+    }
+
+    /// Assigns the columns to the inputs and outputs of `chart`.
+    CheckedChart bound(const Chart& chart) {
+        CheckedChart checked{.chart = &chart};
+        checked.column_of.resize(chart.variables.size());
+        for (std::size_t k = 0; k < reader_.columns().size(); ++k) {
+            const LogColumn& column = reader_.columns()[k];
+            const auto found = std::ranges::find(chart.variables, mapped(column.name), &Chart::Variable::name);
+            checked.variable_of.emplace_back();
+            if (found == chart.variables.end() || found->kind == Chart::VariableKind::Internal) continue;
+            const Variable id{static_cast<std::uint32_t>(found - chart.variables.begin())};
+            if (checked.column_of[id.index] != 0)
+                diagnostics_.add(messages::bad_log(
+                    column.where, fmt::format("a second column belongs to `{}`; remove or rename one of the columns",
+                                              messages::clipped(found->name))));
+            checked.column_of[id.index] = k + 1;
+            if (found->type.boolean || found->kind == Chart::VariableKind::Input)
+                reader_.restrict(k, found->type.low, found->type.high);
+            checked.variable_of.back() = id;
+        }
+        const auto without_column = [&](Chart::VariableKind kind, bool without) {
+            std::vector<Variable> list = variables_of_kind(chart, kind);
+            std::erase_if(list, [&](Variable id) { return (checked.column_of[id.index] == 0) != without; });
+            return list;
+        };
+        const std::vector<std::string> inputs = names_of(chart, without_column(Chart::VariableKind::Input, true));
+        const std::vector<Variable> outputs = without_column(Chart::VariableKind::Output, false);
+        checked.unrecorded = names_of(chart, without_column(Chart::VariableKind::Output, true));
+        if (!inputs.empty())
+            diagnostics_.add(messages::unrecorded_inputs(reader_.where(), chart.name, list_of(inputs)));
+        if (outputs.empty()) diagnostics_.add(messages::no_recorded_output(reader_.where(), chart.name));
+        else if (!checked.unrecorded.empty())
+            diagnostics_.add(messages::unrecorded_outputs(chart.name, list_of(checked.unrecorded)));
+        const RecordingSettings settings{.jitter = report_.jitter_us, .stopped = [this] { return stopped(); }};
+        checked.check = std::make_unique<RecordingCheck>(chart, outputs, settings);
+        return checked;
+    }
+
+    /// True if the column belongs to an input or output of a chart.
+    bool is_used(std::size_t column) const {
+        return std::ranges::any_of(charts_, [&](const CheckedChart& one) { return one.variable_of[column].valid(); });
+    }
+
+    /// Checks the entries of `--map`, and lists the columns that belong to no variable.
+    void check_names() {
+        std::vector<std::string> columns, variables, ignored;
+        Span first_ignored;
+        for (std::size_t k = 0; k < reader_.columns().size(); ++k) {
+            columns.push_back(reader_.columns()[k].name);
+            if (is_used(k)) continue;
+            ignored.push_back(columns.back());
+            reader_.ignore(k);
+            if (ignored.size() == 1) first_ignored = reader_.columns()[k].where;
+        }
+        for (const CheckedChart& checked : charts_)
+            for (const Chart::Variable& variable : checked.chart->variables)
+                if (variable.kind != Chart::VariableKind::Internal) variables.push_back(variable.name);
+        for (const auto& [from, to] : options_.map) {
+            if (std::ranges::find(columns, from) == columns.end())
+                diagnostics_.add(messages::no_such_choice("column", from, columns, nearest_of(from, columns)));
+            if (std::ranges::find(variables, to) == variables.end())
+                diagnostics_.add(messages::no_such_choice("input or output", to, variables, nearest_of(to, variables)));
+        }
+        if (!ignored.empty()) diagnostics_.add(messages::ignored_columns(first_ignored, list_of(ignored)));
+    }
+
+    void add(const LogRow& row) {
+        if (report_.samples == 0) {
+            report_.first_us = row.time_us;
+            first_row_ = reader_.where();
+        }
+        if (report_.samples == 0 || row.time_us != report_.last_us) begin_sample(row);
+        for (const LogValue& value : row.values) {
+            properties_->set(value.column, value.value, row.time_us, value.line);
+            for (CheckedChart& checked : charts_) add(value, checked);
+        }
+    }
+
+    void begin_sample(const LogRow& row) {
+        if (report_.samples != 0) finish_sample();
+        for (CheckedChart& checked : charts_) {
+            if (report_.samples != 0 && !failed()) checked.decided = !checked.check->pass(row.time_us);
+            checked.sample.time = row.time_us;
+            checked.sample.line = row.line;
+            checked.sample.values.clear();
+        }
+        properties_->pass(row.time_us);
+        ++report_.samples;
+        report_.last_us = row.time_us;
+    }
+
+    static void add(const LogValue& value, CheckedChart& checked) {
+        const Variable id = checked.variable_of[value.column];
+        if (!id.valid()) return;
+        std::erase_if(checked.sample.values, [&](const RecordedValue& known) { return known.variable == id; });
+        checked.sample.values.push_back({id, value.value, value.line});
+    }
+
+    /// Adds the sample to the checks when all of its rows have been read.
+    void finish_sample() {
+        if (failed()) return;
+        if (report_.samples == 1) check_first();
+        if (failed()) return;
+        for (CheckedChart& checked : charts_)
+            if (!checked.decided) checked.decided = !checked.check->add(checked.sample);
+    }
+
+    /// Checks that the first sample has a value for each variable that has a column.
+    void check_first() {
+        std::vector<std::string> names;
+        for (const CheckedChart& checked : charts_)
+            for (std::size_t k = 0; k < checked.variable_of.size(); ++k)
+                if (checked.variable_of[k].valid() &&
+                    std::ranges::find(checked.sample.values, checked.variable_of[k], &RecordedValue::variable) ==
+                        checked.sample.values.end())
+                    names.push_back(reader_.columns()[k].name);
+        if (!names.empty())
+            diagnostics_.add(messages::bad_log(
+                first_row_, fmt::format("the first sample has no value of {}; add it", list_of(names))));
+    }
+
+    bool is_decided() const {
+        const auto decided = [](const CheckedChart& checked) { return checked.decided; };
+        if (!options_.stop_early) return std::ranges::all_of(charts_, decided);
+        return std::ranges::any_of(charts_, decided) ||
+               std::ranges::any_of(properties_->results(), &RecordedProperty::violated);
+    }
+
+    bool stopped() const { return is_over(options_.limits.deadline, options_.limits.stop); }
+
+    LogReader reader_;
+    const RecordingOptions& options_;
+    Diagnostics& diagnostics_;
+    std::size_t errors_;  ///< number of errors before the check
+    Span first_row_ = {};
+    RecordingReport report_ = {};
+    std::vector<CheckedChart> charts_ = {};
+    std::optional<RecordedProperties> properties_ = {};
+};
+
+}  // namespace
+
+std::optional<RecordingReport> check_recording(const Model& model, const std::vector<Id<Chart>>& charts, LogBlocks log,
+                                               const std::string& name, const RecordingOptions& options,
+                                               Sources& sources, Diagnostics& diagnostics) {
+    return RecordingReader(std::move(log), name, options, sources, diagnostics).run(model, charts);
+}
+
+}  // namespace grafverif

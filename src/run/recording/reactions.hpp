@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Reactions: the reactions of a chart to its inputs and to elapsed times, without the times themselves. The interpreter
+// executes them on a copy of the chart in which each duration is 2: the state of a running time is 1, and that of an
+// elapsed time is its duration. A caller that knows the real times decides which of them have elapsed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "run/interpreter.hpp"
+
+namespace grafverif {
+
+using StatePointer = std::shared_ptr<const State>;
+
+/// One cycle with stability search.
+struct Reaction {
+    StatePointer before = {}, after = {};
+    std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
+    /// For each timed element: true if its t1 or its t2 starts in this cycle.
+    std::vector<bool> rise_starts = {}, fall_starts = {};
+    std::string problem = {};  ///< reason why the cycle has no result; empty if there is none
+};
+
+class Reactions {
+public:
+    /// Requires a chart that `derive` accepts. The tables are cleared when their approximate size exceeds `most_bytes`.
+    Reactions(const Chart& chart, std::size_t most_bytes);
+
+    /// The executed copy of the chart; its durations are not those of the chart.
+    const Chart& chart() const { return chart_; }
+
+    StatePointer initial() { return unique(power_on(chart_)); }
+
+    /// Executes a cycle. `inputs` contains the value of each variable of the chart that is an input; `rise_over` and
+    /// `fall_over` contain, for each timed element, true if its running t1 or t2 has elapsed since the previous cycle.
+    std::shared_ptr<const Reaction> react(const StatePointer& before, const std::vector<std::int64_t>& inputs,
+                                          const std::vector<bool>& rise_over, const std::vector<bool>& fall_over);
+
+private:
+    StatePointer unique(State state);
+
+    Chart chart_;
+    std::vector<TimedElement> elements_;
+    // A chart with counters can have any number of states. Equal states are the same object only as long as the table
+    // contains them.
+    std::size_t most_bytes_, bytes_ = 0;
+    std::unordered_map<std::string, StatePointer> states_ = {};
+    std::unordered_map<std::string, std::shared_ptr<const Reaction>> reactions_ = {};
+};
+
+/// True if the t1 (t2) of an element is running after a reaction.
+inline bool rises(const Timing& timing) { return timing.risen == 1; }
+inline bool falls(const Timing& timing) { return timing.fallen == 1; }
+
+}  // namespace grafverif

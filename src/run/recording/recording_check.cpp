@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: MIT
+#include "run/recording/recording_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <unordered_map>
+
+#include "run/project.hpp"
+#include "run/scanner.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t last = 1;                      ///< variable of the last instant in the zone of a hypothesis
+constexpr std::uint64_t most_reactions = 1'000'000;  ///< for one sample
+constexpr std::size_t most_successors = 40'000;      ///< before equal hypotheses are removed
+constexpr std::uint64_t poll_interval = 1'024;       ///< reactions between two calls of `stopped`
+constexpr std::uint64_t instants_shown = 16;         ///< minimum number of stored instants of a long timing
+
+void append(std::string& key, std::uint64_t value) {
+    for (unsigned byte = 0; byte < 8; ++byte) key += static_cast<char>(value >> (8U * byte));
+}
+
+}  // namespace
+
+/// Finds all successors of a hypothesis: its possible next instants.
+class RecordingCheck::Expansion {
+public:
+    Expansion(RecordingCheck& check, const Hypothesis& from, std::vector<Hypothesis>& successors)
+        : check_(check), from_(from), successors_(successors), jitter_(check.settings_.jitter) {}
+
+    enum class Result { Waits, Ends, Continues };
+
+    /// Returns Waits if the recording is not known far enough, and Ends if there is no successor.
+    Result run() {
+        Zone zone = from_.zone;
+        now_ = zone.add();
+        if (!zone.constrain(last, now_, -1) || !add_deadlines(zone)) return Result::Ends;
+        if (zone.upper(now_) > check_.known_) return Result::Waits;
+        collect_running();
+        rise_over_.resize(check_.elements_.size());
+        fall_over_.resize(check_.elements_.size());
+        used_ = from_.used;
+        if (from_.history) choose_elapsed(0, zone, false);
+        else if (zone.constrain(0, now_, jitter_ - check_.begin_)) choose_inputs(0, zone, true);
+        return continued_ ? Result::Continues : Result::Ends;
+    }
+
+private:
+    struct Running {
+        std::size_t element = 0, start = 0;
+        Ticks duration = 0;
+        bool is_fall = false;
+    };
+
+    Ticks ticks(std::int64_t milliseconds) const { return milliseconds * check_.settings_.ticks_per_ms; }
+
+    /// Adds the latest time of the next instant. Returns false if it is before the last instant.
+    bool add_deadlines(Zone& zone) const {
+        if (!from_.history && !zone.constrain(now_, 0, check_.begin_ + jitter_)) return false;
+        for (std::size_t k = 0; k < check_.signals_.size(); ++k) {
+            const Change* const next = check_.signals_[k].at(from_.used[k]);
+            if (next != nullptr && !zone.constrain(now_, 0, next->time + jitter_)) return false;
+            if (from_.hidden[k] != 0 && !zone.constrain(now_, from_.hidden[k], 2 * jitter_)) return false;
+        }
+        for (std::size_t k = 0; k < check_.elements_.size(); ++k) {
+            const TimedElement& element = check_.elements_[k];
+            if (from_.rise[k] != 0 && !zone.constrain(now_, from_.rise[k], ticks(element.rise_ms) + jitter_))
+                return false;
+            if (from_.fall[k] != 0 && !zone.constrain(now_, from_.fall[k], ticks(element.fall_ms) + jitter_))
+                return false;
+        }
+        return true;
+    }
+
+    void collect_running() {
+        for (std::size_t k = 0; k < check_.elements_.size(); ++k) {
+            const TimedElement& element = check_.elements_[k];
+            if (from_.rise[k] != 0) running_.push_back({k, from_.rise[k], ticks(element.rise_ms), false});
+            if (from_.fall[k] != 0) running_.push_back({k, from_.fall[k], ticks(element.fall_ms), true});
+        }
+    }
+
+    /// Chooses the running times that have elapsed, from index `k` on. `caused` is true if one has been chosen.
+    void choose_elapsed(std::size_t k, const Zone& zone, bool caused) {
+        if (check_.limit_ != Limit::None) return;
+        if (k == running_.size()) return choose_inputs(0, zone, caused);
+        const Running& running = running_[k];
+        Zone running_on = zone;
+        if (running_on.constrain(now_, running.start, running.duration - 1)) choose_elapsed(k + 1, running_on, caused);
+        Zone over = zone;
+        if (!over.constrain(running.start, now_, -running.duration)) return;
+        std::vector<bool>& flags = running.is_fall ? fall_over_ : rise_over_;
+        flags[running.element] = true;
+        choose_elapsed(k + 1, over, true);
+        flags[running.element] = false;
+    }
+
+    /// Chooses the number of changes of each input, from signal `k` on, that the instant sees.
+    void choose_inputs(std::size_t k, const Zone& zone, bool caused) {
+        if (check_.limit_ != Limit::None) return;
+        if (k == check_.signals_.size()) {
+            if (caused) react(zone);
+            return;
+        }
+        choose_inputs(k + 1, zone, caused);
+        const Signal& signal = check_.signals_[k];
+        if (!signal.input) return;
+        Zone seen = zone;
+        for (const Change* change = signal.at(used_[k]); change != nullptr; change = signal.at(used_[k])) {
+            if (!seen.constrain(0, now_, jitter_ - change->time)) break;
+            ++used_[k];
+            choose_inputs(k + 1, seen, true);
+        }
+        used_[k] = from_.used[k];
+    }
+
+    void react(const Zone& zone) {
+        if (++check_.reactions_of_sample_ > most_reactions) check_.limit_ = Limit::Reactions;
+        if (check_.reactions_of_sample_ % poll_interval == 0) check_.poll();
+        Hypothesis next = from_;
+        next.zone = zone;
+        next.used = used_;
+        for (std::size_t k = 0; k < used_.size(); ++k)
+            if (check_.signals_[k].input && used_[k] != from_.used[k])
+                next.inputs[check_.signals_[k].variable.index] = check_.signals_[k].at(used_[k] - 1)->value;
+        const auto reaction = check_.reactions_.react(from_.state, next.inputs, rise_over_, fall_over_);
+        if (!reaction->problem.empty()) return note_problem(zone, reaction->problem);
+        next.state = reaction->after;
+        for (std::size_t k = 0; k < check_.elements_.size(); ++k) {
+            const Timing& timing = next.state->timing[k];
+            if (reaction->rise_starts[k] || !rises(timing)) next.rise[k] = rises(timing) ? now_ : 0;
+            if (reaction->fall_starts[k] || !falls(timing)) next.fall[k] = falls(timing) ? now_ : 0;
+        }
+        next.history = instant(next, reaction);
+        write_outputs(0, std::move(next));
+    }
+
+    /// Notes a model error of the instant, unless a change that it does not see cannot be seen by a later instant.
+    void note_problem(Zone zone, const std::string& problem) const {
+        if (!check_.problem_.empty()) return;
+        for (std::size_t k = 0; k < check_.signals_.size(); ++k)
+            if (const Change* const unseen = check_.signals_[k].at(used_[k]);
+                check_.signals_[k].input && unseen != nullptr)
+                if (!zone.constrain(now_, 0, unseen->time + jitter_ - 1)) return;
+        check_.problem_ = problem;
+        check_.problem_time_ = time_of_instant(zone);
+    }
+
+    /// Explains the changes of the outputs, from signal `k` on.
+    void write_outputs(std::size_t k, Hypothesis next) {
+        if (check_.limit_ != Limit::None) return;
+        if (k == check_.signals_.size()) return finish(std::move(next));
+        const Signal& signal = check_.signals_[k];
+        const std::int64_t value = next.state->outputs[signal.variable.index];
+        if (signal.input || value == from_.state->outputs[signal.variable.index])
+            return write_outputs(k + 1, std::move(next));
+        const std::size_t first = next.hidden[k] != 0 ? next.hidden[k] : now_;
+        if (value == next.visible[k]) {  // the recording shows none of the changes since `first`
+            next.hidden[k] = 0;
+            return write_outputs(k + 1, std::move(next));
+        }
+        const Change* const recorded = signal.at(next.used[k]);
+        if (recorded == nullptr || recorded->value != value) {
+            next.hidden[k] = first;
+            return write_outputs(k + 1, std::move(next));
+        }
+        Hypothesis hidden = next;
+        hidden.hidden[k] = first;
+        if (hidden.zone.constrain(first, 0, recorded->time - jitter_ - 1)) write_outputs(k + 1, std::move(hidden));
+        if (!next.zone.constrain(0, first, jitter_ - recorded->time)) return;
+        next.hidden[k] = 0;
+        next.visible[k] = value;
+        ++next.used[k];
+        write_outputs(k + 1, std::move(next));
+    }
+
+    /// Keeps only the instants that matter, in a canonical order.
+    void finish(Hypothesis next) {
+        std::vector<std::size_t> kept = {0, now_};
+        for (std::vector<std::size_t>* const list : {&next.rise, &next.fall, &next.hidden})
+            for (std::size_t& variable : *list) {
+                if (variable == 0) continue;
+                const auto found = std::ranges::find(kept, variable);
+                const auto place = static_cast<std::size_t>(found - kept.begin());
+                if (found == kept.end()) kept.push_back(variable);
+                variable = place;
+            }
+        next.zone = next.zone.projection(kept);
+        std::vector<Ticks> typical;
+        for (const std::size_t variable : kept)
+            typical.push_back(variable == now_ ? next.history->time : from_.typical[variable]);
+        next.typical = std::move(typical);
+        successors_.push_back(std::move(next));
+        continued_ = true;
+        if (successors_.size() > most_successors) check_.limit_ = Limit::Orders;
+    }
+
+    std::shared_ptr<Instant> instant(const Hypothesis& next, const std::shared_ptr<const Reaction>& reaction) const {
+        auto made = std::make_shared<Instant>();
+        made->previous = from_.history;
+        made->reaction = reaction;
+        made->inputs = next.inputs;
+        made->number = from_.history ? from_.history->number + 1 : 0;
+        made->time = time_of_instant(next.zone);
+        if (made->number % instants_shown == 0) {
+            Instant* oldest = made.get();
+            for (std::uint64_t k = 0; k < instants_shown && oldest != nullptr; ++k) oldest = oldest->previous.get();
+            if (oldest != nullptr) oldest->previous.reset();
+        }
+        return made;
+    }
+
+    Ticks time_of_instant(const Zone& zone) const {
+        return std::clamp(cause_time(), zone.lower(now_), zone.upper(now_));
+    }
+
+    /// Returns the recorded time of what the instant sees, if the controller reacts immediately.
+    Ticks cause_time() const {
+        Ticks time = from_.history ? from_.typical[last] : check_.begin_;
+        for (const Running& running : running_)
+            if ((running.is_fall ? fall_over_ : rise_over_)[running.element])
+                time = std::max(time, from_.typical[running.start] + running.duration);
+        for (std::size_t k = 0; k < used_.size(); ++k)
+            if (used_[k] != from_.used[k]) time = std::max(time, check_.signals_[k].at(used_[k] - 1)->time);
+        return time;
+    }
+
+    RecordingCheck& check_;
+    const Hypothesis& from_;
+    std::vector<Hypothesis>& successors_;
+    Ticks jitter_;
+    std::size_t now_ = 0;
+    std::vector<Running> running_ = {};
+    std::vector<bool> rise_over_ = {}, fall_over_ = {};
+    std::vector<std::uint64_t> used_ = {};
+    bool continued_ = false;
+};
+
+RecordingCheck::RecordingCheck(const Chart& chart, const std::vector<Id<Chart::Variable>>& outputs,
+                               RecordingSettings settings)
+    : source_(chart),
+      settings_(settings),
+      reactions_(chart, settings_.table_bytes),
+      elements_(timed_elements(chart)),
+      signal_of_(chart.variables.size()) {
+    for (const Id<Chart::Variable> id : variables_of_kind(chart, Chart::VariableKind::Input))
+        signals_.push_back({.variable = id, .input = true});
+    for (const Id<Chart::Variable> id : outputs)
+        signals_.push_back({.variable = id, .last = chart.variables[id].initial});
+    for (std::size_t k = 0; k < signals_.size(); ++k) signal_of_[signals_[k].variable.index] = k + 1;
+}
+
+bool RecordingCheck::add(const RecordedSample& sample) {
+    if (!begun_) begin(sample);
+    else if (sample.time > now_) pass(sample.time);
+    if (!hypotheses_.empty()) record(sample);
+    return !hypotheses_.empty();
+}
+
+bool RecordingCheck::pass(Ticks time) {
+    now_ = time;
+    known_ = now_ - settings_.jitter - 1;
+    if (!hypotheses_.empty()) advance();
+    return !hypotheses_.empty();
+}
+
+void RecordingCheck::begin(const RecordedSample& sample) {
+    begun_ = true;
+    begin_ = now_ = sample.time;
+    Hypothesis power_on{.state = reactions_.initial(), .inputs = std::vector<std::int64_t>(source_.variables.size())};
+    for (const auto& [variable, value, line] : sample.values) {
+        if (source_.variables[variable].kind != Chart::VariableKind::Input) continue;
+        power_on.inputs[variable.index] = value;
+        signals_[signal_of_[variable.index] - 1].last = value;
+    }
+    power_on.used.resize(signals_.size());
+    for (const Signal& signal : signals_) power_on.visible.push_back(signal.last);
+    power_on.hidden.resize(signals_.size());
+    power_on.rise.resize(elements_.size());
+    power_on.fall.resize(elements_.size());
+    power_on.zone.assign(power_on.zone.add(), begin_ - settings_.jitter - 1);
+    power_on.typical = {0, begin_};
+    hypotheses_ = {std::move(power_on)};
+}
+
+void RecordingCheck::record(const RecordedSample& sample) {
+    lines_.emplace_back(sample.time, sample.line);
+    for (const auto& [variable, value, line] : sample.values) {
+        const std::size_t place = signal_of_[variable.index];
+        if (place == 0 || signals_[place - 1].last == value) continue;
+        signals_[place - 1].last = value;
+        signals_[place - 1].changes.push_back({sample.time, value, line});
+    }
+}
+
+/// Expands the hypotheses, in the order of the number of their instants, until each of them waits.
+void RecordingCheck::advance() {
+    std::vector<Hypothesis> waiting, open = std::move(hypotheses_);
+    hypotheses_.clear();
+    reactions_of_sample_ = 0;
+    while (!open.empty()) {
+        std::vector<Hypothesis> successors;
+        for (Hypothesis& hypothesis : open) {
+            switch (Expansion(*this, hypothesis, successors).run()) {
+            case Expansion::Result::Waits: waiting.push_back(std::move(hypothesis)); break;
+            case Expansion::Result::Ends: end(hypothesis); break;
+            case Expansion::Result::Continues: break;
+            }
+            if (limit_ != Limit::None) return;
+        }
+        reduce(successors);
+        open = std::move(successors);
+        if (limit_ != Limit::None) return;
+        if (open.size() + waiting.size() <= settings_.most_hypotheses) continue;
+        reduce(waiting);
+        if (open.size() + waiting.size() <= settings_.most_hypotheses) continue;
+        limit_ = Limit::Orders;
+        return;
+    }
+    reduce(waiting);
+    if (waiting.size() > settings_.most_hypotheses) limit_ = Limit::Orders;
+    if (limit_ != Limit::None) return;
+    hypotheses_ = std::move(waiting);
+    drop_used_changes();
+}
+
+/// Notes the output that ends the hypothesis, if it explains a longer part of the recording than the other ones.
+void RecordingCheck::end(const Hypothesis& hypothesis) {
+    const Ticks jitter = settings_.jitter;
+    Ticks other = Zone::unbounded;  // deadline of an event that another hypothesis sees together with an earlier one
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+        const auto deadline = [&](std::size_t start, std::int64_t milliseconds) {
+            if (start == 0) return;
+            other = std::min(other, hypothesis.zone.upper(start) + milliseconds * settings_.ticks_per_ms + jitter);
+        };
+        deadline(hypothesis.rise[k], elements_[k].rise_ms);
+        deadline(hypothesis.fall[k], elements_[k].fall_ms);
+    }
+    End end{.deadline = Zone::unbounded};
+    for (std::size_t k = 0; k < signals_.size(); ++k) {
+        const Change* const next = signals_[k].at(hypothesis.used[k]);
+        if (signals_[k].input) {
+            if (next != nullptr) other = std::min(other, next->time + jitter);
+            continue;
+        }
+        const std::size_t hidden = hypothesis.hidden[k];
+        if (hidden != 0 && hypothesis.zone.upper(hidden) + 2 * jitter < end.deadline)
+            end = {hypothesis.zone.upper(hidden) + 2 * jitter, k, true, {}, {}};
+        if (next != nullptr && next->time + jitter < end.deadline) end = {next->time + jitter, k, false, {}, *next};
+    }
+    if (end.deadline == Zone::unbounded || (end_ && (other < end.deadline || end.deadline <= end_->deadline))) return;
+    end.hypothesis = hypothesis;
+    end_ = std::move(end);
+}
+
+/// Removes the bounds of the last instant if they do not restrict the next instant.
+void RecordingCheck::relax(Hypothesis& hypothesis) const {
+    for (const auto* const list : {&hypothesis.rise, &hypothesis.fall, &hypothesis.hidden})
+        if (std::ranges::find(*list, last) != list->end()) return;
+    Ticks next = now_;
+    for (std::size_t k = 0; k < signals_.size(); ++k)
+        if (const Change* const change = signals_[k].at(hypothesis.used[k]); signals_[k].input && change != nullptr)
+            next = std::min(next, change->time);
+    next -= settings_.jitter;
+    // The next instant sees an input, and is not before `next`, or it sees that a time has elapsed, after the last one.
+    if (hypothesis.zone.upper(last) < next) hypothesis.zone.assign(last, begin_ - settings_.jitter - 1);
+}
+
+void RecordingCheck::poll() {
+    if (settings_.stopped && settings_.stopped()) limit_ = Limit::Stopped;
+}
+
+/// Removes each hypothesis whose timings are included in those of another one. Ends early if too many remain.
+void RecordingCheck::reduce(std::vector<Hypothesis>& hypotheses) {
+    if (hypotheses.size() < 2) return;
+    std::unordered_map<std::string, std::vector<std::size_t>> kept;
+    std::vector<Hypothesis> result;
+    for (Hypothesis& hypothesis : hypotheses) {
+        if (hypothesis.history) relax(hypothesis);
+        std::string key;
+        append(key, reinterpret_cast<std::uintptr_t>(hypothesis.state.get()));
+        for (const std::uint64_t position : hypothesis.used) append(key, position);
+        for (const auto* const list : {&hypothesis.rise, &hypothesis.fall, &hypothesis.hidden})
+            for (const std::size_t variable : *list) append(key, variable);
+        std::vector<std::size_t>& same = kept[key];
+        const auto is_known = [&](std::size_t other) { return result[other].zone.includes(hypothesis.zone); };
+        if (std::ranges::any_of(same, is_known)) continue;
+        same.push_back(result.size());
+        result.push_back(std::move(hypothesis));
+        if (result.size() > settings_.most_hypotheses) break;
+        if (result.size() % poll_interval == 0) poll();
+        if (limit_ != Limit::None) break;
+    }
+    hypotheses = std::move(result);
+}
+
+void RecordingCheck::drop_used_changes() {
+    if (hypotheses_.empty()) return;
+    while (lines_.size() > 1 && lines_[1].first < known_ - 4 * settings_.jitter) lines_.pop_front();
+    for (std::size_t k = 0; k < signals_.size(); ++k) {
+        Signal& signal = signals_[k];
+        if (signal.changes.empty()) continue;
+        std::uint64_t used = hypotheses_.front().used[k];
+        for (const Hypothesis& hypothesis : hypotheses_) used = std::min(used, hypothesis.used[k]);
+        for (; signal.first < used; ++signal.first) signal.changes.pop_front();
+    }
+}
+
+/// Returns the line of the last sample that is not after `time`.
+std::uint64_t RecordingCheck::line_at(Ticks time) const {
+    std::uint64_t line = lines_.front().second;
+    for (const auto& [begin, number] : lines_)
+        if (begin <= time) line = number;
+    return line;
+}
+
+Deviation RecordingCheck::deviation() const {
+    const Hypothesis& hypothesis = end_->hypothesis;
+    const Signal& signal = signals_[end_->signal];
+    const Ticks unit = settings_.ticks_per_ms;
+    const auto us = [&](Ticks time) { return time / unit * 1000 + time % unit * 1000 / unit; };
+    Deviation result;
+    result.output = source_.variables[signal.variable].name;
+    result.allowed = hypothesis.state->outputs[signal.variable.index];
+    result.missing_change = end_->missing_change;
+    if (end_->missing_change) {
+        const std::size_t hidden = hypothesis.hidden[end_->signal];
+        result.time_us = us(hypothesis.typical[hidden]);
+        result.line = line_at(hypothesis.zone.upper(hidden) + settings_.jitter);
+        result.recorded = hypothesis.visible[end_->signal];
+        for (const Instant* instant = hypothesis.history.get(); instant != nullptr; instant = instant->previous.get())
+            if (instant->time >= hypothesis.typical[hidden])
+                result.allowed = instant->reaction->after->outputs[signal.variable.index];
+    } else {
+        result.time_us = us(end_->change.time);
+        result.line = end_->change.line;
+        result.recorded = end_->change.value;
+    }
+    result.situation = situation_text(source_, hypothesis.state->situation);
+    std::vector<const Instant*> instants;
+    for (const Instant* instant = hypothesis.history.get(); instant != nullptr; instant = instant->previous.get())
+        instants.insert(instants.begin(), instant);
+    result.run = project(source_, ExecutionMode::StabilitySearch);
+    for (const Instant* const instant : instants)
+        append_instant(
+            result.run, instant->number == 0 ? "power-on" : "cycle", instant->reaction->fired,
+            project(source_, *instant->reaction->after, instant->inputs, instant->time / settings_.ticks_per_ms));
+    result.run_is_complete = instants.empty() || instants.front()->number == 0;
+    return result;
+}
+
+RecordingVerdict RecordingCheck::verdict() const {
+    using Kind = RecordingVerdict::Kind;
+    RecordingVerdict result{.chart = source_.name};
+    if (!begun_ || !hypotheses_.empty()) return result;
+    if (limit_ != Limit::None) {
+        result.kind = Kind::Unknown;
+        result.reason = limit_ == Limit::Orders      ? "too many orders of events are possible; reduce the jitter"
+                        : limit_ == Limit::Reactions ? "too many instants, in all possible orders, lie between two "
+                                                       "samples; record more samples or reduce the jitter"
+                                                     : "stopped before the end of the log; no deviation up to this "
+                                                       "sample";
+    } else if (!problem_.empty() || !end_) {
+        result.kind = Kind::Unknown;
+        result.reason = fmt::format(
+            "an admissible timing has a model error at {} ms, and no other one explains the "
+            "recording: {}",
+            problem_time_ / settings_.ticks_per_ms, problem_);
+    } else {
+        result.kind = Kind::Deviates;
+    }
+    if (end_ && limit_ == Limit::None) result.deviation = deviation();
+    return result;
+}
+
+}  // namespace grafverif

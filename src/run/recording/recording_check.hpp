@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// RecordingCheck: decides if a recording of inputs and outputs can be a recording of a chart (stability search).
+//
+// An admissible timing, with jitter J, consists of the instants at which the chart executes cycles, with at least one
+// tick between them, such that:
+//   power-on   the first instant is at most J before or after the first sample, which has the first values of inputs
+//   inputs     each recorded change of an input at time t is seen by an instant in [t - J, t + J]. The changes of one
+//              input are seen in their order, several possibly by the same instant, which then sees the last value.
+//              Changes of different inputs may be seen in any order
+//   times      an instant sees that a time T of the chart, which started at instant s, has elapsed if and only if it is
+//              not before s + T; at least one instant is in [s + T, s + T + J], unless the time has been stopped
+//   outputs    each change of an output by an instant e is recorded at a time in [e - J, e + J]. The changes of one
+//              output are recorded in their order. If several are recorded at the same time, only the last value is
+//              visible. The result is the recorded output. Before the first sample, it has its initial value
+// An instant reads the inputs once. If it has a model error (total instability, race, value out of range), the timing
+// ends there; if no other timing is admissible, the verdict is unknown.
+// Each instant sees a change of an input or that a time has elapsed. The recording deviates if it has no admissible
+// timing, independently of its continuation after the last sample.
+//
+// Method: a hypothesis is a state of the chart with a zone of the instants that matter for its future. All hypotheses
+// together represent all admissible timings up to the current time. Each hypothesis is expanded when the recording is
+// known up to J after its next instant. A change of an output is recorded at the next recorded change if possible;
+// this loses no timing, because later changes can replace the earlier one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ir/recording.hpp"
+#include "run/recording/reactions.hpp"
+#include "run/recording/zone.hpp"
+
+namespace grafverif {
+
+struct RecordingSettings {
+    Ticks jitter = 20'000;
+    Ticks ticks_per_ms = 1'000;
+    std::size_t most_hypotheses = 10'000;
+    std::size_t table_bytes = std::size_t{64} << 20U;  ///< approximate size of the tables of reactions
+    std::function<bool()> stopped = {};                ///< true: end the check; may be empty
+};
+
+struct RecordedValue {
+    Id<Chart::Variable> variable = {};
+    std::int64_t value = 0;
+    std::uint64_t line = 0;
+};
+
+/// Values of variables of the chart that are recorded at the same time. Times do not decrease.
+struct RecordedSample {
+    Ticks time = 0;
+    std::uint64_t line = 0;
+    std::vector<RecordedValue> values = {};
+};
+
+class RecordingCheck {
+public:
+    /// `outputs` are the recorded outputs. `chart` must outlive the check.
+    RecordingCheck(const Chart& chart, const std::vector<Id<Chart::Variable>>& outputs, RecordingSettings settings);
+
+    /// Adds a sample; the first has a value for each input and each recorded output. Returns false if the verdict is
+    /// final.
+    bool add(const RecordedSample& sample);
+    /// States that all samples before `time` have been added, and decides what they determine. Requires a sample.
+    /// Returns false if the verdict is final.
+    bool pass(Ticks time);
+
+    /// Returns the verdict for the samples so far.
+    RecordingVerdict verdict() const;
+
+private:
+    struct Change {
+        Ticks time = 0;
+        std::int64_t value = 0;
+        std::uint64_t line = 0;
+    };
+    /// The changes of a variable that not every hypothesis has used. Position 0 is the first change of the recording.
+    struct Signal {
+        Id<Chart::Variable> variable = {};
+        bool input = false;
+        std::int64_t last = 0;    ///< value of the last sample
+        std::uint64_t first = 0;  ///< position of the first stored change
+        std::deque<Change> changes = {};
+
+        const Change* at(std::uint64_t position) const {
+            return position - first < changes.size() ? &changes[position - first] : nullptr;
+        }
+    };
+    /// An instant of a timing, and the instants before it, as far as they are stored.
+    struct Instant {
+        std::shared_ptr<Instant> previous = {};
+        std::shared_ptr<const Reaction> reaction = {};
+        std::vector<std::int64_t> inputs = {};
+        Ticks time = 0;  ///< a typical time of the instant
+        std::uint64_t number = 0;
+    };
+    struct Hypothesis {
+        StatePointer state = {};
+        std::vector<std::int64_t> inputs = {};   ///< for each variable: value of an input that the chart has seen
+        std::vector<std::uint64_t> used = {};    ///< for each signal: number of changes that are seen or explained
+        std::vector<std::int64_t> visible = {};  ///< for each signal: an output's recorded value after these changes
+        Zone zone = {};                          ///< variable 1 is the last instant
+        std::vector<std::size_t> rise = {},
+                                 fall = {};  ///< for each timed element: instant at which t1, t2 started, or 0
+        /// For each signal: the first instant whose change of the output is not recorded yet, or 0.
+        std::vector<std::size_t> hidden = {};
+        std::vector<Ticks> typical = {};  ///< for each variable of the zone: a typical time, to be printed
+        std::shared_ptr<Instant> history = {};
+    };
+    /// The timing whose explained part of the recording is the longest one.
+    struct End {
+        Ticks deadline = 0;
+        std::size_t signal = 0;
+        bool missing_change = false;
+        Hypothesis hypothesis = {};
+        Change change = {};
+    };
+    /// The limit that ended the check: of hypotheses, of reactions between two samples, or of the caller.
+    enum class Limit : std::uint8_t { None, Orders, Reactions, Stopped };
+    class Expansion;
+
+    void begin(const RecordedSample& sample);
+    void record(const RecordedSample& sample);
+    void advance();
+    void end(const Hypothesis& hypothesis);
+    void relax(Hypothesis& hypothesis) const;
+    void reduce(std::vector<Hypothesis>& hypotheses);
+    void drop_used_changes();
+    void poll();
+    std::uint64_t line_at(Ticks time) const;
+    Deviation deviation() const;
+
+    const Chart& source_;
+    RecordingSettings settings_;
+    Reactions reactions_;
+    std::vector<TimedElement> elements_;
+    std::vector<Signal> signals_ = {};
+    std::vector<std::size_t> signal_of_ = {};  ///< for each variable: index in signals_ + 1, or 0
+    std::vector<Hypothesis> hypotheses_ = {};
+    std::deque<std::pair<Ticks, std::uint64_t>> lines_ = {};  ///< last samples: time and line
+    bool begun_ = false;
+    Ticks begin_ = 0, now_ = 0;
+    Ticks known_ = 0;  ///< instants up to this time can be expanded
+    std::optional<End> end_ = {};
+    std::string problem_ = {};  ///< the first fault of the chart in an admissible timing
+    Ticks problem_time_ = 0;
+    Limit limit_ = Limit::None;
+    std::uint64_t reactions_of_sample_ = 0;
+};
+
+}  // namespace grafverif
