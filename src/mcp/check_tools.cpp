@@ -17,7 +17,7 @@ namespace {
 using Kind = Argument::Kind;
 
 /// Limits of a result, so that a client can process it. `check` shortens each counterexample more than `explain`.
-constexpr std::size_t short_trace = 4000, long_trace = 200'000, most_steps = 1000;
+constexpr std::size_t short_trace = 4000, long_trace = 200'000, most_steps = 1000, most_boxes = 100;
 
 constexpr const char* property_schema = R"({
   "type": "object",
@@ -219,6 +219,48 @@ ToolResult explain(ToolCall& call) {
     return result;
 }
 
+std::string value_text(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// Returns values of constants such as `RAM = 1s..6s`.
+std::string ranges_text(const Json& ranges) {
+    std::string all;
+    for (const auto& [name, range] : ranges.items()) {
+        const std::string first = value_text(range.at(0)), last = value_text(range.at(1));
+        all += fmt::format("{}{} = {}", all.empty() ? "" : ", ", name, first == last ? first : first + ".." + last);
+    }
+    return all;
+}
+
+/// Converts an element of `properties` of `tune`, and adds its text.
+Json tuned_property(const Json& found, std::string& text) {
+    Json made;
+    copy_members(found, {"name", "expected", "current", "margins"}, made);
+    made["boxes"] = first_of(found.at("boxes"), most_boxes);
+    made["boxes_complete"] = found.at("boxes").size() <= most_boxes;
+    text += fmt::format("{}: {} with the current values\n", found.at("name").get<std::string>(),
+                        found.at("current").get<std::string>());
+    for (const Json& box : made["boxes"])
+        text += fmt::format("  {}: {}\n", ranges_text(box.at("constants")), box.at("verdict").get<std::string>());
+    for (const Json& margin : made["margins"])
+        text += fmt::format("  margin {}: {} at {} = {}\n", margin.at("direction").get<std::string>(),
+                            margin.at("verdict").get<std::string>(), margin.at("constant").get<std::string>(),
+                            value_text(margin.at("value")));
+    return made;
+}
+
+ToolResult tune(ToolCall& call) {
+    std::vector<std::string> command = {"tune", call.operand(), "--format=json"};
+    call.add_options(command, {"loop", "mode", "grain", "set", "over", "property"});
+    const Json found = call.execute_json(std::move(command));
+    ToolResult result;
+    copy_members(found, {"model", "constants", "points", "checks"}, result.data);
+    result.text = fmt::format("{}: {} points\n", found.at("model").get<std::string>(), found.at("points").dump());
+    result.data["properties"] = Json::array();
+    for (const Json& each : found.at("properties"))
+        result.data["properties"].push_back(tuned_property(each, result.text));
+    return result;
+}
+
 }  // namespace
 
 Tool check_tool() {
@@ -264,6 +306,29 @@ Tool explain_tool() {
     schema["properties"]["proof"] = {{"type", {"object", "null"}}};
     tool.output_schema = std::move(schema);
     tool.run = explain;
+    return tool;
+}
+
+Tool tune_tool() {
+    Tool tool{"tune", "Decide properties for ranges of constants",
+              "Decides for which values of constants of a closed loop each property holds, exactly at each point of a "
+              "grid. The result is a list of boxes of values with equal verdicts, and the distance of each current "
+              "value from another verdict.",
+              input_arguments()};
+    for (Argument& each : model_arguments())
+        if (each.name != "chart") tool.arguments.push_back(std::move(each));
+    for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
+    tool.arguments.push_back({"over", Kind::Names, "ranges of constants, each as NAME=LOW..HIGH[:STEP]", true});
+    tool.arguments.push_back({"property", Kind::Names, "names of the properties to decide (default: all)"});
+    tool.output_schema = {{"type", "object"},
+                          {"properties",
+                           {{"model", {{"type", "string"}}},
+                            {"constants", {{"type", "array"}}},
+                            {"points", {{"type", "integer"}}},
+                            {"checks", {{"type", "integer"}, {"description", "number of models that were checked"}}},
+                            {"properties", {{"type", "array"}, {"items", {{"type", "object"}}}}}}},
+                          {"required", Json::array({"model", "constants", "points", "properties"})}};
+    tool.run = tune;
     return tool;
 }
 

@@ -36,6 +36,7 @@ Tool analyse_tool();
 Tool compare_tool();
 Tool check_tool();
 Tool explain_tool();
+Tool tune_tool();
 Tool complete_tool();
 
 Argument file_argument(bool required = false);

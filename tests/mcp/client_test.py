@@ -19,6 +19,10 @@ LONG = "\n".join(
        for k in range(16)] + ["}", "closed_loop endless { controller slow;"]
     + [f"environment e{k} = free(OUT = i{k});" for k in range(16)] + ["property p: o0 leads to o1; }"])
 
+TUNED = ("grafcet g { input A; output B; initial step 0; step 1 { B; } transition t: 0 -> 1 when A; }\n"
+         "closed_loop l { controller g; constant WAIT = 1s; environment E = push_button(OUT = A, GAP = WAIT);\n"
+         "property p: reachable B; }")
+
 
 class Mcp(unittest.TestCase):
     def setUp(self):
@@ -43,11 +47,12 @@ class Mcp(unittest.TestCase):
     def test_results_conform_to_their_schemas(self):
         client = self.begin()
         tools = {tool["name"]: tool for tool in client.result("tools/list")["tools"]}
-        self.assertEqual(sorted(tools), ["analyse", "check", "compare", "complete", "draw", "explain", "read", "simulate"])
+        self.assertEqual(sorted(tools), ["analyse", "check", "compare", "complete", "draw", "explain", "read", "simulate",
+                                         "tune"])
         door = {"file": "oven_door.grafcet"}
         calls = {"read": door, "draw": door, "check": door, "analyse": door, "explain": {**door, "property": "warned"},
                  "simulate": {**door, "commands": "wait 3s"}, "compare": {**door, "other": "oven_door.grafcet"},
-                 "complete": {**door, "line": 20, "column": 1}}
+                 "tune": {"text": TUNED, "over": ["WAIT=1s..2s"]}, "complete": {**door, "line": 20, "column": 1}}
         requests = {name: client.begin_call(name, **arguments) for name, arguments in calls.items()}
         for name, request in requests.items():
             result = client.response(request)["result"]

@@ -197,6 +197,28 @@ TEST(McpTools, AnalyseAndCompareReturnTheirFindings) {
     EXPECT_EQ(equal["structuredContent"]["outcome"], "equal");
 }
 
+TEST(McpTools, TuneReturnsBoxesAndMargins) {
+    const Server server;
+    const std::string text =
+        "component door(output OPEN; T = 1s) { clock t; initial location closed invariant t <= T;\n"
+        "location open with OPEN := true; timed closed -> open when t >= T do OPEN := true; }\n"
+        "grafcet g { input OPEN; output LIGHT; initial step 0; step 1 { LIGHT; } transition a: 0 -> 1 when OPEN; }\n"
+        "closed_loop l { controller g; constant T = 2s; plant D = door(OPEN = OPEN, T = T);\n"
+        "property prompt: X0 leads to LIGHT within 3s; }\n";
+    const Json found = server.call("tune", {{"text", text}, {"over", {"T=1s..6s"}}});
+    const Json& data = found["structuredContent"];
+    EXPECT_EQ(data["points"], 6);
+    const Json& prompt = data["properties"][0];
+    EXPECT_EQ(prompt["current"], "holds");
+    EXPECT_EQ(prompt["boxes"][0]["constants"]["T"], Json::array({"1s", "3s"}));
+    EXPECT_EQ(prompt["margins"][0]["value"], "4s");
+    EXPECT_TRUE(has(text_of(found),
+                    "prompt: holds with the current values\n  T = 1s..3s: holds\n  T = 4s..6s: violated\n"
+                    "  margin up: violated at T = 4s\n"))
+        << text_of(found);
+    EXPECT_TRUE(has(server.failure("tune", {{"text", text}, {"over", {"U=1s..6s"}}}), "no constant"));
+}
+
 TEST(McpTools, CompleteProposesNamesAtThePosition) {
     const Server server;
     const std::string text =

@@ -202,8 +202,8 @@ CliCommand tune_usage() {
         "are unknown (--timeout, Ctrl-C).",
         {"grafverif tune station.grafcet --over TEST=1s..20s",
          "grafverif tune station.grafcet --over TEST=500ms..4s:500ms --over N=1..8 --property P15 --format json"},
-        {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Grain,
-         OptionGroup::Tuning, OptionGroup::Format}};
+        {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,
+         OptionGroup::Grain, OptionGroup::Tuning, OptionGroup::Format}};
 }
 
 }  // namespace grafverif::app
