@@ -74,7 +74,8 @@ TEST(TaskCycle, BothCycleTimesAreComparedOnRequest) {
     const std::string file = folder.write("sorter.grafcet", sorter(" every 10ms"));
     const Result both = grafverif({"check", file, "--cycle", "both", "--format", "json"});
     EXPECT_EQ(both.code, ExitCode::Verdict);
-    for (const nlohmann::json& property : nlohmann::json::parse(both.out)["properties"]) {
+    const nlohmann::json printed = nlohmann::json::parse(both.out);
+    for (const nlohmann::json& property : printed["properties"]) {
         const bool noted = has(property["notes"].dump(), "with cycle time zero: holds");
         EXPECT_EQ(noted, property["name"] == "rejected") << property.dump();
     }

@@ -53,7 +53,8 @@ TEST(McpProtocol, NegotiatesTheVersion) {
         EXPECT_TRUE(found["capabilities"].contains("tools"));
         EXPECT_TRUE(found["capabilities"].contains("resources"));
         const bool structured = version >= std::string("2025-06-18");
-        for (const Json& tool : client.result("tools/list")["tools"]) {
+        const Json listed = client.result("tools/list");
+        for (const Json& tool : listed["tools"]) {
             EXPECT_EQ(tool.contains("outputSchema"), structured && tool["name"] != "draw") << tool["name"];
             EXPECT_EQ(tool["inputSchema"]["type"], "object");
             EXPECT_EQ(tool["inputSchema"]["properties"]["timeout"]["maximum"], 600);
