@@ -36,6 +36,9 @@ std::string_view end_of(const Verdict& verdict);
 /// the number of verdicts. The reached steps of `reachable all steps` share one row.
 void print_report(const Report& report, const TextOptions& options, std::ostream& out);
 
+/// Returns the word of a result: green for Holds, red for Violated, otherwise yellow.
+std::string coloured(std::string_view word, Outcome outcome, Colour colour);
+
 /// The maximum width of a line of text, in columns.
 inline constexpr std::size_t widest_line = 100;
 

@@ -282,6 +282,14 @@ private:
 
 }  // namespace
 
+std::string coloured(std::string_view word, Outcome outcome, Colour colour) {
+    if (colour == Colour::Plain) return std::string(word);
+    const char* const code = outcome == Outcome::Holds      ? "\x1b[32m"
+                             : outcome == Outcome::Violated ? "\x1b[31m"
+                                                            : "\x1b[33m";
+    return fmt::format("{}{}\x1b[0m", code, word);
+}
+
 std::string_view end_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Holds) return {};
     if (verdict.pattern == Pattern::NoTimelock) return "from here, time cannot pass";

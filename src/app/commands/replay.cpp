@@ -6,9 +6,9 @@
 
 #include <cerrno>
 #include <cstring>
-#include <istream>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -75,21 +75,6 @@ ExitCode exit_code(const RecordingReport& report) {
     return code;
 }
 
-/// Returns a function that reads a stream. A block ends at a line end, so that lines are checked as they arrive.
-LogBlocks blocks_of(std::istream& in) {
-    return [&in](std::string& block) {
-        constexpr std::size_t longest = 65'536;
-        constexpr int end = std::char_traits<char>::eof();
-        block.clear();
-        while (block.size() < longest && !block.ends_with('\n')) {
-            const int byte = in.rdbuf()->sbumpc();
-            if (byte == end) break;
-            block += static_cast<char>(byte);
-        }
-        return !block.empty();
-    };
-}
-
 /// Returns a function that reads an open file. Throws std::system_error if the file cannot be read.
 LogBlocks blocks_of(const Descriptor& file) {
     return [&file](std::string& block) {
@@ -103,11 +88,11 @@ LogBlocks blocks_of(const Descriptor& file) {
     };
 }
 
-/// Returns a function that reads standard input as far as it is available.
-LogBlocks blocks_of(const CancellableInput& input) {
-    return [&input](std::string& block) {
+/// Returns a function that reads as far as bytes are available.
+LogBlocks blocks_of(rpc::Receive receive) {
+    return [receive = std::move(receive)](std::string& block) {
         block.resize(65'536);
-        block.resize(input.receive(block));
+        block.resize(receive(block));
         return !block.empty();
     };
 }
@@ -122,7 +107,9 @@ ExitCode check_log(LogBlocks log, const std::string& name, bool stop_early, Comm
     if (charts.empty() || !options) return ExitCode::Input;
     options->stop_early = stop_early;
     const CancellableInput input(*bounds.limits().stop, bounds.limits().deadline);
-    if (!log) log = streams.alone ? blocks_of(input) : blocks_of(streams.in);
+    if (!log)
+        log = blocks_of(streams.alone ? [&](std::span<char> buffer) { return input.receive(buffer); }
+                                      : receive_from(streams.in));
     const auto report = check_recording(*model, charts, std::move(log), name, *options, job.sources, job.diagnostics);
     if (!report) return ExitCode::Input;
     work_is_done();
@@ -159,13 +146,11 @@ CliCommand replay_usage() {
             1,
             "check a recording of a controller against its chart",
             "Checks a recording of the inputs and outputs of a controller against the charts of FILE. The recording\n"
-            "conforms if the chart with these inputs can have these outputs, and each recorded time differs from the "
-            "time\n"
-            "in the controller by at most the jitter (docs/how-to/check-recordings.md). Otherwise, the first deviation "
-            "is\n"
-            "printed. The log is CSV with a first line of column names, JSON lines or VCD; `-` is standard input. The "
-            "mode\n"
-            "is stability-search. Exit code 1: the recording deviates or violates a property; 3: inconclusive.",
+            "conforms if the chart with these inputs can have these outputs, and each recorded time differs from the\n"
+            "time in the controller by at most the jitter (docs/how-to/check-recordings.md). Otherwise, the first\n"
+            "deviation is printed. The log is CSV with a first line of column names, JSON lines or VCD; `-` is\n"
+            "standard input. The mode is stability-search. Exit code 1: the recording deviates or violates a\n"
+            "property; 3: inconclusive.",
             {"grafverif replay press.grafcet --log night.csv --jitter 20ms",
              "grafverif replay press.grafcet --log night.csv --map %I0.3=START --format json"},
             {OptionGroup::Log, OptionGroup::Recording, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Format}};
@@ -177,11 +162,9 @@ CliCommand monitor_usage() {
             1,
             1,
             "check samples of a controller against its chart while they arrive",
-            "Checks samples on standard input like `replay`, and ends at the first deviation, violated property or "
-            "invalid\n"
-            "line. A deviation is found when samples cover four times the jitter after it. At the end of the samples, "
-            "or if\n"
-            "the command is interrupted, the verdict is printed.",
+            "Checks samples on standard input like `replay`, and ends at the first deviation, violated property or\n"
+            "invalid line. A deviation is found when samples cover four times the jitter after it. At the end of the\n"
+            "samples, or if the command is interrupted, the verdict is printed.",
             {"recorder --csv | grafverif monitor press.grafcet --jitter 50ms"},
             {OptionGroup::Recording, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Format}};
 }

@@ -5,6 +5,8 @@
 #include <optional>
 #include <variant>
 
+#include "ir/patterns.hpp"
+
 namespace grafverif {
 
 namespace {
@@ -23,9 +25,7 @@ std::vector<std::size_t> columns_of(const ClosedLoop& loop, const std::vector<st
 }
 
 bool is_state_property(const Property& property) {
-    const bool state = property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
-                       property.pattern == Pattern::ExactlyOneOf;
-    return state && !property.at_stable && !property.expected_violated;
+    return is_about_all_states(property.pattern) && !property.at_stable && !property.expected_violated;
 }
 
 }  // namespace

@@ -96,12 +96,10 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
 }
 
 std::string outcome_text(const Comparison& comparison, Colour colour) {
-    const std::string text(word(comparison.outcome));
-    if (colour == Colour::Plain) return text;
-    const char* const shade = comparison.outcome == Comparison::Outcome::Equal       ? "\x1b[32m"
-                              : comparison.outcome == Comparison::Outcome::Different ? "\x1b[31m"
-                                                                                     : "\x1b[33m";
-    return shade + text + "\x1b[0m";
+    const Outcome shown = comparison.outcome == Comparison::Outcome::Equal       ? Outcome::Holds
+                          : comparison.outcome == Comparison::Outcome::Different ? Outcome::Violated
+                                                                                 : Outcome::Unknown;
+    return coloured(word(comparison.outcome), shown, colour);
 }
 
 bool has_program(const Comparison& comparison) { return comparison.programs[0] || comparison.programs[1]; }

@@ -35,12 +35,10 @@ std::string jitter_text(const RecordingReport& report) {
 }
 
 std::string verdict_text(RecordingVerdict::Kind kind, Colour colour) {
-    const std::string text(word(kind));
-    if (colour == Colour::Plain) return text;
-    const char* const shade = kind == RecordingVerdict::Kind::Conforms   ? "\x1b[32m"
-                              : kind == RecordingVerdict::Kind::Deviates ? "\x1b[31m"
-                                                                         : "\x1b[33m";
-    return shade + text + "\x1b[0m";
+    const Outcome shown = kind == RecordingVerdict::Kind::Conforms   ? Outcome::Holds
+                          : kind == RecordingVerdict::Kind::Deviates ? Outcome::Violated
+                                                                     : Outcome::Unknown;
+    return coloured(word(kind), shown, colour);
 }
 
 void print_deviation(const Deviation& deviation, const RecordingReport& report, std::ostream& out) {

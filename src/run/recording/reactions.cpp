@@ -23,10 +23,7 @@ Chart without_durations(Chart chart) {
     return chart;
 }
 
-void append(std::string& key, std::int64_t value) {
-    for (unsigned byte = 0; byte < 8; ++byte)
-        key += static_cast<char>(static_cast<std::uint64_t>(value) >> (8U * byte));
-}
+void append(std::string& key, std::int64_t value) { append_number(key, static_cast<std::uint64_t>(value)); }
 
 void append(std::string& key, const std::vector<bool>& bits) {
     for (const bool bit : bits) key += bit ? '1' : '0';
@@ -65,7 +62,7 @@ std::shared_ptr<const Reaction> Reactions::react(const StatePointer& before, con
                                                  const std::vector<bool>& rise_over,
                                                  const std::vector<bool>& fall_over) {
     std::string key;
-    append(key, static_cast<std::int64_t>(reinterpret_cast<std::intptr_t>(before.get())));
+    append_number(key, reinterpret_cast<std::uintptr_t>(before.get()));
     for (const std::int64_t value : inputs) append(key, value);
     append(key, rise_over);
     append(key, fall_over);

@@ -16,6 +16,11 @@ namespace grafverif {
 
 using StatePointer = std::shared_ptr<const State>;
 
+/// Appends the bytes of a number to the key of a table.
+inline void append_number(std::string& key, std::uint64_t value) {
+    for (unsigned byte = 0; byte < 8; ++byte) key += static_cast<char>(value >> (8U * byte));
+}
+
 /// One cycle with stability search.
 struct Reaction {
     StatePointer before = {}, after = {};

@@ -20,10 +20,6 @@ constexpr std::size_t most_successors = 40'000;      ///< before equal hypothese
 constexpr std::uint64_t poll_interval = 1'024;       ///< reactions between two calls of `stopped`
 constexpr std::uint64_t instants_shown = 16;         ///< minimum number of stored instants of a long timing
 
-void append(std::string& key, std::uint64_t value) {
-    for (unsigned byte = 0; byte < 8; ++byte) key += static_cast<char>(value >> (8U * byte));
-}
-
 }  // namespace
 
 /// Finds all successors of a hypothesis: its possible next instants.
@@ -382,10 +378,10 @@ void RecordingCheck::reduce(std::vector<Hypothesis>& hypotheses) {
     for (Hypothesis& hypothesis : hypotheses) {
         if (hypothesis.history) relax(hypothesis);
         std::string key;
-        append(key, reinterpret_cast<std::uintptr_t>(hypothesis.state.get()));
-        for (const std::uint64_t position : hypothesis.used) append(key, position);
+        append_number(key, reinterpret_cast<std::uintptr_t>(hypothesis.state.get()));
+        for (const std::uint64_t position : hypothesis.used) append_number(key, position);
         for (const auto* const list : {&hypothesis.rise, &hypothesis.fall, &hypothesis.hidden})
-            for (const std::size_t variable : *list) append(key, variable);
+            for (const std::size_t variable : *list) append_number(key, variable);
         std::vector<std::size_t>& same = kept[key];
         const auto is_known = [&](std::size_t other) { return result[other].zone.includes(hypothesis.zone); };
         if (std::ranges::any_of(same, is_known)) continue;
