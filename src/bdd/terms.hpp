@@ -17,8 +17,8 @@ using BddTerms = BitTerms<Bdd>;
 inline BddTerm bdd_boolean(const Bdd& value) { return boolean_term(value); }
 inline BddTerm bdd_integer(std::int64_t value) { return integer_term<Bdd>(value); }
 
-/// A variable of `type` as bits of a space: the unsigned value - type.low, least significant bit first, with as many
-/// bits as the range requires (none for a single value). A Boolean has one bit.
+/// A variable of `type` as bits of a space: the unsigned offset of the value from type.low, least significant bit
+/// first, with as many bits as the range requires (none for a single value). A Boolean has one bit.
 struct BddWord {
     Type type = {};
     std::vector<std::uint32_t> bits = {};

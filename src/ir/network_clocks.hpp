@@ -53,18 +53,17 @@ struct ProcessClocks {
 
 bool resets(const Network::Edge& edge, Id<Network::Clock> clock);
 
-/// What an edge needs of the clocks of its process, for all dense values that the invariant of its source permits. Let
-/// `c == d` be the bound of an invariant. The edge is enabled there if its guard holds, and no clock except c affects
-/// its constraint and the invariant of its target after the resets. A bound of the target that the source implies has
-/// no effect.
+/// The clock values for which an edge is enabled if its guard holds, among all dense values that the invariant of its
+/// source permits. The edge depends on a clock if some of these values violate its constraint or, after the resets, the
+/// invariant of its target. Bit k belongs to constraint k of the invariant of the source, for k < 63.
 struct EdgeTiming {
-    std::uint64_t covers = 0;  ///< a bit per constraint of the source's invariant, at most 63: enabled at that bound
-    std::uint64_t frees = 0;   ///< of these: the clock is reset, or not bounded before its next reset
-    bool always = false;       ///< enabled for all values
-    bool at_last = false;      ///< enabled once every clock is large enough
+    std::uint64_t covers = 0;  ///< the edge is enabled at the bound of the constraint, and depends on no other clock
+    std::uint64_t frees = 0;   ///< also, the clock of the constraint is reset, or not bounded before its next reset
+    bool always = false;       ///< the edge is enabled for all values
+    bool at_last = false;      ///< the edge is enabled once every clock is large enough
 };
 
-/// `clocks`: those of the process in an expanded network.
+/// `clocks` is the clock analysis of the process. Requires that the network is expanded.
 EdgeTiming timing_of(const Network& network, const ProcessClocks& clocks, const Network::Template& automaton,
                      const Network::Edge& edge);
 

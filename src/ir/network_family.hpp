@@ -33,8 +33,8 @@ struct FamilyMember {
 /// constraints have equal frames. The frame does not list the constants of the loop.
 FamilyMember member_of(const Network& network);
 
-/// Returns the same frame with only the property called `name`, if there is one. Frames that agree on the processes and
-/// on this property have equal results.
+/// Returns the same frame with only the property called `name`, if there is one. The results are
+/// equal for frames that differ only in other properties.
 Network with_only(const Network& frame, const std::string& name);
 
 /// Returns a hash that is equal for equal frames.
@@ -66,8 +66,8 @@ public:
     /// ("Exactness", 4), is also a proof for this member: at each bound of an invariant, each edge that releases the
     /// bound in the relaxation also releases it in the member, and bounds that are positive remain positive.
     bool releases_bounds_of(const ClockFacts& relaxation) const;
-    /// True if this member can take each edge once every clock is large enough, if the relaxation can do so. Only edges
-    /// of locations without an invariant are considered.
+    /// True if each edge that the relaxation can take once every clock is large enough can also be taken by this member
+    /// once every clock is large enough. Only edges of locations without an invariant are considered.
     bool keeps_edges_of(const ClockFacts& relaxation) const;
     /// True if a clock constraint is strict.
     bool strict() const { return strict_; }

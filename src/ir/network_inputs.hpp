@@ -11,8 +11,8 @@
 //             valuations, independently of earlier samplings. All outputs are chosen jointly: a selector never has two
 //             positions.
 //   Untimed   its location and outputs are stored; its clocks and its urgency are ignored, so it may move at any time.
-//   Paced     for autonomous instances only: its upper bounds are ignored, and its lower bounds are one time unit of
-//             the search, so that it does not change twice within one instant.
+//   Paced     for autonomous instances only: upper bounds are ignored, and lower bounds are one time unit of the
+//             search, so that the instance does not change twice within one instant.
 //   Complete  the process is unchanged.
 //
 // Let N be the network and A the abstraction. If the locations, clocks and outputs of the abstracted processes and

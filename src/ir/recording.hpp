@@ -13,8 +13,8 @@
 
 namespace grafverif {
 
-/// The first part of a recording that no admissible timing explains, and the last output that the timing with the
-/// longest explained part does not explain.
+/// Evidence for a recording without an admissible timing: the timing that explains the longest beginning of the
+/// recording, and the output that this timing does not explain.
 struct Deviation {
     std::int64_t time_us = 0;     ///< time of the recorded change, or of the change of the chart
     std::uint64_t line = 0;       ///< line of the recorded value

@@ -325,7 +325,8 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     list.push_back(implies(exprs, exprs.conjunction(turn, stays), idle));
 }
 
-/// Returns the locations with an invariant. An automaton stays in such a location only for a bounded time.
+/// Returns one movement for each location with an invariant. An automaton stays in such a location only for a bounded
+/// time.
 std::vector<Movement> movements(const Declared& declared) {
     Draft& draft = declared.draft;
     std::vector<Movement> found;

@@ -128,8 +128,8 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
     if (meaning.checked_when_stable) translated.at_stable = true;
     if (property.pattern == Pattern::ReachableAllSteps) return add_all_steps(meaning, translated);
     if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
-        // Until an edge is enabled, only time passes, so that there is only one run. Therefore `possible` is equivalent
-        // to `eventually`.
+        // `no deadlock` requires that an edge can be taken immediately or after a delay. Until an edge is enabled, only
+        // time passes, so that there is only one run; therefore `always possible` has the same meaning.
         translated.pattern = Pattern::AlwaysPossible;
         translated.operands = {property.pattern == Pattern::NoDeadlock ? meaning.can_move : meaning.can_wait};
     }

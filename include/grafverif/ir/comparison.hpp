@@ -83,7 +83,7 @@ struct Comparison {
     bool operator==(const Comparison&) const = default;
 };
 
-/// Returns words such as `equal` and `added`.
+/// Return a word such as `equal` or `added`.
 std::string_view word(Comparison::Outcome outcome);
 std::string_view word(ChartChange::Kind kind);
 

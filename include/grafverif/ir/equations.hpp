@@ -88,7 +88,7 @@ struct Equations {
         /// Chain of conditional terms over `writes`; its last alternative is the variable itself. If only Boolean
         /// constants are stored, the term is `set or (v and not reset)`.
         Id<Expr> next = {};
-        /// Condition that two writes of different values are triggered; the constant false if this is impossible.
+        /// Condition under which two writes of different values are triggered; the constant false if it never holds.
         Id<Expr> race = {};
         Id<Expr> first = {};  ///< value after the first evolution
         Id<Expr> first_race = {};

@@ -22,9 +22,10 @@
 // Conditions read timers in the same way as inputs. An evolution lists the timers whose rise time it restarts
 // (`restarted`) and those whose fall time it may start (`falling`).
 //
-// Expressions are stored in `exprs`; their leaves are Variable -> inputs. `assumed` restricts the considered inputs
-// (the chart's constraints). For inputs that satisfy `assumed`, all conditions are exact; for other inputs they are
-// unspecified. The conditions may also assume the order of timers of one level: if `3s/X2` is false, `5s/X2` is false.
+// Expressions are stored in `exprs`; their leaves are Variable (index in `inputs`). `assumed` restricts the considered
+// inputs (the chart's constraints). For inputs that satisfy `assumed`, all conditions are exact; for other inputs they
+// are unspecified. The conditions may also assume the order of timers of one level: if `3s/X2` is false, `5s/X2` is
+// false.
 //
 // Invariants (see verify): ids are in their tables; the steps of a situation are in increasing order; locations except
 // INIT differ in situation or values; `evolutions` and `instabilities` are sorted by `from`; no condition is the

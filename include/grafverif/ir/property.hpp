@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Property: a query about a closed loop. Its pattern belongs to a fixed set, and has the same semantics in every
-// engine. The operands are expressions of the owner (leaves in a ClosedLoop: Variable -> symbols; in a Network:
-// Variable and At).
+// engine. The operands are expressions of the owner. In a ClosedLoop, their leaves are Variable (index in
+// `symbols`); in a Network, Variable and At.
 #pragma once
 
 #include <cstdint>

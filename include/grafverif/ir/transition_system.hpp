@@ -127,8 +127,8 @@ struct TransitionSystem {
         bool operator==(const Component&) const = default;
     };
 
-    /// A subsystem: a set of instances of an interleaved system. These instances share only time and the choice of the
-    /// moving instance with all other instances.
+    /// A subsystem: a set of instances of an interleaved system. These instances share nothing with the other instances
+    /// except time and the choice of the moving instance.
     struct Subsystem {
         std::string name = {};  ///< displayed name
         std::vector<Id<Instance>> instances = {};

@@ -43,7 +43,7 @@ enum class Outcome { Holds, Violated, Unknown };
 /// Reason for an unknown verdict.
 enum class UnknownReason {
     None,
-    Bound,        ///< limit on the number of states reached
+    Bound,        ///< maximum number of states reached
     Memory,       ///< memory limit reached
     Stopped,      ///< stopped by the user or the deadline
     Inexact,      ///< integer time is inconclusive for dense time

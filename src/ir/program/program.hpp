@@ -145,7 +145,7 @@ struct Program {
         Section section = Section::Local;
         Id<Type> type = {};
         std::uint32_t offset = 0;
-        std::int64_t initial = 0;  ///< not for a block; for an array: value of each element
+        std::int64_t initial = 0;  ///< unused for a block; for an array: value of each element
         bool constant = false;
         bool input = false;        ///< true for a free input of the program: VAR_INPUT of the program, or `AT %I`
         bool output = false;       ///< true for VAR_OUTPUT of the program, or `AT %Q`
