@@ -128,8 +128,9 @@ void ChartAnalyzer::dead_transitions() {
     for (const Transition id : chart_.transitions.ids()) dead_transition(id);
 }
 
-/// Returns the first conjunct of the condition that is false whenever the transition is enabled, as text. All variables of
-/// the conjunct have names in the chart. The text is empty if no conjunct satisfies these conditions.
+/// Returns the first conjunct of the condition that is false whenever the transition is enabled, as text. Only
+/// conjuncts in which all variables have names in the chart are considered. The text is empty if there is no such
+/// conjunct.
 std::string ChartAnalyzer::false_part(Transition id) {
     const Exprs& exprs = equations_.exprs;
     const Id<Expr> condition = equations_.firings[id.index].condition;

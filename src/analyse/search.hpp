@@ -13,9 +13,9 @@
 
 namespace grafverif::analysis {
 
-/// The instant with the same number in all runs. It consists of the new points, in rings by the number of evolutions
-/// before them, and of the new rests at the end of the instant. In every_cycle mode, the first instant has no points,
-/// because it consists only of the first evolution.
+/// The instants of all runs that have the same number: the points that earlier instants do not contain, in rings by the
+/// number of evolutions before them, and the new rests at the ends of the instants. In every_cycle mode, the first
+/// instant has no points, because it consists only of the first evolution.
 struct Instant {
     std::size_t first = 0, end = 0;  ///< range [first, end) of the rings of this instant
     Bdd rest = {};

@@ -11,7 +11,7 @@
 
 namespace grafverif::analysis {
 
-/// Returns, per variable of the chart, true if an equation reads it.
+/// For each variable of the equations: true if an equation reads it.
 std::vector<bool> variables_read(const Equations& equations);
 
 /// Returns cycles of forcing orders. Each order forces the partial chart that contains the step of the next order, and

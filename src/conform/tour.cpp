@@ -248,7 +248,8 @@ Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<T
 }
 
 /// Computes an Eulerian circuit that traverses each arc as often as `crossings` states, and begins in the node that
-/// represents the controller without power (Hierholzer 1873). If possible, a wait directly follows a step with the same inputs.
+/// represents the controller without power (Hierholzer 1873). If possible, a wait directly follows a step with the same
+/// inputs.
 class Circuit {
 public:
     Circuit(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs, Crossings crossings)

@@ -11,7 +11,7 @@
 namespace grafverif {
 
 /// True if `run`, which violates `property`, ends at power-on: none of its states is quiescent, and no time passes in
-/// it. Returns false for a property that is not about single states or is not checked in all states.
+/// it. Returns false if the property is not a property of all states, or has `at stable`.
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run);
 
 /// Returns the explanation of a violation at power-on. `at_stable` is the verdict on the same property, checked only in

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Adds a cause at one event. If an equal cause ends at `before`, extends this cause instead.
+/// Adds a cause at one event. If an equal cause ends at `before` or later, extends this cause instead.
 void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     for (ChartRun::Cause& earlier : run.causes) {
         ChartRun::Cause same = earlier;

@@ -129,10 +129,10 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
 
 /// Converts `network` to the longest time unit in which all clock bounds are integers. Bounds of Paced instances are
 /// not considered: they become 1, or 0 if they are shorter than the unit. As for any unit that divides the bounds,
-/// integer time is exact in this unit. Bounds of `rounded` processes are not considered either: they become multiples of
-/// the unit, lower bounds by rounding down and upper bounds by rounding up, so that each run remains possible. Rounded
-/// processes have no constraint `clock == bound`. If both lists are empty, the result is the same network in that unit.
-/// Requires that `network` is expanded.
+/// integer time is exact in this unit. Bounds of `rounded` processes are not considered either: they become multiples
+/// of the unit, lower bounds by rounding down and upper bounds by rounding up, so that each run remains possible.
+/// Rounded processes have no constraint `clock == bound`. If both lists are empty, the result is the same network in
+/// that unit. Requires that `network` is expanded.
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {},
                         const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
 

@@ -100,16 +100,17 @@ StateSearch bounded_search(std::optional<std::uint64_t> max_steps);
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
 
 /// Decides selected properties about single states by localization (check/localization/localization.hpp) and input
-/// abstraction (check/inputs/inputs.hpp). Returns verdicts on the system, without runs. Requires interleaved automata: the system then has the same runs, up to a
-/// model error, as the network from which it was derived (without clocks if time is abstract). If a model error is
-/// possible, no verdict is returned. The search takes at most a third of the remaining time, and at most 20 seconds.
+/// abstraction (check/inputs/inputs.hpp). Returns verdicts on the system, without runs. Requires interleaved automata:
+/// the system then has the same runs, up to a model error, as the network from which it was derived (without clocks if
+/// time is abstract). If a model error is possible, no verdict is returned. The search takes at most a third of the
+/// remaining time, and at most 20 seconds.
 std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const CheckOptions& options,
                                              const LocalizationLimits& limits = {.whole = 1U << 15U,
                                                                                  .local = 1U << 18U});
 
-/// Checks with the symbolic engine, and also with localization, input abstraction, PDR and BMC if the symbolic engine takes long. `alone`
-/// is the number of steps that the symbolic engine first makes alone (see PortfolioOptions); the default takes about a
-/// second.
+/// Checks with the symbolic engine, and also with localization, input abstraction, PDR and BMC if the symbolic engine
+/// needs a long time. `alone` is the number of operation steps that the symbolic engine first executes alone (see
+/// PortfolioOptions); the default takes about a second.
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 50'000'000);
 
 /// Checks the implicit properties of a chart without a loop by `decide`. Under stability search, the search of

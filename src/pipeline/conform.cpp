@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Translates Equations to an Analysis, and Equations to a LocationAutomaton, a MealyMachine and a TestSequence.
+// Derives an Analysis, a LocationAutomaton, a MealyMachine and a TestSequence from the Equations of a chart.
 #include <fmt/format.h>
 
 #include "analyse/analyse.hpp"

@@ -182,8 +182,8 @@ bool is_about(const TransitionSystem& system, const PropertyResult& answer, Id<T
 /// Returns a term that is true in the states in which a transition is cleared. If no state stores this value, returns
 /// the constant false.
 Id<Expr> clearing(Network& network, Id<Network::Variable> firing) {
-    // A scratch variable is computed from the state before the edge. The terms of the condition can be evaluated in
-    // that state.
+    // A scratch variable is computed from the state before the edge, and no state stores it. The candidate terms are
+    // evaluated in the same state; therefore they are sufficient.
     return network.variables[firing].scratch ? network.exprs.constant(false)
                                              : network.exprs.leaf(Op::Variable, firing.index);
 }

@@ -59,8 +59,8 @@ class PermittedFolders {
 public:
     explicit PermittedFolders(const std::vector<std::string>& folders = {});
 
-    /// Returns `path` with resolved links, or unchanged if reading is not restricted. The result is empty if the path is
-    /// outside of the folders; `why` then has the reason, which does not depend on the existence of the file.
+    /// Returns `path` with resolved links, or unchanged if reading is not restricted. The result is empty if the path
+    /// is outside of the folders; `why` then has the reason, which does not depend on the existence of the file.
     std::optional<std::filesystem::path> resolved(const std::filesystem::path& path, std::string& why) const;
     /// As `resolved`, but a relative path refers to the first of the folders that contains such a file.
     std::optional<std::filesystem::path> located(const std::filesystem::path& path, std::string& why) const;

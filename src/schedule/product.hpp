@@ -20,8 +20,8 @@
 //                violated if a never becomes stable although b does. A fault in one chart and instability of the other
 //                do not count as a difference. Only under stability search
 //   one_follows  true leads to: one of them has completed the scan. Only for programs with `settles`
-//   b_settles_after_stop, a_settles_after_stop   if a has stopped, b completes the scan eventually, and vice versa. Only
-//                for programs with `settles`
+//   b_settles_after_stop, a_settles_after_stop   if a has stopped, b completes the scan eventually, and vice versa.
+//                Only for programs with `settles`
 //   continues    reachable: both have completed a scan without a fault or a stop
 #pragma once
 

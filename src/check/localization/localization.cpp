@@ -207,8 +207,8 @@ bool LocalizationCheck::refine(std::uint64_t states, const Deadline& deadline) {
     return !tasks_.empty() && round_ < limits_.local;
 }
 
-/// Performs the searches of one round. Verdicts are valid only if no model error is possible. Therefore the searches for
-/// model errors precede those that add fragments for a query, which may use all of the time.
+/// Performs the searches of one round. Verdicts are valid only if no model error is possible. Therefore the searches
+/// for model errors precede those that add fragments for a query, which may use all of the time.
 void LocalizationCheck::search_round() {
     const auto search_tasks = [&] {
         while (!tasks_.empty()) {

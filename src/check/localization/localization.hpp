@@ -45,8 +45,8 @@ public:
 
     /// Performs the first search of the complete network, and then the first round of localization.
     void begin();
-    /// Performs a round of localization with searches of at most `states` states each. Has no effect if an earlier round
-    /// had the same or a greater bound. Returns false if no search is left for the next round.
+    /// Performs a round of localization with searches of at most `states` states each. Has no effect if an earlier
+    /// round had the same or a greater bound. Returns false if no search is left for the next round.
     bool refine(std::uint64_t states, const Deadline& deadline);
     /// Returns the result so far. Open verdicts have the obstacle `Bound`. A caller that decides an open verdict also
     /// sets its `abstraction`.

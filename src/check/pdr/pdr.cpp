@@ -229,8 +229,8 @@ private:
     }
 
     /// Returns true if no step leads from the frame into the cube, and removes literals that are not necessary for
-    /// this. A state with a step into the cube is first excluded if it has no predecessors. The number of these
-    /// attempts is limited (Hassan, Bradley and Somenzi 2013: "Better generalization in IC3").
+    /// this. A state with a step into the cube is first excluded if it has no predecessors in the previous frame. The
+    /// number of these attempts is limited (Hassan, Bradley and Somenzi 2013: "Better generalization in IC3").
     bool excludes(Cube& cube, std::size_t before, bool obstacles) {
         if (holds_first_state(cube)) return false;
         Cube core;

@@ -43,7 +43,7 @@ StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) 
 }
 
 /// Returns a run to `state`, from which time never passes again. The run continues by the edges that block delay, until
-/// only other edges are enabled or a state is repeated: a move that could also be omitted does not explain the timelock.
+/// only other edges are enabled or a state is repeated. Moves that could also be omitted do not explain the timelock.
 Run without_time(Graph& graph, std::uint32_t state) {
     Run run = graph.run_to(state);
     if (auto states = replay(graph.machine.network(), run))

@@ -209,7 +209,7 @@ private:
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
             if ((target & SuccessorBatch::new_state) == 0) continue;
-            // The number is set for all equal new states, except for a state that another one simulates.
+            // The number is set for all equal new states, except for states that another state simulates.
             if (graph_.covered || slice.new_states[target & SuccessorBatch::number].first)
                 resolve(slice, target, state, By::Edge);
         }
@@ -272,9 +272,9 @@ private:
     /// How the search has reached a state.
     enum class By : std::uint8_t { Edge, Delay };
 
-    /// Returns a state that simulates the new state in `words`, or Store::none. A further delay after a delay belongs to
-    /// the same move. Therefore, a state reached by a delay needs a state whose delay is known, or that belongs to an
-    /// earlier level.
+    /// Returns a state that simulates the new state in `words`, or Store::none. A further delay after a delay belongs
+    /// to the same move. Therefore, if the new state was reached by a delay, the result is a state whose delay is known,
+    /// or a state of the current level or of an earlier level.
     std::uint32_t simulating(const Word* words, By by) {
         if (graph_.covering && !graph_.covering->is_useful()) graph_.covering.reset();
         if (!graph_.covering) return Store::none;
@@ -286,8 +286,8 @@ private:
         return state;
     }
 
-    /// Returns the number of a target, or of a state that simulates it. A new state that no other simulates gets the
-    /// next number when the search first reaches it.
+    /// Returns the number of a target, or of a state that simulates it. A new state that no other state simulates gets
+    /// the next number when the search first reaches it.
     std::uint32_t resolve(const SuccessorBatch& slice, std::uint32_t target, std::uint32_t parent, By by) {
         const std::uint32_t index = target & SuccessorBatch::number;
         if ((target & SuccessorBatch::new_state) == 0) return index;
@@ -313,7 +313,7 @@ private:
     }
 
     /// Returns the number of the state in `now_.words`, or of a state that simulates it. A new state that no other
-    /// simulates is added.
+    /// state simulates is added.
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;

@@ -137,7 +137,8 @@ public:
     bool linked = true;
     /// Omits states that other states simulate; null if it is not used, or no longer used because it omits few states.
     std::unique_ptr<Covering> covering = {};
-    /// True if states may have been omitted: a target may be missing, so only properties about single states are decided.
+    /// True if states may have been omitted. Targets may then be missing, so that only properties about single states
+    /// are decided.
     bool covered = false;
     std::uint32_t explored = 0;              // number of expanded states; they have `kinds` and `links`
     std::vector<std::uint32_t> levels = {};  // first state of each depth

@@ -5,9 +5,9 @@
 // applies its effect to a copy of the state: assignments, procedures, the new location, resets, caps, and the target's
 // invariant.
 //
-// While testing the edges of a state, the machine also determines if integer time is exact in this state (design: "time
-// can hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers the bound if its data guard
-// holds and it is enabled at c == d for all values of the other clocks; see UncoveredBound.
+// While testing the edges of a state, the machine also determines if integer time is exact in this state
+// (docs/explanation/timed-engine.md, "Exactness"). An edge covers a bound `c <= d` in force if its data guard holds and
+// it is enabled at c == d for all values of the other clocks; see UncoveredBound.
 #pragma once
 
 #include <cstdint>

@@ -5,11 +5,11 @@
 // decided on the state graph with UPPAAL semantics: a maximal run is infinite or ends in a state without successors;
 // staying in a state forever is a run; a state that satisfies p and q fulfils `p leads to q`.
 //
-// Exactness (design: "properties, verdicts, traces"; proof in docs/explanation/timed-engine.md). With closed clock
-// constraints, integer time reaches the same discrete states as dense time; therefore `always`, `never` and `reachable`
-// are exact. With a strict constraint, only runs that are found in integer time are conclusive for these properties. An
-// integer run can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`. These properties hold only if no
-// timelock can occur between two ticks; otherwise the verdict is unknown and its reason names the location.
+// Exactness (proof: docs/explanation/timed-engine.md, "Exactness"). With closed clock constraints, integer time reaches
+// the same discrete states as dense time; therefore `always`, `never` and `reachable` are exact. With a strict
+// constraint, only runs that are found in integer time are conclusive for these properties. An integer run can refute
+// `inevitable`, `leads to`, `no deadlock` and `no timelock`. These properties hold only if no timelock can occur between
+// two ticks; otherwise the verdict is unknown and its reason names the location.
 //
 // Counterexamples to state properties have the minimum number of moves; a delay of any length counts as one move.
 #pragma once
@@ -78,7 +78,7 @@ struct TimedOptions {
 };
 
 /// Results of a complete search of a part, on which verdicts about other parts depend
-/// (docs/explanation/timed-engine.md, "Sub-loops").
+/// (docs/explanation/decomposition.md, "Sub-loops").
 struct Premises {
     std::optional<Run> diverges = {};  ///< a lasso in which time diverges; empty if no such run exists
     bool rests = false;                ///< true if no run continues forever within one instant

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Checks state properties of closed loops on recorded values. A property is violated if its condition is false for
 // recorded values that do not change for more than four times the jitter. Shorter combinations can result from the
-// delays of the recording and are not reported. The result assumes that no pulse of an output is missing in the recording.
+// delays of the recording and are not reported. The result assumes that no pulse of an output is missing in the
+// recording.
 #pragma once
 
 #include <cstddef>

@@ -70,7 +70,7 @@ bool Covering::is_above(const Entry& entry) const {
 }
 
 void Covering::add(std::uint32_t state) {
-    // Entries that the new state simulates are replaced: everything that they simulate, it simulates as well.
+    // Entries that the new state simulates are replaced, because it also simulates all states that they simulate.
     std::uint32_t replaced = none;
     for (std::uint32_t* link = &lists_[key_]; *link != none;) {
         Entry& entry = entries_[*link];

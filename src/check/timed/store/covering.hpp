@@ -6,7 +6,8 @@
 // each clock one of these conditions holds: x has the same value in both; L <= s'(x) < s(x); or U < s(x) < s'(x)
 // (Behrmann, Bouyer, Larsen, Pelanek: Lower and upper bounds in zone-based abstractions of timed automata, 2006; here
 // for integer values and closed constraints). Every run from s is then also a run from s', because urgent edges have no
-// clock constraints and keep the invariants of their targets. Therefore, a search for single states need not store s. It must store s if the run to s' is longer.
+// clock constraints and keep the invariants of their targets. Therefore, a search for single states need not store s,
+// unless the run to s' is longer than the run to s.
 //
 // For a clock with U < L, the values up to U are exact, and greater ones simulate smaller ones. For the other clocks,
 // the values below L are exact, and smaller ones simulate greater ones. So the state in which all inexact values are
@@ -25,7 +26,7 @@ namespace grafverif::timed {
 
 class Covering {
 public:
-    /// `clocks`: the clocks of the processes of `network`, which is expanded.
+    /// `clocks` is the clock analysis of `network`, which must be expanded.
     Covering(const Network& network, const Layout& layout, const std::vector<ProcessClocks>& clocks,
              const CoveringAblations& ablations = {});
 
