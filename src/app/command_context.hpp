@@ -87,11 +87,12 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
 
 /// True if the options select a chart without a loop, or `model` has no loop.
 bool is_of_a_chart(const Model& model, const Options& options);
-/// Return the loop or chart that the options select; by default, the only one of the model.
+/// Returns the loop that the options select; by default, the only one of the model.
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, CommandContext& job);
 /// If `--property` is given, keeps only the properties that it names. Returns false after an error: one of the
 /// properties does not exist.
 bool keep_requested(ClosedLoop& loop, CommandContext& job);
+/// Returns the chart that the options select; by default, the only one of the model.
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job);
 
 /// Returns the steps of a list such as `3,X5,G1.3`, which is the value of `option`. A step that does not exist or is
@@ -114,7 +115,7 @@ std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Comma
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job);
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, CommandContext& job);
 
-/// Returns the test of the chart in the table given by `--sequence`.
+/// Reads the table given by `--sequence`, which contains a test of the chart.
 std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, CommandContext& job);
 
 }  // namespace grafverif::app

@@ -26,7 +26,8 @@ namespace grafverif::app {
 enum class Format { Text, Json, JsonLines, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
-/// Cycle time of controllers with a task cycle. Both: the verdicts for a cycle time of zero are compared.
+/// Cycle time of controllers with a task cycle. Both: the task cycle, with a note on each verdict that differs if the
+/// cycle time is zero.
 enum class CycleTime { Task, Zero, Both };
 enum class Target { Both, Uppaal, Nusmv };
 enum class Engine {

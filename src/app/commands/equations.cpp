@@ -22,7 +22,7 @@ std::string printed(const Equations& equations, Format format) {
     case Format::Sarif:
     case Format::Dot:
     case Format::Svg:
-    case Format::Csv: break;  // this format is not supported
+    case Format::Csv: break;  // `equations` does not support these formats
     }
     return out.str();
 }

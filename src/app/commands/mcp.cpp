@@ -31,7 +31,7 @@ ProgramResult execute_separately(const grafverif::mcp::CommandRun& run) {
     return run_program(words, run.input, {run.deadline, run.stop, largest_output, {}});
 }
 
-/// Executes a command in this process, if the process does not belong to the program alone.
+/// Executes a command in this process. It is used if the process executes other code, too (see Streams::alone).
 ProgramResult execute_here(const grafverif::mcp::CommandRun& run) {
     std::istringstream in(run.input);
     std::ostringstream out, err;

@@ -53,8 +53,8 @@ std::optional<TransitionSystem> untimed_model(CommandContext& job) {
     return loop && keep_requested(model->loops[*loop], job) ? transition_system_of(*model, *loop, job) : std::nullopt;
 }
 
-/// Returns the untimed model for AIGER or BTOR2. If the model declares no property, the model contains
-/// a query for each step.
+/// Returns the untimed model for AIGER or BTOR2. It contains a query for each step if `--chart` is given, or if it has
+/// neither properties nor omitted properties.
 std::optional<TransitionSystem> queried_model(CommandContext& job) {
     auto system = untimed_model(job);
     if (system && (job.options.chart || (system->properties.empty() && system->omitted.empty()))) query_steps(*system);

@@ -24,7 +24,8 @@ std::vector<ScanColumn> scan_columns(const Chart& chart, const Scanner& plc) {
     return columns;
 }
 
-/// Reads the next line. Characters after the first `longest` are discarded.
+/// Reads the next line; returns false at the end of the input. At most `longest` + 1 characters are stored, so that the
+/// caller can detect a line that is too long.
 bool next_line(std::istream& in, std::size_t longest, std::string& line) {
     line.clear();
     std::streambuf& bytes = *in.rdbuf();
@@ -35,7 +36,7 @@ bool next_line(std::istream& in, std::size_t longest, std::string& line) {
     return true;
 }
 
-/// Executes the lines. A valid line is executed; the response to an invalid line is an error message.
+/// Executes each valid line. The response to an invalid line is an error message.
 class PlcSession {
 public:
     PlcSession(const Chart& chart, ExecutionMode mode, Clock clock, const Streams& streams)

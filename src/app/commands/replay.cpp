@@ -88,7 +88,7 @@ LogBlocks blocks_of(const Descriptor& file) {
     };
 }
 
-/// Returns a function that reads as far as bytes are available.
+/// Returns a function that waits for bytes and reads those that are available.
 LogBlocks blocks_of(rpc::Receive receive) {
     return [receive = std::move(receive)](std::string& block) {
         block.resize(65'536);

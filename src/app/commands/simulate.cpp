@@ -133,7 +133,7 @@ private:
         return {};
     }
 
-    /// Reports each constraint when it is first violated.
+    /// Reports the constraints that are violated now and were not violated after the previous command.
     void report_violated_constraints() {
         std::vector<std::string> now = simulation_.violated_constraints();
         for (const std::string& constraint : now)

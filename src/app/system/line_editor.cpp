@@ -105,7 +105,7 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     el_set(editor, EL_EDITOR, "emacs");
     el_set(editor, EL_SIGNAL, 1);  // the library restores the terminal if a signal ends the program
     el_set(editor, EL_HIST, history, parts_->history);
-    // The library keeps copies of narrow names forever.
+    // The names are wide strings, because the library converts narrow names to copies that it never frees.
     el_wset(editor, EL_ADDFN, L"grafverif-complete", L"complete the word", Parts::tab);
     el_wset(editor, EL_ADDFN, L"grafverif-give-up", L"discard the line", Parts::give_up);
     el_wset(editor, EL_ADDFN, L"grafverif-stop", L"suspend the program until the shell resumes it", Parts::suspend);

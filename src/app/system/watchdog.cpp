@@ -129,7 +129,7 @@ void no_memory() {
 }
 
 /// Reserves memory, but does not touch it: the limits count the memory that a process requests, and touching 3 MiB
-/// takes half of the processor time of a start.
+/// takes half of the processor time of a start. Returns false if the system refuses the memory.
 bool keep(std::atomic<void*>& kept, std::size_t size) {
     if (kept != nullptr) return true;
     is_reserving = true;

@@ -103,7 +103,8 @@ std::optional<ChildEnd> run_once(const Command& command, const FileWatcher& seen
     return {};
 }
 
-/// Waits for a change. Then, if an editor has moved a file away, waits until the file exists again.
+/// Waits for a change. Then, if an editor has moved a file away, waits at most `save_timeout` until the file exists
+/// again.
 void wait_for_change(const FileWatcher& seen, const std::atomic<bool>& end_requested) {
     while (!end_requested && !seen.changed()) std::this_thread::sleep_for(poll_interval);
     for (const auto end = steady_clock::now() + save_timeout;

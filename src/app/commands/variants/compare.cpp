@@ -18,7 +18,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Returns the initial situations: `3,5` applies to both charts, `3,5:W3,W5` to each chart separately.
+/// Returns the initial situations: `3,5` is the situation of both charts; in `3,5:W3,W5`, each chart has its own.
 std::array<std::vector<Id<Chart::Step>>, 2> beginnings(const Chart& a, const Chart& b, CommandContext& job) {
     if (!job.options.from_situation) return {};
     const std::string_view requested = *job.options.from_situation;
