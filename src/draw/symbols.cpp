@@ -148,7 +148,7 @@ std::string Symbols::title(Id<Chart::Transition> id) const {
 // -- actions ---------------------------------------------------------------------------------------------------------
 
 /// Returns the action with its condition. The delay and the time limit of the action are written as time conditions:
-/// `3s/X2`, not `8s/X2`.
+/// for a delay of 3 s and a limit of 5 s, `3s/X2` and the negation of `8s/X2`.
 Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
     const std::string step = writing_.step(action.step);

@@ -2,8 +2,8 @@
 // Writes a report as JSON and as JSON lines. Times are in milliseconds; missing values are null.
 //
 // In JSON, `errors` contains the model errors; `profile` (report/profile.hpp) and `why` (report/why.hpp) exist if
-// available. In a trace, inputs and outputs are objects by name, all of them in every step. `run` is the complete run
-// (docs/reference/trace-format.md).
+// available. In a trace, `inputs` and `outputs` of every step contain the values of all inputs and outputs by name.
+// `run` is the complete run (docs/reference/trace-format.md).
 //
 //   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace_text", "trace"}], "remedies":[REMEDY],
 //   "profile", "why"}

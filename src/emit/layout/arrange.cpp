@@ -268,7 +268,8 @@ private:
     }
 
     /// Determines the entry for lines to an item that begins at `at`. The entry of a lane is `at`. The entry of a node
-    /// is the position of an incoming line if possible, otherwise a position near the middle of the node.
+    /// is the position of an incoming line if possible, otherwise a position near the middle of the node. Returns false
+    /// if each possible entry coincides with a line of another net.
     static bool enter(Item& item, int at, const std::map<int, std::size_t>& lines) {
         constexpr int corner = 8;
         const auto is_free = [&](int place) {
