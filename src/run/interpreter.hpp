@@ -118,8 +118,8 @@ inline constexpr std::size_t evolution_limit = 1'000'000;
 /// Values per Chart::variables; only the entries of inputs are read.
 using InputValues = std::span<const std::int64_t>;
 
-/// Returns the state before the first evolution: outputs have their initial values, initial steps are active, and ages
-/// are 0.
+/// Returns the state before the first evolution: outputs have their initial values, and the steps that are active at
+/// power-on have age 0.
 State power_on(const Chart& chart);
 
 /// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848) is a time condition such

@@ -67,7 +67,8 @@ void put_situation(const Network& network, NetworkState& state, Id<Network::Cont
         if (const auto request = argument(network, controller.timers[k].process, "P"); request.valid())
             state.variables[request.index] = 1;
     }
-    // A scan of a task cycle that searches for stability would continue without samples; the next scan evolves anyway.
+    // With a task cycle and stability search, this request would continue the last scan, which does not sample the
+    // inputs again. It is not necessary, because the next scan has at least one evolution.
     if (controller.words.cycle && controller.words.mode == ExecutionMode::StabilitySearch) return;
     state.variables[controller.stable.index] = 0;
 }

@@ -48,8 +48,8 @@ public:
         }
         return made;
     }
-    /// Returns the input values that `act` reads in a state with `values` before it. An act that continues a scan, or
-    /// that follows its start, reads the values that the scan holds.
+    /// Returns the input values that `act` reads. `values` are the values in the state before the act. An act that
+    /// continues a scan, or that follows its start, reads the values that the scan holds.
     template <class Variable>
     std::vector<std::int64_t> inputs(const ControllerWords<Variable>& words, const ChartRun::Act& act,
                                      const std::vector<std::int64_t>& values) const {

@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-/// The values that an evolution must store for the next evolution. Only terms that the chart reads are included.
+/// The terms whose values an evolution must store for the next evolution. Only terms that the chart reads are included.
 struct Memory {
     std::vector<Id<Expr>> edges = {};        ///< operands of edges, in order
     std::vector<std::uint32_t> places = {};  ///< for each term: index in `edges`; empty if there are no edges

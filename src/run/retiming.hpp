@@ -22,8 +22,8 @@ public:
     /// returns nothing.
     Retiming(const Network& network, const Run& run);
 
-    /// Returns a run of `member` with the same edges, or nothing if there is none. `member` has the frame of the
-    /// network.
+    /// Returns a run of `member` with the same edges, or nothing if there is none. `member` and the network have the
+    /// same frame.
     std::optional<Run> fit(const Network& member) const;
 
 private:
@@ -44,8 +44,8 @@ private:
 /// True if `run`, possibly continued by a delay, is a run of `network` and determines the verdict on a property with
 /// this pattern. Requires that it determines this verdict in another member of the family, and that both members agree
 /// on the property. For `inevitable` and `leads to`, the run can be continued forever or ends in a state without
-/// successors; for `no timelock` and `no deadlock`, it ends in a state without moves. False for patterns whose verdict
-/// depends on other runs as well.
+/// successors; for `no timelock` and `no deadlock`, it ends in a state without moves. Returns false for patterns whose
+/// verdict depends on other runs as well.
 bool decides(const Network& network, const Run& run, Pattern pattern);
 
 }  // namespace grafverif

@@ -35,7 +35,7 @@ public:
     /// Requires a chart that `derive` accepts. The tables are cleared when their approximate size exceeds `most_bytes`.
     Reactions(const Chart& chart, std::size_t most_bytes);
 
-    /// The executed copy of the chart; its durations are not those of the chart.
+    /// Returns the executed copy of the chart; its durations are not those of the chart.
     const Chart& chart() const { return chart_; }
 
     StatePointer initial() { return unique(power_on(chart_)); }

@@ -15,8 +15,8 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t last = 1;                      ///< variable of the last instant in the zone of a hypothesis
-constexpr std::uint64_t most_reactions = 1'000'000;  ///< for one sample
-constexpr std::size_t most_successors = 40'000;      ///< before equal hypotheses are removed
+constexpr std::uint64_t most_reactions = 1'000'000;  ///< maximum number of reactions for one sample
+constexpr std::size_t most_successors = 40'000;      ///< maximum number before equal hypotheses are removed
 constexpr std::uint64_t poll_interval = 1'024;       ///< reactions between two calls of `stopped`
 constexpr std::uint64_t instants_shown = 16;         ///< minimum number of stored instants of a long timing
 
@@ -135,7 +135,7 @@ private:
         write_outputs(0, std::move(next));
     }
 
-    /// Notes a model error of the instant, unless a change that it does not see cannot be seen by a later instant.
+    /// Notes a model error of the instant if a later instant can still see each change that this instant does not see.
     void note_problem(Zone zone, const std::string& problem) const {
         if (!check_.problem_.empty()) return;
         for (std::size_t k = 0; k < check_.signals_.size(); ++k)
@@ -214,7 +214,8 @@ private:
         return std::clamp(cause_time(), zone.lower(now_), zone.upper(now_));
     }
 
-    /// Returns the recorded time of what the instant sees, if the controller reacts immediately.
+    /// Returns the time of the latest event that the instant sees, which is the time of the instant if the controller
+    /// reacts immediately.
     Ticks cause_time() const {
         Ticks time = from_.history ? from_.typical[last] : check_.begin_;
         for (const Running& running : running_)
@@ -362,7 +363,8 @@ void RecordingCheck::relax(Hypothesis& hypothesis) const {
         if (const Change* const change = signals_[k].at(hypothesis.used[k]); signals_[k].input && change != nullptr)
             next = std::min(next, change->time);
     next -= settings_.jitter;
-    // The next instant sees an input, and is not before `next`, or it sees that a time has elapsed, after the last one.
+    // The next instant either sees a change of an input, and is then not before `next`, or sees that a time has elapsed
+    // after the last instant.
     if (hypothesis.zone.upper(last) < next) hypothesis.zone.assign(last, begin_ - settings_.jitter - 1);
 }
 

@@ -114,7 +114,7 @@ private:
         std::vector<Ticks> typical = {};  ///< for each variable of the zone: a typical time, to be printed
         std::shared_ptr<Instant> history = {};
     };
-    /// The timing whose explained part of the recording is the longest one.
+    /// The end of the timing that explains the longest part of the recording.
     struct End {
         Ticks deadline = 0;
         std::size_t signal = 0;
