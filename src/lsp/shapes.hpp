@@ -31,7 +31,8 @@ Position position_of(const Json& json);
 Range range_of(const Json& json);
 std::vector<Change> changes_of(const Json& json);
 
-/// Return a member of nested objects; `fallback` if it, or an object on the path, is missing or has another type.
+/// Returns the Boolean member of nested objects at `path`; false if it, or an object on the path, is missing or has
+/// another type.
 bool flag(const Json& object, std::initializer_list<const char*> path);
 
 }  // namespace grafverif::lsp

@@ -184,7 +184,7 @@ Json proof_of(const Json& document, const Json& name) {
     return nullptr;
 }
 
-/// Returns a line for each type of elements that the proof needs, such as `proof needs steps: 4`.
+/// Returns a line for each type of element that the proof needs, such as `proof needs steps: 4`.
 std::string proof_text(const Json& proof) {
     std::string text;
     for (const char* const member : {"transitions", "steps", "parts", "timings", "open"}) {

@@ -81,7 +81,8 @@ void Session::take_batch(const Json& messages) {
     close(batch);
 }
 
-/// Sends the responses of the batch if no call is running.
+/// Called when a call of the batch has ended, and when all its messages are read. Sends the responses after the last
+/// of these events.
 void Session::close(const SharedBatch& batch) {
     if (batch != nullptr && --batch->open == 0 && !batch->responses.empty()) send(batch->responses);
 }

@@ -36,7 +36,7 @@ public:
 private:
     /// The responses to a batch (MCP 2025-03-26), which are sent as one message.
     struct Batch {
-        std::size_t open = 0;  ///< number of calls that are running
+        std::size_t open = 0;  ///< number of calls without a result, plus 1 while the batch is read
         Json responses = Json::array();
     };
     using SharedBatch = std::shared_ptr<Batch>;

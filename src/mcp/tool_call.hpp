@@ -57,7 +57,7 @@ public:
     void add_options(std::vector<std::string>& command, std::initializer_list<const char*> names) const;
 
     void set_input(std::string input) { input_ = std::move(input); }
-    /// Executes a command within the limits of the call. Throws CallError if it does not end normally, and if it ends
+    /// Executes a command within the limits of the call. Throws CallError if it does not end normally, or if it ends
     /// with an internal error.
     ProgramResult execute(std::vector<std::string> command) const;
     /// Executes a command that prints JSON. Throws CallError with its error messages if it prints none.

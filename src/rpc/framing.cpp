@@ -46,8 +46,8 @@ Framing::Framing(Receive receive, std::size_t largest) : buffer_(std::move(recei
     line_.reserve(longest_header + ReceiveBuffer::capacity);
 }
 
-/// Reads a line without its terminator. If the line is too long, only its last bytes are stored, so that a header after
-/// other bytes is found.
+/// Reads a line without its terminator. Returns false if the stream ends before the terminator. If the line is too
+/// long, only its last bytes are stored, so that a header after other bytes is found.
 bool Framing::line() {
     for (line_.clear();;) {
         const std::string_view here = buffer_.rest();

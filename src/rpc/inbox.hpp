@@ -35,7 +35,8 @@ public:
     /// Waits until the queue has less than `most` items or is closed.
     void wait_for_room(std::size_t most);
 
-    /// Returns the next item. Returns nothing if no item arrives within `timeout`, or if the queue is closed.
+    /// Returns the next item. Returns nothing if no item arrives within `timeout`, or if the queue is closed
+    /// and empty.
     std::optional<Item> take(std::chrono::milliseconds timeout);
     /// True if the queue is closed and empty.
     bool closed() const;

@@ -12,7 +12,7 @@
 
 namespace grafverif::rpc {
 
-/// Returns the next message, as Framing::next.
+/// Returns the next message, in the same way as Framing::next.
 using NextMessage = std::function<std::optional<Framed>()>;
 
 class Receiver {
