@@ -32,7 +32,7 @@ tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
     return reader.draft.name(reader.index[*found].name, reader.xml.where(variable, "variableDeclaration"));
 }
 
-/// Reports a condition on an action whose type has no condition, instead of ignoring it.
+/// True if an action whose type has no condition has one. Reports the condition, instead of ignoring it.
 bool has_stray_condition(AgrafeReader& reader, pugi::xml_node action, std::string_view hint) {
     const pugi::xml_node term = child(action, "term");
     if (!term) return false;

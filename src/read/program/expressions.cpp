@@ -99,7 +99,7 @@ std::optional<Id<Node>> Reader::converted(const Typed& value, Id<Type> to, Span 
     return {};
 }
 
-/// Converts all operands to one type.
+/// Converts all operands to one type. Returns false after an error.
 bool Reader::unify(std::vector<Typed>& operands, Span where) {
     Id<Type> common;
     for (const Typed& operand : operands) {

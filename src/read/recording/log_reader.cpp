@@ -128,7 +128,7 @@ bool LogReader::put(LogRow& row, LogValue value, std::string_view part) {
     return true;
 }
 
-/// Reads the next line. A line that is too long is reported and skipped.
+/// Reads the next line; returns false if there is none. A line that is too long is reported and skipped.
 bool LogReader::next_line() {
     while (may_continue() && lines_.next()) {
         if (!lines_.is_too_long()) return true;

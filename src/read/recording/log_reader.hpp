@@ -38,7 +38,7 @@ class LogLines {
 public:
     LogLines(LogBlocks blocks, std::string name, Sources& sources);
 
-    /// Reads the next line, without its line end; false at the end. Longer lines than `longest` are truncated.
+    /// Reads the next line, without its line end; false at the end. A line longer than `longest` is truncated.
     bool next();
     const std::string& line() const { return line_; }
     std::uint64_t number() const { return number_; }

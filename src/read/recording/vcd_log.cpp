@@ -70,7 +70,8 @@ bool LogReader::open_vcd() {
         if (keyword == "$upscope" && !scopes_.empty()) scopes_.pop_back();
     }
     words_to_end();
-    // A name that is unique is a column; otherwise the column has the names of its scopes.
+    // If the name of a variable is unique, its column has this name; otherwise, the name of the column includes the
+    // scopes.
     std::map<std::string, int> count;
     const auto name_of = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
     for (const LogColumn& column : columns_) ++count[name_of(column.name)];
