@@ -102,7 +102,7 @@ class Client:
         self.process.stdout.close()
 
     def kill(self):
-        """Ends the server without its consent, if it is still running."""
+        """Kills the server if it is still running."""
         self.process.kill()
         self.process.wait(timeout=TIME_LIMIT)
         self.reader.join(timeout=TIME_LIMIT)

@@ -353,8 +353,8 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
     return text;
 }
 
-/// Returns the instants of the first rests after which none of `lost` ever occurs again. If there are several regions,
-/// each region contributes the first instants of the rests that lead to it.
+/// Returns the instants of the first rests after which none of the events `elements` ever occurs again. If there are
+/// several regions, each region contributes the first instants of the rests that lead to it.
 std::set<std::size_t> first_without(const PointGraph& graph, const std::vector<std::string>& elements, bool broken) {
     std::vector<bool> all(graph.nodes.size(), true);
     for (const std::string& each : elements) {

@@ -148,8 +148,8 @@ Model model_of(const Chart& chart) {
     return model;
 }
 
-/// Returns the error in the verdict on both charts. Returns nothing if the verdict is right, or if one of the charts is
-/// rejected.
+/// Returns the error in the verdict on both charts. Returns an empty string if the verdict is right, or if one of the
+/// charts is rejected.
 std::string violation(const Chart& a, const Chart& b, ExecutionMode mode, Random random, Met& met) {
     Diagnostics diagnostics;
     if (!derive(a, diagnostics) || !derive(b, diagnostics)) return {};
@@ -219,7 +219,7 @@ TEST(RandomizedCompare, AChartWithOtherNamesForItsStepsIsTheSame) {
     EXPECT_GT(met.equal, 0);
 }
 
-/// Returns the error in the location of a mutation, or nothing if the charts differ only at that location.
+/// Returns the error in the location of a mutation, or an empty string if the charts differ only at that location.
 std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
     std::set<std::string> subjects;
     for (const ChartChange& change : difference(a, b)) {

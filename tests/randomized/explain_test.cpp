@@ -140,8 +140,8 @@ public:
 private:
     bool responds() const { return property_.pattern == Pattern::LeadsTo; }
 
-    /// Returns the pairs of a term and a state whose values may be changed. For `leads to` these include all following
-    /// states.
+    /// Returns the states in which values of terms may be changed: the explained state and, for `leads to`, all states
+    /// that follow it.
     std::vector<std::size_t> pairs_of() const {
         std::vector<std::size_t> list = {explained_};
         for (std::size_t k = 0; k < count_ && responds(); ++k)

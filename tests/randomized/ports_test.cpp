@@ -73,8 +73,7 @@ Id<Expr> number(ClosedLoop& loop, Random& random) {
     return loop.exprs.apply(chance(random, 50) ? Op::Plus : Op::Minus, read(loop, shared), constant);
 }
 
-/// Returns a random loop whose actuators follow terms, with one or two watchers of terms. If `read`, properties refer
-/// to their ports.
+/// Returns a random loop whose actuators follow terms, with one or two watchers of terms.
 Model with_terms(Random& random) {
     Model model = random_loop(random);
     const Id<Component> watchers = model.components.add(watcher());

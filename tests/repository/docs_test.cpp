@@ -96,7 +96,7 @@ public:
     void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
     /// Applies a `diff` block. Its first line names the file; the lines marked ` ` and `-` are replaced by the lines
-    /// marked ` ` and `+`.
+    /// marked ` ` and `+`. Returns false if the file does not contain the former lines.
     bool apply(const Block& block) const {
         std::string from, to;
         for (const std::string& line : std::span(block.lines).subspan(1)) {

@@ -38,7 +38,8 @@ std::vector<StateSet> operand_sets(const TransitionSystem& system, const SystemG
 StateSet fairly_staying(const SystemGraph& graph, const StateSet& within, const std::vector<StateSet>& justice);
 std::vector<StateSet> justice_sets(const TransitionSystem& system, const SystemGraph& graph);
 
-/// Decides the property with the patterns as check/symbolic.hpp defines them. Requires that the system is total.
+/// True if the property holds, with the definitions of the patterns in check/symbolic/symbolic.hpp. Requires that the
+/// system is total.
 bool explicit_verdict(const TransitionSystem& system, const SystemGraph& graph, const Property& property);
 
 }  // namespace grafverif

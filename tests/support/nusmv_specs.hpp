@@ -31,8 +31,8 @@ std::optional<SpecTerm> read_spec(std::string_view text);
 /// fair run, because tools differ in this treatment.
 bool spec_is_true(const TransitionSystem& system, const SystemGraph& graph, const NusmvModel::Specification& spec);
 
-/// Returns the verdict on the property of the specification. If the name of the specification begins with `never_`, the
-/// specification is the negation of the property, and the verdict is inverted.
+/// True if the property of the specification holds; `is_true` is the verdict on the specification. If the name of the
+/// specification begins with `never_`, the specification is the negation of the property, and the verdict is inverted.
 bool verdict_of_spec(const NusmvModel::Specification& spec, const Property& property, bool is_true);
 
 }  // namespace grafverif

@@ -17,7 +17,7 @@ Model random_loop(Random& random);
 /// variables. Some loops have a constraint on inputs and an observer that properties read.
 Model random_loop_asked(Random& random, int questions);
 
-/// Gives some controllers of the loop, at least one, a task cycle of a few seconds, or a range.
+/// Gives some controllers of the loop, at least one, a task cycle of a few seconds, which may be a range.
 void add_task_cycles(Model& model, Random& random);
 
 /// Returns a loop of one controller without a plant; the test drives its inputs.

@@ -44,7 +44,7 @@ std::string path_of(const System& system, Site place) {
     return system.instances[{static_cast<std::uint32_t>(*place.instance)}].name + "." + own;
 }
 
-/// Evaluates terms over the known values of state symbols. `missing` provides the other values.
+/// Evaluates symbols and terms. `state` returns the value of each symbol that is not a definition.
 struct Evaluator {
     const System& system;
     std::function<std::int64_t(Site)> state;

@@ -74,7 +74,8 @@ void QueryReader::read_universal(Cursor& cursor, Property& property) {
     property.operands = {property.at_stable ? terms_.primary(cursor) : terms_.term(cursor)};
 }
 
-/// Reads `a + !b + (c && d) == 1`, in which all terms are Boolean. Any other text is not read.
+/// Reads `a + !b + (c && d) == 1`, in which all terms are Boolean. Returns false for any other text, which
+/// is then not read.
 bool QueryReader::read_exactly_one(Cursor& cursor, Property& property) {
     const std::size_t start = cursor.mark();
     try {

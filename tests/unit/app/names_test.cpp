@@ -129,7 +129,7 @@ Names names_of_automaton() {
     return names;
 }
 
-/// Returns the names of the steps in the situations of a test's table.
+/// Returns the names of the steps in the situations of a generated test.
 Names names_of_test() {
     const Folder folder;
     const Result result =

@@ -64,7 +64,7 @@ std::size_t confirm_remedies(const std::vector<std::string>& arguments, Json& do
     return confirmed;
 }
 
-/// True if remedies that decide nothing come after the others.
+/// True if the remedies are in the order of decreasing numbers of decided properties.
 bool best_first(const Json& remedies) {
     return std::ranges::is_sorted(remedies, std::greater<>{},
                                   [](const Json& remedy) { return remedy["decided"].size(); });
@@ -143,7 +143,7 @@ TEST(Remedies, AreInTextAndPageBeforeOtherAdvice) {
     const std::size_t remedies = text.out.find("\nremedies, tried on this model for ");
     ASSERT_NE(remedies, std::string::npos) << text.out;
     EXPECT_LT(text.out.find("both holds ("), text.out.size()) << text.out;
-    EXPECT_EQ(text.out.find("`--"), text.out.find("`--", remedies)) << text.out;  // no remedy is named before
+    EXPECT_EQ(text.out.find("`--"), text.out.find("`--", remedies)) << text.out;  // no option is before them
     const std::string page = folder.file("page.html");
     grafverif({"report", file, "-o", page, "--max-states", "20", "--timeout", "600s"});
     EXPECT_NE(folder.read("page.html").find("remedies, tried on this model"), std::string::npos);

@@ -297,7 +297,7 @@ TEST(Replay, ChecksStatePropertiesOfRecordedVariables) {
         "STOP);\n"
         "property P1: never PUMP && HORN; property P2: always STOP => !PUMP; property P3: never X2 && X3;\n"
         "property P4: reachable HORN; }\n";
-    // PUMP and STOP are recorded together for 9 ms, which delays of the recording explain.
+    // For 9 ms, the recorded values of PUMP and STOP are both true, which delays of the recording explain.
     const std::string log = head + "1,1,0,1,,4\n2,0,,,,\n3,,1,,,\n3.009,,,0,,\n";
     const Result passed = replayed(log + "9,,,,,\n", {}, loop);
     EXPECT_EQ(passed.code, ExitCode::Done) << passed.out << passed.err;

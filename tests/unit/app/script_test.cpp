@@ -60,8 +60,7 @@ TEST(Script, UndoRestoresTheStatesForWaitUntil) {
     EXPECT_EQ(run.code, 0) << run.err;
 }
 
-/// An urgent edge and a timed edge leave `idle` simultaneously. The urgent edge is taken, and the timed edge is
-/// reported as an alternative.
+/// In `idle`, an urgent edge and a timed edge become enabled simultaneously. The urgent edge is taken.
 TEST(Script, AnUrgentEdgeIsTakenAlthoughATimedOneIsPossible) {
     const std::string model =
         "grafcet c { input AT_TOP; output UP; initial step 0; step 1 { UP; } step 2;\n"

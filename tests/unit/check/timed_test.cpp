@@ -80,7 +80,7 @@ TEST(TimedEngine, PrefersOneLongDelayToManyMoves) {
     Sketch s;
     const auto late = s.boolean("late");
     const auto p = s.process("p", 4, 1);
-    // Four urgent edges lead to `late`. One edge after a delay of fifty units also leads to `late`.
+    // Four edges without a delay set `late`. One edge after a delay of fifty units also sets `late`.
     s.edge(p, {.from = 0, .to = 1});
     s.edge(p, {.from = 1, .to = 2});
     s.edge(p, {.from = 2, .to = 3});

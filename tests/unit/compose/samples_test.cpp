@@ -49,7 +49,7 @@ struct Explored {
     }
     std::int64_t value(const TaddState& state, const char* name) const { return tadd.variable(state, name); }
 
-    /// Evaluates `never` or `always` in all states.
+    /// True if the property, which is `never` or `always`, holds in all states.
     bool holds(const std::string& name) const {
         for (const Property& property : network.properties) {
             if (property.name != name) continue;

@@ -254,7 +254,7 @@ TEST(LocationAutomaton, EndsAtItsLimits) {
 }
 
 TEST(LocationAutomaton, ForgetsNoInstabilityThatStartsLate) {
-    // {1} is stable if a is false. With a the chart cycles 1 -> 2 -> 3 -> 2 -> ... forever.
+    // {1} is stable if a is false. With a and b, the chart cycles 1 -> 2 -> 3 -> 2 -> ... forever.
     const LocationAutomaton found = automaton(
         "input a, b; output O; initial step 1; step 2 { O; } step 3;"
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when a && b; transition t2: 3 -> 2 when b;");

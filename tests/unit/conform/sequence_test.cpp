@@ -129,7 +129,7 @@ TEST(TestSequence, OfAMachineWithoutPathBackRestartsFromPowerOn) {
         "input a, b; output O, P; initial step 1; step 2 { O; } step 3 { P; }"
         "transition t0: 1 -> 2 when a && !b; transition t1: 1 -> 3 when b;";
     const TestSequence test = test_of(machine(automaton(text)));
-    EXPECT_EQ(test.sequences.size(), 3U);  // the inputs `a and not b`, `b`, and `a and b` leave {1}
+    EXPECT_EQ(test.sequences.size(), 3U);  // `a and not b`, `not a and b`, and `a and b` leave {1}
     const std::string words = summary(test),
                       traps = words.substr(std::min(words.size(), words.find("; no transition")));
     EXPECT_TRUE(traps == "; no transition leads back from {2} and {3}" ||

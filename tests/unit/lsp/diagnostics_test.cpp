@@ -55,7 +55,7 @@ TEST(LspText, CountsEquallyInLongLines) {
 TEST(LspText, IsChangedInPlaces) {
     EXPECT_EQ(changed(Text("one\ntwo\n"), {Range{{1, 0}, {1, 3}}, "drei"}), "one\ndrei\n");
     EXPECT_EQ(changed(Text("one"), {Range{{5, 0}, {9, 9}}, "!"}), "one!");
-    EXPECT_EQ(changed(Text("one"), {Range{{0, 2}, {0, 1}}, "-"}), "on-e");  // a reversed range has no effect
+    EXPECT_EQ(changed(Text("one"), {Range{{0, 2}, {0, 1}}, "-"}), "on-e");  // a reversed range is empty
     EXPECT_EQ(changed(Text("one"), {{}, "two"}), "two");
 }
 

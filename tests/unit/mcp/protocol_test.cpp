@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The protocol of the MCP server, with commands that a function of the test replaces.
+// Tests the protocol of the MCP server; functions of the tests replace the commands.
 #include <gtest/gtest.h>
 
 #include <algorithm>

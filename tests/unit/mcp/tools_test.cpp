@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tools of the MCP server, with the commands of this program in the same process.
+// Tests the tools of the MCP server with the commands of the program in the same process.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -189,7 +189,7 @@ TEST(McpTools, AnalyseAndCompareReturnTheirFindings) {
     const Json analysis = server.call("analyse", {{"file", "other.grafcet"}});
     EXPECT_EQ(analysis["structuredContent"]["chart"], "lamp");
     EXPECT_FALSE(
-        analysis["structuredContent"]["findings"].empty());  // it does not become stable if ON and OFF are true
+        analysis["structuredContent"]["findings"].empty());  // the chart does not become stable if ON and OFF are true
     const Json different = server.call("compare", {{"file", "lamp.grafcet"}, {"other", "other.grafcet"}});
     EXPECT_EQ(different["structuredContent"]["outcome"], "different");
     EXPECT_FALSE(different["structuredContent"]["scans"].empty());

@@ -102,7 +102,7 @@ TEST(EnclosingSteps, Nest) {
     EXPECT_EQ(situation(chart), "1");
 }
 
-/// Returns the active steps of the partial chart `forced` after the forcing order `order` became active.
+/// Returns the active steps of a chart in which the forcing order `order`, on its partial chart G, has become active.
 std::string forced_to(const std::string& order, std::string* afterwards = nullptr) {
     Play chart = play("input a, b; initial step 1; step 2 { force G := {" + order +
                       "}; }"

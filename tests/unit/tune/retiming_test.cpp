@@ -103,7 +103,7 @@ TEST(Retiming, ALoopThatCannotBeRepeatedDecidesNothing) {
     EXPECT_TRUE(decides(expand(limited(5)), stay, Pattern::Inevitable));
 }
 
-/// A process that must leave l0 before `bound`, but can leave it only in [low, high].
+/// A process that must leave l0 at `bound` at the latest, but can leave it only from `low` on.
 Network gate(std::int64_t low, std::int64_t bound) {
     Sketch sketch;
     const auto process = sketch.process("door", 2, 1);

@@ -207,7 +207,7 @@ TEST(Tune, MarginsAreTheNearestOtherVerdicts) {
     EXPECT_EQ(std::pair(margins[1].value, margins[1].distance), std::pair(std::int64_t{1000}, std::int64_t{1000}));
     Tuning elsewhere = tuning;
     elsewhere.constants[0].current = 9;
-    EXPECT_EQ(margins_of(elsewhere, elsewhere.rows[0]).size(), 1U);  // only A has margins: B is on the grid
+    EXPECT_EQ(margins_of(elsewhere, elsewhere.rows[0]).size(), 1U);  // B has none: A is not on the grid
 }
 
 }  // namespace

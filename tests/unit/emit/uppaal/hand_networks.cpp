@@ -73,7 +73,7 @@ Template cylinder(Hand& h, Type position) {
     return automaton;
 }
 
-/// Returns the sensor of CEP13 Fig. 13b. `END` is true beyond `limit`.
+/// Returns the sensor of CEP13 Fig. 13b. `END` is true while `X` is in the range from `FROM` to `TO`.
 Template sensor(Hand& h, Type position) {
     Template automaton{.name = "end_sensor"};
     const Parameter x = automaton.parameters.add({"X", Kind::Read, position});
