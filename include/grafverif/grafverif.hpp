@@ -146,7 +146,7 @@ struct CheckOptions {
     bool every_move = false;  ///< also return a row for each internal move of the translation
     Limits limits = {};
     bool profile = false;  ///< timed engine: return a state profile even if there are few states
-    /// Called once, when the timed engine has found a million states.
+    /// Called by each search of the timed engine that finds a million states.
     std::function<void(const StateProfile&)> many = {};
     bool whole = false;  ///< true: independent subsystems are explored together, not separately
     unsigned jobs = 0;   ///< threads; 0 selects one per core (untimed: at most two); the verdicts do not depend on it

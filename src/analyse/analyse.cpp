@@ -101,7 +101,7 @@ private:
     struct ConeSearch {
         Cone cone = {};
         AnalyseOptions options = {};
-        bool loosely = false;  ///< true if the over-approximating search was started
+        bool loosely = false;  ///< true if the over-approximating search is complete
         bool complete = false, given_up = false, doubtful = false;
         bool paths_known = false;  ///< true if the absorbing regions of the part were determined
     };

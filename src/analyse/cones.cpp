@@ -148,7 +148,7 @@ private:
         return {std::move(cone), std::move(kept)};
     }
 
-    /// Determines the cones of all queries. Returns false if there are too many cones.
+    /// Determines the cones of all queries. Returns false if there are too many cones, or too many variables to visit.
     bool find_all() {
         const Numbers component = reads_.components();
         // This set contains sets of components, because all queries about one component have the same cone.

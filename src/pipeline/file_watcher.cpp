@@ -31,7 +31,7 @@ FileWatcher::FileStamp FileWatcher::stamp(const std::string& path) {
 void FileWatcher::note(const std::string& path) { note(std::vector{path}); }
 
 /// Records the files. If a file is written again immediately after a write, its time stamp can remain the same.
-/// Therefore the function first waits briefly.
+/// Therefore the function waits if a file was changed less than 20 ms ago.
 void FileWatcher::note(const std::vector<std::string>& paths) {
     constexpr std::int64_t tick = 20'000'000;
     std::vector<FileStamp> seen(paths.size());

@@ -38,8 +38,8 @@ std::vector<Trial> tried_remedies(const LimitedCheck& check, const Report& repor
 /// Without a deadline, the time is zero.
 std::chrono::steady_clock::duration trial_time(const Deadline& deadline);
 /// Returns the time at which trials that begin now must end. It is not later than `deadline`. The trials take at most
-/// `time` (see trial_time); if `time` is zero, they take at most a tenth of the time `used` by the check, but at least
-/// 2 s and at most 10 s.
+/// `time` (see trial_time); if `time` is zero, the maximum is a tenth of the time `used` by the check, but not less
+/// than 2 s and not more than 10 s.
 Deadline end_of_trials(const Deadline& deadline, std::chrono::steady_clock::duration time,
                        std::chrono::steady_clock::duration used);
 

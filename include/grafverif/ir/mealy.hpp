@@ -4,13 +4,13 @@
 //   state       a location; in a chart with timers, also the elapsed time of each running timer
 //   transition  leads to the next state for a set of inputs, or after a wait; has the outputs that are then written
 //
-// INIT is merged with the location of the initial situation, if this location exists: with stability search both have
-// the same responses. Without stability search, `activation` represents a cycle that only activates the initial steps,
-// before the first transition of the machine.
+// With stability search, INIT is merged with the location of the initial situation if both have the same responses.
+// Without stability search, the first cycle only activates the initial steps. If it leads to the same state for all
+// inputs, `activation` represents this cycle, which precedes the first transition of the machine.
 //
-// A condition represents a set of input combinations without enumerating them. The conditions of the transitions and of
-// `unstable` in one state are disjoint and together cover `assumed`. The inputs are the inputs of the chart, without
-// timers. A `wait` transition lets time pass until the next timer event, with constant inputs.
+// A condition represents a set of input combinations without enumerating them. The inputs are the inputs of the chart,
+// without timers. A `wait` transition lets time pass until the next timer event, with constant inputs. The conditions
+// of `unstable` and of the other transitions in one state are disjoint and together cover `assumed`.
 //
 // Invariants (see verify): ids are in their tables; `transitions` and `unstable` are sorted by `from`; outputs are
 // complete; no condition is the constant false; waits are positive; state names differ.
@@ -74,7 +74,7 @@ struct MealyMachine {
     Id<State> initial = {};
     std::vector<Transition> transitions = {};
     std::vector<Unstable> unstable = {};
-    std::vector<Activation> activation = {};  ///< empty if the first cycle is not different from the others
+    std::vector<Activation> activation = {};  ///< empty if the first cycle is a transition
     Id<Expr> assumed = {};
     /// Number of input combinations that satisfy `assumed`; empty if it exceeds 64 bits.
     std::optional<std::uint64_t> combinations = 1;

@@ -15,7 +15,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::string_view mark = "grafverif: ";
-/// Maximum number of values in a trace. Traces with more values are ignored.
+/// Maximum number of values that are read from a trace; further states are ignored.
 constexpr std::size_t most_values = 50'000'000;
 
 /// Returns the sections of the output between adjacent markers. The part after the last marker is excluded, because it

@@ -227,7 +227,7 @@ private:
         return states;
     }
 
-    /// Computes the policies. If no policies exist for these states, adds losing states and returns false.
+    /// Computes the policies. If no suitable policies exist, adds losing states and returns false.
     bool settled(LosingRegion& losing) {
         policies_ = lenient();
         Bdd considered = model_->initial();

@@ -8,8 +8,8 @@
 // Exactness (proof: docs/explanation/timed-engine.md, "Exactness"). With closed clock constraints, integer time reaches
 // the same discrete states as dense time; therefore `always`, `never` and `reachable` are exact. With a strict
 // constraint, only runs that are found in integer time are conclusive for these properties. An integer run can refute
-// `inevitable`, `leads to`, `no deadlock` and `no timelock`. These properties hold only if no timelock can occur between
-// two ticks; otherwise the verdict is unknown and its reason names the location.
+// `inevitable`, `leads to`, `no deadlock` and `no timelock`. These properties hold only if no timelock can occur
+// between two ticks; otherwise the verdict is unknown and its reason names the location.
 //
 // Counterexamples to state properties have the minimum number of moves; a delay of any length counts as one move.
 #pragma once

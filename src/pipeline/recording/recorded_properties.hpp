@@ -18,13 +18,14 @@ namespace grafverif {
 
 class RecordedProperties {
 public:
-    /// `names` contains for each column the name of its variable. Selects the properties `always`, `never` and `exactly
-    /// one of` of all loops that read only these variables. `model` must outlive the object.
+    /// `names` contains for each column the name of its variable. Selects, from all loops, the properties `always`,
+    /// `never` and `exactly one of` that read only these variables and have neither `at stable` nor `expected
+    /// violated`. `model` must outlive the object.
     RecordedProperties(const Model& model, const std::vector<std::string>& names, std::int64_t jitter_us);
 
     /// Sets a value of the sample at `time_us`. Times do not decrease.
     void set(std::size_t column, std::int64_t value, std::int64_t time_us, std::uint64_t line);
-    /// Ends the sample at `time_us`: reports the properties that were violated up to this time.
+    /// States that the values set so far are valid until `time_us`, and reports the properties that they violate.
     void pass(std::int64_t time_us);
 
     const std::vector<RecordedProperty>& results() const { return results_; }
