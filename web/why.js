@@ -55,8 +55,8 @@ export function whyTransition(run, chart, controller, place, moment, cleared) {
     return make("div", {}, make("p", {class: "answer"}, verdict(name, cleared, value, missing.map((step) => chart.steps[step]), reader)), list);
 }
 
-// Returns the answer to the question why the transition is cleared or not. The inputs that are sampled before an
-// evolution determine which transitions the evolution clears.
+// Returns a text that explains why the transition is or is not cleared. The inputs that are sampled before an evolution
+// determine which transitions the evolution clears.
 function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     if (cleared?.times > 1)
         return `${name} is cleared ${cleared.times} times here. This is its condition before it was cleared for the last time.`;
@@ -65,7 +65,7 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     if (value === undefined) return `${name} is enabled; the trace does not determine its condition.`;
     if (!value) return `${name} is enabled, but its condition is false.`;
     if (run.isToEvolve(number, moment))
-        return `${name} is enabled and its condition is true: the next evolution clears it, unless it is forced to stay.`;
+        return `${name} is enabled and its condition is true: the next evolution clears it, unless a forcing order prevents this.`;
     return `${name} is enabled; its condition is true for the ${read ? "inputs last read" : "current inputs"}.`;
 }
 

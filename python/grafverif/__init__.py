@@ -437,7 +437,8 @@ class Simulation:
         return self.do(", ".join(words)) if words else self
 
     def wait(self, duration: Duration | None = None) -> Simulation:
-        """Lets time pass for `duration`, or by default until the next automatic or possible event."""
+        """Lets time pass for `duration`, or by default until an automatic event occurs or a new choice becomes
+        available."""
         return self.do("wait" if duration is None else f"wait {round(1000 * _seconds(duration))}ms")
 
     @property
@@ -496,7 +497,8 @@ class Chart:
 
     def check_untimed(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None,
                       states: int | None = None) -> Report:
-        """Checks the reachability of each step of the chart alone, with free inputs."""
+        """Checks the chart alone, with free inputs: each step must be reachable and, with stability search, the
+        situation must become stable for all inputs."""
         return Report(self._file.check_chart(self.name, _core.How(mode=mode),
                                              _bounds(timeout, memory, states)))
 
