@@ -321,8 +321,8 @@ Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Outpu
     return written_when_stable(cycle, draft, output.variable, stable, value);
 }
 
-/// True if the value of `term` after a cycle depends on an input or timer output that is sampled in the cycle, and not
-/// only on the state after the cycle.
+/// True if the value of `term` after a cycle depends on a sampled input or timer output, and not only on the state
+/// after the cycle.
 bool reads_inputs(const Equations& equations, Id<Expr> term) {
     return std::ranges::any_of(leaves(equations.exprs, term), [&](Id<Expr> leaf) {
         const Role role = equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role;

@@ -171,9 +171,9 @@ struct Network {
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
-    /// Condition for a quiescent state, over variables and At: every controller is in W and stable, no change of the
-    /// plant or of a timer (EVOL_PL, EVOL_TI) and no timer request is pending, and no other process has an enabled
-    /// urgent edge.
+    /// Condition for a quiescent state, over variables and At: every controller is in W and stable. No change of the
+    /// plant or of a timer (EVOL_PL, EVOL_TI) and no timer request is pending. No other process has an enabled urgent
+    /// edge.
     Id<Expr> settled = {};
     /// Flag that is set when two stored actions have written different values (race); invalid if a race is impossible.
     Id<Variable> race = {};

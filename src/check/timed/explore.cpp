@@ -273,8 +273,8 @@ private:
     enum class By : std::uint8_t { Edge, Delay };
 
     /// Returns a state that simulates the new state in `words`, or Store::none. A further delay after a delay belongs
-    /// to the same move. Therefore, if the new state was reached by a delay, the result is a state whose delay is
-    /// known, or a state of the current level or of an earlier level.
+    /// to the same move. Therefore, if a delay has reached the new state, the result is a state of the current or an
+    /// earlier level, or a state whose delay is known.
     std::uint32_t simulating(const Word* words, By by) {
         if (graph_.covering && !graph_.covering->is_useful()) graph_.covering.reset();
         if (!graph_.covering) return Store::none;
