@@ -39,8 +39,7 @@ void ChartAnalyzer::instability() {
     question->decided = keep(std::move(made));
 }
 
-// -- races, and values that are undefined or out of range
-// ----------------------------------------------------------------
+// -- races, and values that are undefined or out of range -------------------------------------------------------------
 
 void ChartAnalyzer::expect_breaks() {
     // Decides queries without findings: the queries about every stored variable of the cone, and the queries about all

@@ -50,8 +50,7 @@ void ChartAnalyzer::watch_outputs() {
     }
 }
 
-// -- during the search
-// ---------------------------------------------------------------------------------------------------
+// -- during the search ------------------------------------------------------------------------------------------------
 
 void ChartAnalyzer::find_signs() {
     stable_ = searching() ? machine_.stable(machine_.unbroken(search_.fresh())) : Bdd();
@@ -97,8 +96,7 @@ void ChartAnalyzer::confirm_others(const Path& path) {
     }
 }
 
-// -- after the search
-// ----------------------------------------------------------------------------------------------------
+// -- after the search -------------------------------------------------------------------------------------------------
 
 void ChartAnalyzer::gather_unseen() {
     for (const Sign& sign : signs_)

@@ -20,8 +20,8 @@ using bdd::Kernel;
 
 class Counter {
 public:
-    /// The position of a node is the index of its variable in `variables`, in the order of the space. Constants are
-    /// below all variables.
+    /// The position of a node is the index of its variable in `variables`, after these are sorted in the order of the
+    /// space. Constants are below all variables.
     Counter(Kernel& kernel, std::span<const std::uint32_t> variables)
         : kernel_(kernel), places_(variables.size()), place_of_(kernel.order.size(), 0) {
         std::vector<std::uint32_t> levels;

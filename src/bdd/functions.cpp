@@ -22,7 +22,7 @@ Kernel* kernel_of(std::initializer_list<const Bdd*> operands) {
     return kernel;
 }
 
-/// Returns the result of `operation`, which creates nodes.
+/// Returns the result of `work`, which creates nodes.
 template <class Work>
 Bdd result_of(Kernel* kernel, const Work& work) {
     assert(kernel != nullptr);

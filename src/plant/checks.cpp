@@ -36,7 +36,7 @@ struct Step {
     Id<Network::Process> process = {};
     std::int64_t length = 0;
 };
-using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the largest change of each variable
+using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the largest such change of each variable
 
 void collect_steps(const Network& network, Id<Network::Process> id, Steps& steps) {
     const Slots slots(network, id);

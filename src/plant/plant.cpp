@@ -193,7 +193,7 @@ Network::Process process_of(const ClosedLoop::Instance& instance, const Componen
     return process;
 }
 
-/// Widens the types of constants, which have the range of UPPAAL's integers, so that they include all arguments.
+/// Widens the types of integer parameters that are bound to constants, so that they include all these constants.
 void admit_arguments(Network& network) {
     for (const Network::Process& process : network.processes) {
         Table<Network::Parameter>& list = network.templates[process.automaton].parameters;

@@ -355,7 +355,7 @@ std::vector<std::int64_t> module_key(const AutomatonContext& context, Id<Network
     std::vector<std::int64_t> key{slots.process.automaton.index, slots.process.initial.index};
     for (const Network::Argument& argument : slots.process.arguments)
         if (const auto* constant = std::get_if<std::int64_t>(&argument)) key.push_back(*constant);
-    std::map<Place, std::int64_t> seen;  // arguments that refer to the same variable
+    std::map<Place, std::int64_t> seen;  // number per variable, in the order of the arguments
     for (const Place variable : slots.used()) {
         const Network::Variable& of = context.network.variables[variable];
         key.push_back(of.type.low);

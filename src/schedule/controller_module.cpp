@@ -8,9 +8,10 @@
 //   after   after a cycle: activities and stored values after it, and sampled inputs; for equation (13), every cycle
 //   first   in the first evolution: initial values and sampled inputs; no timer has expired
 //
-// State 0 is power-on. If the first evolution has a visible effect (a stored action, an output, a previous value), it
-// is a separate step. `started` is false in this step and true in cycles; it selects between the effects of the first
-// evolution and of a cycle. Otherwise the first step is the first cycle, and `started` is constantly true.
+// State 0 is power-on. The first evolution is a separate step if it has a visible effect (a stored action, an output, a
+// previous value), or if the module is used scan by scan. `started` is false in this step and true in cycles; it
+// selects between the effects of the first evolution and of a cycle. Otherwise the first step is the first cycle, and
+// `started` is constantly true.
 //
 // A TransitionSystem must be total. Therefore a term that divides by zero is replaced by a term that does not
 // (ranges.hpp), and a variable is unchanged if its new value would be outside its range. Both cases are faults

@@ -125,8 +125,8 @@ private:
         trace_.moments.push_back(std::move(moment));
     }
 
-    /// Adds one row for each scan that changes a Boolean variable, and one for the last scan. A run may have thousands
-    /// of scans that only increment counters.
+    /// Adds one row for the state before the first scan, one for each scan that changes a Boolean variable, an input or
+    /// an output, and one for the last scan. A run may have thousands of scans that only increment internal counters.
     void add_rows() {
         for (std::size_t i = 0; i < trace_.moments.size(); ++i) {
             const bool visible = std::ranges::any_of(trace_.moments[i].changed, [&](Id<ChartRun::Signal> id) {
