@@ -232,7 +232,7 @@ std::vector<Option> options_for_forms() {
     };
 }
 
-/// Returns the options of `check`, `test`, `simulate` and `analyse`.
+/// Returns the options that only some commands accept, such as `check`, `test`, `simulate` and `analyse`.
 std::vector<Option> options_for_checks() {
     using F = Format;
     return {

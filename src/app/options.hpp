@@ -131,10 +131,10 @@ struct Options {
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     EventRange events = {};    ///< range of events that the timing diagram shows
     std::string against = {};  ///< option of `test`: the command that runs the controller under test
-    /// Option of `test`: the table to run; generated from the chart if empty.
+    /// Table of a test. If it is empty, `test` generates the test from the chart.
     std::optional<std::string> sequence = {};
-    std::optional<std::uint64_t> response_timeout_ms =
-        {};                                            ///< `test`: limit for one response; `serve`: limit for one check
+    /// Limit for one response (`test`), for one check (`serve` and `lsp`) or for one call (`mcp`).
+    std::optional<std::uint64_t> response_timeout_ms = {};
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
     std::uint64_t max_evolutions = 1000;               ///< option of `st`; at most 32 bits
     std::optional<std::string> log = {};               ///< option of `replay`

@@ -30,7 +30,7 @@ namespace {
 struct Entry {
     CliCommand (*usage)() = nullptr;
     ExitCode (*run)(CommandContext&, const Streams&) = nullptr;
-    void (*list)(CommandContext&) = nullptr;  ///< prints a list of all results after they are written
+    void (*list)(CommandContext&) = nullptr;  ///< adds a list of the written files to the output
 };
 
 constexpr std::array entries = {

@@ -43,8 +43,8 @@ void open_in_browser(const std::filesystem::path& page, const Streams& streams) 
     if (failure != 0) streams.err << "note: `xdg-open` is not installed; open the address in a browser\n";
 }
 
-/// Returns a page that redirects to `address`. The browser opens this page instead of `address`, because other users
-/// can read its command line, which must not contain the token.
+/// Returns a page that redirects to `address`. The browser opens this page instead of `address`: other users can read
+/// the command line of the browser, so it must not contain the token.
 std::string redirect_to(const std::string& address) {
     return fmt::format(
         "<!doctype html>\n<meta charset=\"utf-8\">\n"

@@ -169,8 +169,7 @@ std::optional<TestReport> run_test(const TestSequence& test, const BenchOptions&
     return bench.take();
 }
 
-/// Returns the table given by `--sequence`, or a test generated from the chart. The interpreter must pass the test
-/// before it is run.
+/// Returns the table given by `--sequence`, or a test generated from the chart.
 std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart, CommandContext& job,
                                             const Limits& limits) {
     if (job.options.sequence) return test_sequence(model, chart, job);

@@ -134,8 +134,8 @@ private:
         const double hours = points / 1000 / 3600;  // reading a small model needs about a millisecond
         fail(
             {},
-            fmt::format("the grid has {:.0f} points, of at most {}; at one millisecond per point, reading their models "
-                        "needs {:.1f} hours",
+            fmt::format("the grid has {:.0f} points, but at most {} are allowed; at one millisecond per point, reading "
+                        "their models needs {:.1f} hours",
                         points, most_points, hours),
             "use larger steps or smaller ranges");
     }
