@@ -142,7 +142,7 @@ private:
         return blocks.size() - 1;
     }
 
-    /// Returns a block that contains `block` in parallel with those blocks of `hanging` that are not longer than
+    /// Returns a block that contains `block` in parallel with those blocks of `hanging` that do not extend beyond
     /// `block` or, if `all` is true, with all blocks of `hanging`.
     std::size_t with_hanging(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;

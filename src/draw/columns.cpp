@@ -73,7 +73,7 @@ private:
     }
 
     /// Counts the parallel parts that a horizontal line from `block` to a side of `whole` would cross in `channel`.
-    /// Examines `far_enough` parts of each block. Returns the number on the left minus the number on the right.
+    /// Examines at most `far_enough` parts of each block. Returns the number on the left minus the number on the right.
     int leaning(std::size_t block, std::size_t whole, std::size_t channel) const {
         int crossed = 0;
         for (; block != whole; block = at(block).parent) {

@@ -46,7 +46,8 @@ std::string errors_text(const PageContent& content) {
     return complete ? "" : "the chart analysis is incomplete";
 }
 
-/// Returns the summary. It is positive only if every property was decided as expected and the charts have no errors.
+/// Returns the summary. It is positive only if every property was decided as expected, no verdict is vacuous, and the
+/// charts have no errors.
 SummaryItem glance_of(const PageContent& content) {
     const Report& report = content.report;
     const Tally count = tally(report);

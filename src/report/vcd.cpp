@@ -54,7 +54,7 @@ public:
     Dump(const ChartRun& run, std::ostream& out) : run_(run), out_(out) {}
 
     void print() {
-        out_ << "$comment one unit within an instant keeps the order of its steps $end\n$timescale 1us $end\n";
+        out_ << "$comment consecutive steps of an instant differ by one time unit $end\n$timescale 1us $end\n";
         for (const auto& [name, role] : scopes) scope(name, signals_of(run_, role));
         steps();
         wire("loop", true);
