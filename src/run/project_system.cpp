@@ -160,7 +160,8 @@ private:
         return act.evolves && searches ? Writes::IfStable : Writes::Yes;
     }
 
-    /// Adds the timers of controller `index` to its event. A timer t1/X is relevant only while its step is active.
+    /// Adds an event for each timer of controller `index` that has expired. The output of a timer t1/X is ignored while
+    /// its step is inactive.
     void project_timers(std::uint32_t index, const Values& before, const Values& next) {
         const auto& from = system_.controllers[index].words;
         for (std::size_t k = 0; k < from.timers.size(); ++k) {
