@@ -229,7 +229,7 @@ private:
             shared();
             if (parameter != nullptr && parameter->kind == DeclarationKind::InputParameter)
                 parts(owner_, {DeclarationKind::Constant});
-        } else if (is_operator(last())) {  // the cursor is inside the term of an input
+        } else if (is_operator(last())) {  // the cursor is in a term that is bound to an input
             shared();
             parts(owner_, {DeclarationKind::Constant});
         }

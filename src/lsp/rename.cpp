@@ -16,7 +16,7 @@ namespace {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// Returns the reason why an element cannot be renamed, for any new name. Returns an empty string if it can be renamed.
+/// Returns the reason why an element cannot have any other name. Returns an empty string if it can be renamed.
 std::string obstacle_of(const Names& names, const Declaration& element) {
     if (is_of_library(*element.file))
         return fmt::format("`{}` belongs to the component library and cannot be renamed", element.name);
