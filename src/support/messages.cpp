@@ -131,8 +131,6 @@ Diagnostic not_expressible(Span property, std::string_view name, std::string_vie
                    fmt::format("property `{}` is omitted from the {} model; {}", name, target, reason));
 }
 
-// -- reading ---------------------------------------------------------------------------------------------------------
-
 // -- derive ----------------------------------------------------------------------------------------------------------
 
 Diagnostic output_cycle(Span where, std::span<const std::string> outputs) {
@@ -263,7 +261,5 @@ Diagnostic range_skipped(Span where, std::string_view variable, std::string_view
                                "choose steps of at most {}",
                                mover, variable, step, low, high, detector, high - low + 1));
 }
-
-// -- schedule and emit ------------------------------------------------------------------------------------------------
 
 }  // namespace grafverif::messages

@@ -18,8 +18,8 @@ struct Glyph {
     std::size_t bytes = 1;   ///< length in bytes; 1 for invalid UTF-8
     std::uint32_t code = 0;  ///< Unicode code point; U+FFFD for invalid UTF-8
     bool well_formed = true;
-    /// True if terminals interpret the character: control characters (including tab and line feed) and directional
-    /// formatting.
+    /// True if terminals interpret the character: control characters (including tab and line feed), directional
+    /// formatting, line and paragraph separators, and each byte of invalid UTF-8.
     bool obeyed = false;
     std::size_t columns = 1;  ///< width on a terminal: 0, 1 or 2; 1 if `obeyed`
 };

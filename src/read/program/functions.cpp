@@ -19,7 +19,8 @@ using Op = Program::Op;
 
 // -- calls ------------------------------------------------------------------------------------------------------------
 
-/// Returns the arguments of a standard function. They are positional, or named `IN`, `IN1`, ... in this order.
+/// Returns the positional arguments of a standard function. A named argument or a wrong number of arguments is an
+/// error, which sets `ok` to false.
 std::vector<Reader::Typed> Reader::arguments(Id<st::Expr> call, std::size_t least, std::size_t most, bool& ok) {
     std::vector<Typed> values;
     const std::vector<Id<st::Expr>> parts = st::operands(*file_, call);

@@ -161,8 +161,7 @@ private:
 
 /// Parses a Boolean (`0`, `1`, `true`, `FALSE`) or an integer.
 std::optional<std::int64_t> log_value(std::string_view text);
-/// Parses a time, and returns it in microseconds. Empty if it is negative, has more than 15 digits before the point, or
-/// is not a time.
+/// Parses a time, and returns it in microseconds. Empty if it is not a time, is negative or exceeds `latest_log_us`.
 std::optional<std::int64_t> log_time(std::string_view text);
 
 }  // namespace grafverif
