@@ -69,7 +69,7 @@ std::vector<fs::path> examples() {
     return found;
 }
 
-/// Runs the stages of `testgen` in both modes, until one reports a diagnostic.
+/// Runs the stages of `testgen` in both modes, until one reports an error.
 void test(const Equations& equations, Diagnostics& diagnostics) {
     for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
         AutomatonOptions options;
@@ -82,8 +82,7 @@ void test(const Equations& equations, Diagnostics& diagnostics) {
 }
 
 /// Runs the stages of `build`: translates every chart to equations, and every loop to a network and to a transition
-/// system with the constraints of the loop. If the file has `// testgen`, a chart without a loop is also processed to a
-/// test sequence.
+/// system with the constraints of the loop. If `tested`, every chart is also translated to a test sequence.
 void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     std::vector<std::optional<Equations>> equations;
     for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));

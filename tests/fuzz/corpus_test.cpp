@@ -30,7 +30,7 @@ TEST_P(Corpus, ViolatesNoGuarantee) {
         std::ifstream file(path, std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
         EXPECT_EQ(GetParam().error_text(bytes), "");
-        EXPECT_EQ(GetParam().error_text(bytes.substr(0, bytes.size() / 2)), "") << "its first half";
+        EXPECT_EQ(GetParam().error_text(bytes.substr(0, bytes.size() / 2)), "") << "first half of the file";
     }
 }
 

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (target.name != GRAFVERIF_FUZZ_TARGET) continue;
         const std::string error_text = target.error_text({reinterpret_cast<const char*>(data), size});
         if (error_text.empty()) return 0;
-        std::cerr << "broken promise: " << error_text << '\n';
+        std::cerr << "violated guarantee: " << error_text << '\n';
         std::abort();
     }
     std::abort();  // unknown target

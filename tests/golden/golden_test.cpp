@@ -28,7 +28,7 @@ void expect_golden(const fs::path& file, const std::string& actual) {
         std::ofstream(file, std::ios::binary) << actual;
     }
     std::ifstream in(file, std::ios::binary);
-    ASSERT_TRUE(in) << file << " is missing; GRAFVERIF_UPDATE_GOLDEN=1 makes it";
+    ASSERT_TRUE(in) << file << " is missing; GRAFVERIF_UPDATE_GOLDEN=1 creates it";
     std::ostringstream expected;
     expected << in.rdbuf();
     EXPECT_EQ(expected.str(), actual) << file;

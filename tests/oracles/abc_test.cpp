@@ -39,7 +39,7 @@ void expect_agreement(const TransitionSystem& system, Agreement& agreement) {
         if (own.verdicts[i].outcome == Outcome::Unknown) continue;
         ++agreement.verdicts;
         if (own.runs[i]) {
-            EXPECT_LE(theirs.runs[i]->states.size(), own.runs[i]->states.size()) << "bmc3 finds a shortest";
+            EXPECT_LE(theirs.runs[i]->states.size(), own.runs[i]->states.size()) << "bmc3 finds a shortest run";
             ++agreement.runs;
         } else {
             ++agreement.proved;

@@ -83,7 +83,7 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
         ASSERT_TRUE(theirs.runs[i]);
         const bool about_states = !own.runs[i]->loop;
         if (about_states) {
-            EXPECT_EQ(theirs.runs[i]->states.size(), own.runs[i]->states.size()) << "both are shortest";
+            EXPECT_EQ(theirs.runs[i]->states.size(), own.runs[i]->states.size()) << "both runs have the minimum length";
         } else if (!just) {
             EXPECT_TRUE(theirs.runs[i]->loop);
         }
@@ -156,7 +156,7 @@ TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
             ASSERT_NO_FATAL_FAILURE(expect_agreement(system, program->string(), agreement));
         }
     std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs, " << agreement.given_up
-              << " models given up\n";
+              << " models not decided\n";
     EXPECT_GT(agreement.verdicts, 200u);
 }
 
@@ -229,7 +229,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnRandomSystemsAndLoops) {
             ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
         }
     }
-    std::cout << agreement.verdicts << " verdicts, " << agreement.given_up << " models given up\n";
+    std::cout << agreement.verdicts << " verdicts, " << agreement.given_up << " models not decided\n";
     EXPECT_GT(agreement.verdicts, 200u);
 }
 
@@ -244,7 +244,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
             SCOPED_TRACE(std::string(sample) + ": " + system.scope);
             ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
         }
-    std::cout << agreement.verdicts << " verdicts, " << agreement.given_up << " models given up\n";
+    std::cout << agreement.verdicts << " verdicts, " << agreement.given_up << " models not decided\n";
     EXPECT_GT(agreement.verdicts, 50u);
 }
 

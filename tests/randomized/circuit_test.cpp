@@ -192,7 +192,7 @@ TEST(RandomizedCircuit, MakesTheStepsOfRandomSystemsAndItsTextTheSame) {
         ASSERT_NO_FATAL_FAILURE(compare(system, random, seen));
     }
     std::cout << seen.systems << " systems, " << seen.steps << " steps, " << seen.targets << " targets, " << seen.hits
-              << " of them hit\n";
+              << " of them reached\n";
     EXPECT_GT(seen.steps, seen.systems);
     EXPECT_GT(seen.hits, seen.targets / 10);
 }

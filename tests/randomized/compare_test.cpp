@@ -231,7 +231,7 @@ std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
     }
     const std::size_t places = mutant.kind == "and-divergence" || mutant.kind == "or-divergence" ? 2 : 1;
     if (subjects.contains(mutant.subject) && subjects.size() <= places) return {};
-    return mutant.kind + " of " + mutant.subject + " is seen in " + ::testing::PrintToString(subjects);
+    return mutant.kind + " of " + mutant.subject + " is reported for " + ::testing::PrintToString(subjects);
 }
 
 TEST(RandomizedCompare, MutantsDifferInOnePlaceAndEquivalentOnesAreNeverDistinguished) {
@@ -269,8 +269,8 @@ TEST(RandomizedCompare, MutantsDifferInOnePlaceAndEquivalentOnesAreNeverDistingu
         }
     }
     if (std::getenv("GRAFVERIF_TEST_SIZE") != nullptr)
-        std::cout << read << " mutants of " << kinds.size() << " kinds, " << refused << " refused for what they mean; "
-                  << met.equal << " equal, " << met.different << " different, " << met.unknown << " unknown\n";
+        std::cout << read << " mutants of " << kinds.size() << " kinds, " << refused << " rejected; " << met.equal
+                  << " equal, " << met.different << " different, " << met.unknown << " unknown\n";
     EXPECT_GT(read, refused);
     EXPECT_GT(kinds.size(), 5U);
     EXPECT_GT(met.equal + met.different, met.unknown);
@@ -309,7 +309,8 @@ std::optional<Comparison> with_controller(const Chart& chart, const Chart& other
     return found;
 }
 
-/// True if the only difference is that the program stops, because it reaches its maximum number of evolutions.
+/// True if the program stops in the last scan and the chart does not, as when the program reaches its maximum number of
+/// evolutions.
 bool is_cut(const Comparison& found, std::size_t program) {
     return !found.scans.empty() && !found.answers[program].back().stop.empty() &&
            found.answers[1 - program].back().stop.empty();

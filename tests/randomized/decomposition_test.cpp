@@ -51,7 +51,7 @@ bool some_part_is_dead(const Network& network, NetworkState state) {
 void confirm_run(const Network& network, const Property& property, const Verdict& verdict) {
     if (property.pattern != Pattern::NoDeadlock || property.at_stable) return confirm(network, property, verdict);
     const auto states = replay(network, *verdict.run);
-    ASSERT_TRUE(states) << "the run does not replay";
+    ASSERT_TRUE(states) << "the run fails the replay";
     EXPECT_TRUE(some_part_is_dead(network, states->back()));
 }
 
@@ -83,7 +83,8 @@ void compare(const Network& network, const Property& property, const Verdict& ap
     if (whole.outcome == Outcome::Unknown && apart.outcome != Outcome::Unknown &&
         whole.obstacle == UnknownReason::Faulty) {
         const bool reachable = property.pattern == Pattern::Reachable || property.pattern == Pattern::ReachableAllSteps;
-        EXPECT_EQ(apart.outcome, reachable ? Outcome::Violated : Outcome::Holds) << "only what adds no state";
+        EXPECT_EQ(apart.outcome, reachable ? Outcome::Violated : Outcome::Holds)
+            << "an error can only remove states, so only this verdict is valid";
     }
 }
 
@@ -99,7 +100,7 @@ void compare_finer(const Network& network, const TimedResult& apart, const Timed
             if (!finer) finer = check_timed(refined(network, factor), {.max_states = complete_limit});
             const Verdict& found = verdict(*finer, given.property);
             EXPECT_TRUE(found.outcome == Outcome::Unknown || found.outcome == given.outcome)
-                << given.property << " in finer units";
+                << given.property << " with a finer time unit";
         }
     }
 }
@@ -109,7 +110,7 @@ using Place = std::tuple<ModelError::Kind, std::uint32_t, std::uint32_t, std::ui
 std::set<Place> places(const Network& network, const std::vector<ModelError>& errors) {
     std::set<Place> all;
     for (const ModelError& error : errors) {
-        EXPECT_TRUE(replay(network, error.run)) << "the way to an error does not replay";
+        EXPECT_TRUE(replay(network, error.run)) << "the run to an error fails the replay";
         all.emplace(error.kind, error.variable.index, error.process.index, error.edge.index);
     }
     return all;

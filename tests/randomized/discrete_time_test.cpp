@@ -79,7 +79,7 @@ TEST(RandomizedDiscreteTime, ARandomLoopHasTheStatesAndVerdictsOfTheTimedEngine)
         }
     }
     std::cout << "seeds 1 to " << cases << ": " << tally.loops << " loops, " << tally.states << " states, "
-              << tally.verdicts << " verdicts, " << tally.left_out << " left out\n";
+              << tally.verdicts << " verdicts, " << tally.left_out << " omitted\n";
     EXPECT_GT(tally.loops, 20U);
 }
 

@@ -117,7 +117,7 @@ struct Pair {
 bool run_both(Pair& pair) {
     const auto agree = [&](bool something_happened) {
         if (something_happened && !pair.run_cycles()) return false;
-        EXPECT_TRUE(pair.settle()) << "the network is stuck where the equations settle";
+        EXPECT_TRUE(pair.settle()) << "the equations reach a stable situation, but the network does not";
         pair.compare();
         return !testing::Test::HasFailure();
     };
@@ -158,7 +158,7 @@ TEST(RandomizedEquationsNetwork, NetworkAgreesWithItsEquations) {
                 check(static_cast<std::uint64_t>(seed), grain, mode, completed);
                 if (HasFailure()) return;
             }
-            EXPECT_GT(completed, cases / 4) << "too few charts run to the end for the law to mean much";
+            EXPECT_GT(completed, cases / 4) << "too few runs were complete";
         }
     }
 }

@@ -730,7 +730,7 @@ TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
             state = move.next;
             return;
         }
-        ADD_FAILURE() << "the run cannot go on";
+        ADD_FAILURE() << "the run cannot be continued";
     };
     for (const Move& move : run.moves)
         if (const Delay* const delay = std::get_if<Delay>(&move))

@@ -183,7 +183,7 @@ struct Compared {
             wrong += differs ? 1 : 0;
             seen[name + " in finer time"] += finer.complete ? 1 : 0;
             if (expected) {
-                EXPECT_FALSE(differs) << here.property << " in units finer by " << factor;
+                EXPECT_FALSE(differs) << here.property << " with a time unit divided by " << factor;
             }
             if (!finer.complete || differs) return;
         }

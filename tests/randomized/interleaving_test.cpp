@@ -106,7 +106,7 @@ private:
 
 /// Checks that the run is a run of the complete model and proves the verdict on the property.
 void confirm(const System& system, const Property& property, const SystemRun& run) {
-    EXPECT_FALSE(Follower(system, run).end().empty()) << "it is no run of the whole";
+    EXPECT_FALSE(Follower(system, run).end().empty()) << "it is not a run of the complete model";
     const auto holds = [&](std::size_t state, std::size_t operand) {
         return value_in(system, run.states[state], property.operands[operand]) != 0;
     };

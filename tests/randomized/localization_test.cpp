@@ -50,7 +50,7 @@ int differing(const Network& network, const TimedResult& whole, const TimedResul
         if (by_cells && there.obstacle == UnknownReason::Inexact && expected) {
             if (!finer) finer = check_timed(refined(network, 2), {.max_states = 4 * complete_limit});
             const Verdict& found = verdict(*finer, here.property);
-            EXPECT_TRUE(found.outcome == Outcome::Unknown || found.outcome == here.outcome) << "in finer units";
+            EXPECT_TRUE(found.outcome == Outcome::Unknown || found.outcome == here.outcome) << "with a finer time unit";
         }
         if (by_cells && here.scope.searched.size() > 1) ++seen["by several cells"];
         if (by_cells && here.scope.because.find("at any time that satisfies") != std::string::npos)
@@ -62,8 +62,9 @@ int differing(const Network& network, const TimedResult& whole, const TimedResul
                 : there.outcome != Outcome::Unknown && (here.outcome != there.outcome || here.vacuous != there.vacuous);
         wrong += differs ? 1 : 0;
         if (!expected) continue;
-        EXPECT_FALSE(differs) << here.property << ", pattern " << static_cast<int>(here.pattern) << ": by cells "
-                              << word(here.outcome) << ", of the whole " << word(there.outcome) << " " << there.reason;
+        EXPECT_FALSE(differs) << here.property << ", pattern " << static_cast<int>(here.pattern) << ": by localization "
+                              << word(here.outcome) << ", in the complete network " << word(there.outcome) << " "
+                              << there.reason;
         if (here.run && here.about.valid()) confirm(network, network.properties[here.about], here);
     }
     return wrong;

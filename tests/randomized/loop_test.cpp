@@ -132,7 +132,7 @@ TEST(RandomizedLoop, QuiescentStateEnablesNoUrgentEdge) {
                 return controller.words.cycle && state.variables[controller.stable.index] == 0;
             });
             if (waits && !scans && !tadd.urgent_enabled(state))
-                ADD_FAILURE() << "nothing left to do, but not settled\n" << network_text(network);
+                ADD_FAILURE() << "no edge must be taken, but the state is not quiescent\n" << network_text(network);
             if (HasFailure()) return;
         }
     }

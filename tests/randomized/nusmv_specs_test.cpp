@@ -76,7 +76,7 @@ TEST(RandomizedNusmvSpecs, ToolsDecideRandomSystemsAsOurEngineDoes) {
     std::cout << "seeds 1 to " << cases << ": " << compared.systems << " systems, " << compared.verdicts
               << " verdicts\n";
     EXPECT_GT(compared.several_starts, 20u);
-    EXPECT_GT(compared.nothing_fair, 0u) << "some systems without a fair run";
+    EXPECT_GT(compared.nothing_fair, 0u) << "some systems must have no fair run";
 }
 
 TEST(RandomizedNusmvSpecs, ToolsDecideRandomLoopsAsOurEngineDoesInEveryApproachAndSchedule) {
@@ -117,7 +117,7 @@ TEST(RandomizedNusmvSpecs, ToolsDecideASmallLoopAsOurEngineDoesInEveryApproachAn
         }
     std::cout << compared.systems << " models, " << compared.verdicts << " verdicts\n";
     EXPECT_EQ(compared.systems, 16u)
-        << "with and without fairness, in two approaches without a plant and six ways with one";
+        << "with and without fairness: two models without plant automata and six with plant automata";
 }
 
 /// A system with a single free input.

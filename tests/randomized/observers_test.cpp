@@ -306,7 +306,7 @@ private:
             const bool looking =
                 std::ranges::any_of(choices, [&](const Fire& fire) { return fire.process.index == observer_; });
             if (!looking) {
-                ASSERT_EQ(looks, 1) << "it looks once at every state";
+                ASSERT_EQ(looks, 1) << "the observer must read every state exactly once";
                 break;
             }
             ASSERT_EQ(choices.size(), 1U) << (away ? "away" : "");

@@ -88,7 +88,7 @@ void compare(const System& system, const std::optional<SystemGraph>& graph, cons
     ASSERT_EQ(found.failures, std::vector<std::string>{});
     ++compared.systems;
     const bool dead_end = symbolic.fault && symbolic.fault->kind == SystemFault::Kind::DeadEnd;
-    ASSERT_TRUE(graph || !dead_end) << "a model of ours has one";
+    ASSERT_TRUE(graph || !dead_end) << "this model must not have a dead end";
     ASSERT_EQ(found.fault.has_value(), symbolic.fault.has_value() && !dead_end);
     if (found.fault) {
         ++compared.faults;
@@ -143,8 +143,8 @@ TEST(RandomizedPdr, AgreesWithTheOtherEnginesOnRandomSystems) {
         ASSERT_NO_FATAL_FAILURE(compare(system, graph, found, compared));
     }
     std::cout << compared.systems << " systems, " << compared.verdicts << " verdicts, " << compared.violated
-              << " of them violated, " << compared.faults << " faults, " << compared.bounded << " within a bound, "
-              << by_bmc << " by bmc in its turn\n";
+              << " of them violated, " << compared.faults << " faults, " << compared.bounded
+              << " not decided within a bound, " << by_bmc << " decided by bmc\n";
     EXPECT_GT(by_bmc, 10u);
     EXPECT_GT(compared.violated, compared.verdicts / 5);
     EXPECT_GT(compared.bounded, 0u);
@@ -175,7 +175,7 @@ TEST(RandomizedPdr, AgreesWithTheOtherEnginesOnRandomLoopsAndItsRunsReplay) {
         }
     }
     std::cout << compared.systems << " models, " << compared.verdicts << " verdicts, " << replayed << " runs replayed, "
-              << compared.given_up << " given up\n";
+              << compared.given_up << " not decided\n";
     EXPECT_GT(compared.verdicts, 0u);
     EXPECT_GT(replayed, 0u);
 }
@@ -200,7 +200,7 @@ TEST(RandomizedPdr, AgreesWithTheOtherEnginesOnASmallLoopInEveryApproachAndSched
         ASSERT_NO_FATAL_FAILURE(compare(system, graph, patient(system), compared));
     }
     std::cout << compared.systems << " models, " << compared.verdicts << " verdicts, " << compared.given_up
-              << " given up\n";
+              << " not decided\n";
     EXPECT_GT(compared.systems, 5u);
     EXPECT_GT(compared.violated, 5u);
 }
@@ -219,7 +219,7 @@ TEST(RandomizedPdr, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
             if (!target.justice.empty()) continue;
             const pdr::PdrAnswer answer = pdr::reach(circuit, target.bad, watch);
             if (answer.reached) {
-                EXPECT_NE(pdr::flaw(circuit, target.bad, {}, watch), "") << "what is reached has no certificate";
+                EXPECT_NE(pdr::flaw(circuit, target.bad, {}, watch), "") << "a reachable target has no certificate";
                 continue;
             }
             ASSERT_EQ(pdr::flaw(circuit, target.bad, answer.invariant, watch), "");
@@ -235,7 +235,7 @@ TEST(RandomizedPdr, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {
             }
         }
     }
-    std::cout << whole << " invariants, " << rejected << " damaged ones rejected\n";
+    std::cout << whole << " invariants, " << rejected << " damaged invariants rejected\n";
     EXPECT_GT(whole, 50u);
     EXPECT_GT(rejected, 50u);
 }
@@ -261,7 +261,7 @@ TEST(RandomizedPdr, WrongResultsOfASearchNeverBecomeVerdicts) {
         PdrOptions options;
         options.reach = liar(random);
         const PdrResult honest = check_pdr(system), lied = check_pdr(system, options);
-        EXPECT_EQ(lied.failures, std::vector<std::string>{}) << "it is no failure of ours";
+        EXPECT_EQ(lied.failures, std::vector<std::string>{}) << "a wrong result of the search is not an internal error";
         if (lied.fault) {
             ++faults;
             ASSERT_TRUE(honest.fault);
@@ -279,7 +279,7 @@ TEST(RandomizedPdr, WrongResultsOfASearchNeverBecomeVerdicts) {
             ASSERT_EQ(lied.verdicts[i].vacuous, honest.verdicts[i].vacuous);
         }
     }
-    std::cout << believed << " verdicts believed, " << doubted << " doubted, " << vacuous << " vacuous, " << faults
+    std::cout << believed << " verdicts accepted, " << doubted << " rejected, " << vacuous << " vacuous, " << faults
               << " faults\n";
     EXPECT_GT(believed, 100u);
     EXPECT_GT(doubted, 100u);

@@ -86,7 +86,7 @@ std::optional<PdrResult> compare(const System& system, Compared& compared, const
 
 void say(const Compared& compared) {
     std::cout << compared.systems << " systems, " << compared.faults << " faults, " << compared.runs
-              << " runs as short as may be";
+              << " shortest runs";
     for (const auto& [who, verdicts] : compared.by) std::cout << ", " << verdicts << ' ' << who;
     std::cout << ", " << compared.given_up << " given up\n";
 }

@@ -297,8 +297,8 @@ private:
         }
     }
 
-    /// Checks a statement of docs/explanation/semantics.md: a property that is violated (always, never) or reachable in
-    /// atomic grain has the same verdict in phased grain.
+    /// Checks a statement of docs/explanation/semantics.md: a property (always, never, exactly one of) that is
+    /// violated in atomic grain, or a state that is reachable, has the same verdict in phased grain.
     void try_grains() {
         for (const auto& [name, verdict] : atomic_.verdicts) {
             const bool of_states = verdict.pattern == Pattern::Always || verdict.pattern == Pattern::Never ||
@@ -334,7 +334,7 @@ TEST(RandomizedPreservation, StatementsAboutOtherModelsHoldThereAndRunsReplay) {
     }
     std::cout << loops << " loops of seeds 1 to " << cases << ", " << Trial::replayed << " runs replayed\n";
     for (const auto& [words, count] : Trial::tally)
-        std::cout << "  " << words << ": so " << count.first << " times, not so " << count.second << '\n';
+        std::cout << "  " << words << ": true " << count.first << " times, false " << count.second << '\n';
     EXPECT_GT(loops, cases / 4);
 }
 

@@ -296,7 +296,7 @@ void expect_claim(const Toy& toy, const Naive& naive, const Supervisor& found, c
         const Closed other = closed(toy, wider);
         ++counts.others;
         EXPECT_TRUE(!other.safe || !other.returns || other.evolutions == restricted.evolutions)
-            << "it is less restrictive";
+            << "a less restrictive policy satisfies the property";
     }
 }
 
@@ -348,10 +348,10 @@ TEST(RandomizedSupervise, ConditionsAgreeWithANaiveGameAndAreLeastRestrictive) {
         }
         if (testing::Test::HasFailure()) return;
     }
-    std::cout << counts.none << " cannot be helped, " << counts.unknown << " unknown, " << counts.free
-              << " as they are, " << counts.least << " least, " << counts.several << " of several, " << counts.cautious
-              << " cautious, " << counts.others << " others tried, " << counts.disabled << " disabled, " << counts.lost
-              << " lost\n";
+    std::cout << counts.none << " without a supervisor, " << counts.unknown << " unknown, " << counts.free
+              << " without restrictions, " << counts.least << " least, " << counts.several << " of several, "
+              << counts.cautious << " cautious, " << counts.others << " other policies tested, " << counts.disabled
+              << " disabled, " << counts.lost << " lost\n";
     EXPECT_GT(std::min({counts.none, counts.least, counts.cautious}), 3);
     EXPECT_GT(counts.several, 0);
     EXPECT_GT(counts.disabled, 3);
@@ -373,14 +373,14 @@ TEST(RandomizedSupervise, ConditionsForRandomLoopsAreProvedByBothEngines) {
         request.limits.progress = [&doing](const Progress& now) { doing = now.words(); };
         const auto made = supervised(*reading.model, {0}, {0}, reading.sources, request, reading.diagnostics);
         if (!made) continue;  // the property is not about states
-        EXPECT_TRUE(made->outcome == Supervisor::Outcome::Unknown || !doing.empty()) << "how far it is, is told";
+        EXPECT_TRUE(made->outcome == Supervisor::Outcome::Unknown || !doing.empty()) << "the progress is reported";
         EXPECT_EQ(made->failures, std::vector<std::string>{});
         ++(made->outcome == Supervisor::Outcome::Found  ? found
            : made->outcome == Supervisor::Outcome::None ? none
                                                         : unknown);
         if (testing::Test::HasFailure()) return;
     }
-    std::cout << found << " found, " << none << " cannot be helped, " << unknown << " unknown\n";
+    std::cout << found << " found, " << none << " without a supervisor, " << unknown << " unknown\n";
 }
 
 }  // namespace

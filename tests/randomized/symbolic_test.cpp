@@ -75,7 +75,7 @@ StateSet ends(const System& system, const SystemGraph& graph, const SystemRun& r
 
 void expect_shown(const System& system, const SystemGraph& graph, const Property& property, const SystemRun& run) {
     const StateSet end = ends(system, graph, run);
-    ASSERT_TRUE(any(end)) << "the run is none of the system";
+    ASSERT_TRUE(any(end)) << "it is not a run of the system";
     const std::vector<StateSet> sets = operand_sets(system, graph, property);
     if (property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo) {
         ASSERT_TRUE(run.loop);
@@ -83,12 +83,12 @@ void expect_shown(const System& system, const SystemGraph& graph, const Property
     }
     EXPECT_FALSE(run.loop);
     if (property.pattern == Pattern::AlwaysPossible) return;
-    EXPECT_TRUE(any(both(end, sets[0]))) << "the run does not show what it should";
+    EXPECT_TRUE(any(both(end, sets[0]))) << "the run does not prove the verdict";
     const std::vector<std::size_t> distances = graph.distances();
     std::size_t least = graph.states.size();
     for (std::size_t state = 0; state < sets[0].size(); ++state)
         if (sets[0][state]) least = std::min(least, distances[state]);
-    EXPECT_EQ(run.states.size() - 1, least) << "there is a shorter one";
+    EXPECT_EQ(run.states.size() - 1, least) << "there is a shorter run";
 }
 
 struct Compared {
@@ -233,7 +233,7 @@ TEST(RandomizedSymbolic, EventClustersFindTheSameModelErrors) {
         if (whole.fault->kind == SystemFault::Kind::OutOfRange) ++leaks;
         if (whole.fault->kind == SystemFault::Kind::DeadEnd) ++dead_ends;
     }
-    std::cout << leaks << " leave ranges, " << dead_ends << " dead ends, " << sound << " go on\n";
+    std::cout << leaks << " values out of range, " << dead_ends << " dead ends, " << sound << " without errors\n";
     EXPECT_GT(leaks, 0u);
     EXPECT_GT(dead_ends, 0u);
     EXPECT_GT(sound, 0u);

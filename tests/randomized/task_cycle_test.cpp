@@ -184,7 +184,7 @@ TEST(RandomizedTaskCycle, NetworkAgreesWithTheInterpreterScanByScan) {
                 check(static_cast<std::uint64_t>(seed), grain, mode, completed, seen);
                 if (HasFailure()) return;
             }
-            EXPECT_GT(completed, cases / 4) << "too few charts run to the end";
+            EXPECT_GT(completed, cases / 4) << "too few runs were complete";
         }
     }
     EXPECT_GT(seen.scans, 10 * cases);

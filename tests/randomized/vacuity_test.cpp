@@ -234,7 +234,7 @@ TEST(RandomizedVacuity, EveryEngineMarksVacuousProperties) {
         vacuous += count, kinds[of.first].first += count, scopes[of.second].first += count;
     for (const auto& [of, count] : tally.checked)
         checked += count, kinds[of.first].second += count, scopes[of.second].second += count;
-    std::cout << vacuous << " vacuous, " << checked << " not, " << tally.violated << " violated; symbolic "
+    std::cout << vacuous << " vacuous, " << checked << " not vacuous, " << tally.violated << " violated; symbolic "
               << tally.by_symbolic << ", pdr " << tally.by_pdr << ", auto " << tally.together << '\n';
     EXPECT_EQ(kinds.size(), 10U);
     EXPECT_EQ(scopes.size(), 5U);

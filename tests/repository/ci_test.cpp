@@ -136,7 +136,7 @@ TEST(Ci, StepsOfTheActionPassOnGoodChartsAndFailOnFaultyOnes) {
     EXPECT_NE(wrong.read("grafverif.sarif").find("\"codeFlows\""), std::string::npos);
     EXPECT_NE(fine.read("analyse.sarif").find("\"results\""), std::string::npos);
     Project none({});
-    EXPECT_NE(none.run(steps.back().script, steps.back().environment), 0) << "no chart is no success";
+    EXPECT_NE(none.run(steps.back().script, steps.back().environment), 0) << "the step must fail if there is no chart";
 }
 
 TEST(Ci, AMisspeltStepOfTheActionIsAnError) {
@@ -187,7 +187,7 @@ TEST(Ci, LinesOfChartsDoNotBecomeWorkflowCommands) {
         if (const std::size_t at = project.output.find("::stop-commands::"); at != std::string::npos)
             tokens.insert(project.output.substr(at, project.output.find('\n', at) - at));
     }
-    EXPECT_EQ(quoted, 3u) << "each step that reads charts quotes the line";
+    EXPECT_EQ(quoted, 3u) << "each step that reads charts prints the line";
     EXPECT_EQ(tokens.size(), 3u) << "no token is used twice";
 }
 
@@ -254,8 +254,8 @@ TEST(Ci, NamesOfFilesAreNeverOptions) {
         SCOPED_TRACE(script);
         Project project(files);
         EXPECT_EQ(project.run(script, variables), 0) << project.output;
-        EXPECT_FALSE(project.has("PWNED")) << "a name ran a command";
-        EXPECT_EQ(project.read("kept.grafcet"), lamp) << "a name named an output";
+        EXPECT_FALSE(project.has("PWNED")) << "a name was executed as a command";
+        EXPECT_EQ(project.read("kept.grafcet"), lamp) << "a name was used as an option";
     };
     for (const Step& step : steps_of_action()) expect_inert(step.script, step.environment);
     const auto [variables, jobs] = scripts_of_template();

@@ -251,7 +251,7 @@ TEST(Documents, ShowEachSampleAsItIsDrawn) {
         if (entry.path().extension() != ".grafcet") continue;
         const fs::path drawing = fs::path(entry.path()).replace_extension(".svg");
         EXPECT_EQ(text_of(drawing), Workplace().output_of("grafverif draw " + entry.path().string()))
-            << "docs/pictures.sh draws " << drawing;
+            << "docs/pictures.sh updates " << drawing;
         EXPECT_NE(text_of(entry.path().parent_path() / "README.md").find("](" + drawing.filename().string() + ")"),
                   std::string::npos)
             << drawing;
@@ -263,7 +263,7 @@ TEST(Documents, ShowEachSampleAsItIsDrawn) {
 TEST(Documents, HaveTheirCommandsInConsoleBlocks) {
     for (const fs::path& document : documents())
         for (const std::string& line : lines_of(text_of(document)))
-            EXPECT_FALSE(line.starts_with("    $ ")) << document << ": `" << line << "` stands in no console block";
+            EXPECT_FALSE(line.starts_with("    $ ")) << document << ": `" << line << "` is not in a console block";
 }
 
 TEST(Documents, NameOnlyFilesThatExist) {
@@ -274,7 +274,7 @@ TEST(Documents, NameOnlyFilesThatExist) {
             std::string target = text.substr(at + 2, end - at - 2);
             target = target.substr(0, target.find('#'));
             if (target.empty() || target.find("://") != std::string::npos) continue;
-            EXPECT_TRUE(fs::exists(document.parent_path() / target)) << document << " links to " << target;
+            EXPECT_TRUE(fs::exists(document.parent_path() / target)) << document << " has a broken link to " << target;
         }
     }
 }

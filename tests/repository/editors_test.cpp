@@ -32,7 +32,7 @@ std::set<std::string> words_of_table() {
     std::set<std::string> words;
     const json table = json::parse(text_of(root / "editors/words.json"));
     for (const auto& [category, list] : table.items())
-        for (const std::string word : list) EXPECT_TRUE(words.insert(word).second) << word << " stands twice";
+        for (const std::string word : list) EXPECT_TRUE(words.insert(word).second) << word << " occurs twice";
     return words;
 }
 

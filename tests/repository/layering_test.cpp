@@ -97,7 +97,7 @@ TEST(Layering, DrawingIsUpToDate) {
         std::system(("'" + (root / "docs/module_dependencies.sh").string() + "' >'" + drawn.string() + "'").c_str()),
         0);
     EXPECT_EQ(text_of(drawn), text_of(root / "docs/module_dependencies.svg"))
-        << "docs/module_dependencies.sh >docs/module_dependencies.svg";
+        << "run docs/module_dependencies.sh >docs/module_dependencies.svg";
     fs::remove(drawn);
 }
 
@@ -155,7 +155,7 @@ TEST(Layering, OnlyTheAppUsesProcessStreamsAndOnlyThePipelineAlsoReadsFiles) {
     static const std::regex streams(R"(std::c(in|out|err)\b|\bgetenv\b)"),
         files(R"(std::(i|o)?fstream|std::filesystem(?!::path)|[^\w]::open\()");
     for (const fs::path& file : sources({"include/grafverif", "src"})) {
-        EXPECT_EQ(text_of(file).find("#include <fstream>"), std::string::npos) << file << " opens files by other rules";
+        EXPECT_EQ(text_of(file).find("#include <fstream>"), std::string::npos) << file << " must not include <fstream>";
         if (module_of(file) == "app") continue;
         EXPECT_FALSE(std::regex_search(text_of(file), streams)) << file;
         EXPECT_TRUE(file.parent_path() == root / "src/pipeline" || !std::regex_search(text_of(file), files)) << file;
@@ -170,17 +170,17 @@ TEST(Repository, EveryFileBeginsWithItsLicence) {
 TEST(Repository, SourcesAreFormatted) {
     const std::string formatter = "clang-format-14";  // other versions of clang-format break lines differently
     if (std::system((formatter + " --version >/dev/null 2>&1").c_str()) != 0)
-        GTEST_SKIP() << "there is no " << formatter;
+        GTEST_SKIP() << formatter << " is not installed";
     std::string command = "cd '" + root.string() + "' && " + formatter + " --dry-run --Werror";
     for (const fs::path& file : sources({"include", "src", "tests", "bench"}))
         command += " '" + fs::relative(file, root).string() + "'";
-    EXPECT_EQ(std::system(command.c_str()), 0) << "clang-format-14 -i the files named above";
+    EXPECT_EQ(std::system(command.c_str()), 0) << "run clang-format-14 -i on the files listed above";
 }
 
 TEST(Repository, NoSourceIsTooLong) {
     for (const fs::path& file : sources({"include", "src"})) {
         const std::string text = text_of(file);
-        EXPECT_LE(std::ranges::count(text, '\n'), 500) << file << ": split it by idea";
+        EXPECT_LE(std::ranges::count(text, '\n'), 500) << file << ": the file is too long; split it by topic";
     }
 }
 
@@ -189,7 +189,7 @@ TEST(Repository, NoFolderHoldsMoreThanTwentySources) {
     for (const fs::path& file : sources({"src"}))
         if (file.extension() == ".cpp") ++count[file.parent_path()];
     for (const auto& [folder, files] : count)
-        EXPECT_LE(files, 20) << folder << ": give what belongs together a folder of its own";
+        EXPECT_LE(files, 20) << folder << ": too many files; move related files into a separate folder";
 }
 
 TEST(Repository, ThePublicApiIsSmall) {

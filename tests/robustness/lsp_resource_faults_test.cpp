@@ -171,7 +171,7 @@ public:
                                        [this](std::string_view bytes) { send(bytes); }, surroundings);
         lift_limits();
         EXPECT_EQ(ending, Ending::Requested);
-        EXPECT_LE(open_.size(), lost_) << *open_.begin() << " has no answer";
+        EXPECT_LE(open_.size(), lost_) << "request " << *open_.begin() << " has no response";
     }
 
 private:
@@ -204,7 +204,7 @@ private:
 class LspRefusals : public testing::Test {
 protected:
     void SetUp() override {
-        if (sanitized) GTEST_SKIP() << "sanitizers have their own allocator";
+        if (sanitized) GTEST_SKIP() << "sanitizers replace the allocator";
         const std::terminate_handler before = std::get_terminate();
         app::expect_memory_to_end();
         std::set_terminate(before);  // the default handler shows the stack, which is more useful here than an exit code

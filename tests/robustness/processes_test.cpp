@@ -33,7 +33,7 @@ constexpr bool sanitized = false;
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 
-/// Returns a call of every command, with a limit of some seconds. FOLDER stands for an output folder.
+/// Returns calls of most commands, each of which takes at most some seconds. FOLDER stands for an output folder.
 const std::vector<Words>& verbs() {
     static const std::vector<Words> all{
         {"fmt", tanks},
@@ -114,7 +114,7 @@ Words within(std::size_t kilobytes) {
 }
 
 TEST(Memory, ThatIsShortEndsTheProgramByAnExitCode) {
-    if (sanitized) GTEST_SKIP() << "sanitizers need more addresses than any limit leaves";
+    if (sanitized) GTEST_SKIP() << "sanitizers need more address space than the limits allow";
     const Folder folder;
     std::size_t least = 8192;  // the program does not start with less
     while (ran(with(within(least), {"--version"}, folder)).status != 0) least += 1024;
@@ -152,7 +152,7 @@ TEST(Memory, OfASmallStackIsEnough) {
 }
 
 TEST(Memory, HasNoErrorsUnderValgrind) {
-    if (sanitized) GTEST_SKIP() << "sanitizers and valgrind exclude each other";
+    if (sanitized) GTEST_SKIP() << "valgrind does not support sanitizers";
     const auto valgrind = find_program("valgrind");
     if (!valgrind) GTEST_SKIP() << "valgrind is not installed";
     const Folder folder;
@@ -176,14 +176,15 @@ TEST(Memory, HasNoErrorsUnderValgrind) {
     }
 }
 
-/// Checks that `serve` only listens and answers requests: the program makes no outgoing connections.
+/// Checks that the program imports no function that opens a connection or starts a shell: `serve` only accepts
+/// connections.
 TEST(Program, ConnectsToNoNetworkAndStartsNoShell) {
-    if (sanitized) GTEST_SKIP() << "sanitizers bring calls of their own";
+    if (sanitized) GTEST_SKIP() << "sanitizers import additional functions";
     const auto nm = find_program("nm");
     if (!nm) GTEST_SKIP() << "nm is not installed";
     const ProgramResult listed = run_program({nm->string(), "-D", "--undefined-only", GRAFVERIF_PROGRAM}, "",
                                              {.deadline = steady_clock::now() + std::chrono::seconds(60)});
-    ASSERT_NE(listed.out.find(" U kill@"), std::string::npos) << "the list is none:\n" << listed.out << listed.err;
+    ASSERT_NE(listed.out.find(" U kill@"), std::string::npos) << "nm lists no imports:\n" << listed.out << listed.err;
     for (const char* call :
          {"connect", "getaddrinfo", "gethostbyname", "sendto", "system", "popen", "wordexp", "dlopen"})
         EXPECT_EQ(listed.out.find(std::string(" U ") + call + "@"), std::string::npos) << call;
@@ -284,13 +285,13 @@ TEST(Init, TwoConcurrentRunsLeaveOneCompleteProjectAndOverwriteNothing) {
                                         "$P init press >one 2>&1 & $P init press >two 2>&1\nwait\n"
                                         "cd press && $P check press.grafcet -q; echo $?");
     EXPECT_TRUE(both.out.ends_with("0\n")) << both.out << both.err;
-    EXPECT_EQ(folder.entries(), 8U) << "a folder of five files, and what both said";
+    EXPECT_EQ(folder.entries(), 8U) << "a folder, its five files and two outputs";
     const std::string mine = "// mine\n";
     folder.write("press/press.grafcet", mine);
     fs::remove(folder.file("press/CMakeLists.txt"));
     EXPECT_EQ(in_shell(folder, "$P init press").status, 2);
     EXPECT_EQ(folder.read("press/press.grafcet"), mine);
-    EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "where one file is there, none is written";
+    EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "if one file exists, no file is written";
 }
 
 /// Two of the runs of `watch` have unreadable input, and two others run concurrently on one file. All of them end on

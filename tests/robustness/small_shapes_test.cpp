@@ -124,7 +124,7 @@ TEST(SmallShapes, AreAcceptedByEveryCommand) {
             ASSERT_EQ(fuzz::error_text(run, file, looped ? *with_loop : *alone, folder.file("written")), "");
         }
     }
-    std::cout << legal << " charts of " << all.size() << " are legal\n";
+    std::cout << legal << " of " << all.size() << " charts are valid\n";
     EXPECT_GT(legal, 1000U);
 }
 

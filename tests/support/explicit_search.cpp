@@ -184,7 +184,7 @@ bool explicit_verdict(const System& system, const SystemGraph& graph, const Prop
     case Pattern::RawCtl:
     case Pattern::RawLtl: break;
     }
-    ADD_FAILURE() << "no pattern for an explicit search";
+    ADD_FAILURE() << "the explicit search does not support this pattern";
     return false;
 }
 

@@ -236,7 +236,7 @@ private:
         if (term.op == "<=") return apply(left, right, std::less_equal<>());
         if (term.op == ">") return apply(left, right, std::greater<>());
         if (term.op == ">=") return apply(left, right, std::greater_equal<>());
-        ADD_FAILURE() << "no operator of states: " << term.op;
+        ADD_FAILURE() << "not an operator on states: " << term.op;
         return left;
     }
 
@@ -299,7 +299,7 @@ std::optional<SpecTerm> read_spec(std::string_view text) {
 bool spec_is_true(const TransitionSystem& system, const SystemGraph& graph, const NusmvModel::Specification& spec) {
     const auto term = read_spec(spec.formula);
     if (!term) {
-        ADD_FAILURE() << "no formula: " << spec.formula;
+        ADD_FAILURE() << "not a formula: " << spec.formula;
         return false;
     }
     Decision decision(system, graph);

@@ -143,7 +143,7 @@ SystemState first_state(const System& system, const Choose& choose) {
 
 SystemState next_state(const System& system, const SystemState& state, const Choose& choose) {
     const auto next = step_taken(system, state, choose);
-    EXPECT_TRUE(next.has_value()) << "the step is not on offer";
+    EXPECT_TRUE(next.has_value()) << "the step is not possible";
     return next.value_or(state);
 }
 
@@ -311,7 +311,7 @@ std::int64_t value_of(const System& system, const SystemState& state, Id<Expr> t
 std::int64_t value_of(const System& system, const SystemState& state, std::string_view path) {
     const auto site = site_of(system, path);
     if (!site) {
-        ADD_FAILURE() << "no symbol " << path;
+        ADD_FAILURE() << "unknown symbol " << path;
         return 0;
     }
     return in_state(system, state).at(*site);
@@ -319,7 +319,7 @@ std::int64_t value_of(const System& system, const SystemState& state, std::strin
 
 void set_value(const System& system, SystemState& state, std::string_view path, std::int64_t value) {
     const auto site = site_of(system, path);
-    ASSERT_TRUE(site) << "no symbol " << path;
+    ASSERT_TRUE(site) << "unknown symbol " << path;
     slot(state, *site) = value;
 }
 

@@ -20,7 +20,7 @@ TransitionSystem untimed_loop(const Model& model, const ScheduleOptions& options
 /// an error.
 std::vector<TransitionSystem> untimed_models(const Model& model, bool fairness = false);
 
-/// These functions do the same for `text` and for samples/PATH, which may use components of templates/.
+/// Convert the first loop of `text` and of samples/PATH, which may use components of templates/, like untimed_loop.
 TransitionSystem untimed_text(const std::string& text, const ScheduleOptions& options, Grain grain = Grain::Phased);
 TransitionSystem untimed_sample(const std::string& path, const ScheduleOptions& options, Grain grain = Grain::Phased);
 

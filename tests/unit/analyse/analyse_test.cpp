@@ -85,7 +85,7 @@ TEST(Analyse, UnreachableStepIsNeverActiveAndItsTransitionsAreNeverCleared) {
     ASSERT_NE(part, nullptr);
     EXPECT_EQ(part->message,
               "`t4` is never cleared; its condition is never true while it is enabled, since `X0` is false");
-    ASSERT_TRUE(condition->evidence.has_value()) << "the way to the situation in which it is enabled";
+    ASSERT_TRUE(condition->evidence.has_value()) << "the evidence is a run to a situation in which t1 is enabled";
     const Finding* const upstream = find(found, "transition-never-fired", "t2");
     ASSERT_NE(upstream, nullptr);
     EXPECT_EQ(upstream->message, "`t2` is never cleared; `X2` is never active");
@@ -181,7 +181,7 @@ TEST(Analyse, CounterThatLeavesItsRangeIsFoundAfterManyRounds) {
     const Finding* const range = find(found, "out-of-range", "n");
     ASSERT_NE(range, nullptr);
     ASSERT_TRUE(range->evidence.has_value());
-    EXPECT_EQ(range->evidence->rows.size(), 1U + 5U) << "power-on; up and down, up and down, up";
+    EXPECT_EQ(range->evidence->rows.size(), 1U + 5U) << "power-on and five evolutions: up, down, up, down, up";
     ASSERT_NE(find(found, "transition-never-fired", "t2"), nullptr);
 }
 
@@ -197,7 +197,7 @@ TEST(Analyse, ADivisionByACounterThatReachesZeroIsFound) {
     const Finding* const none = find(found, "no-value");
     ASSERT_NE(none, nullptr);
     ASSERT_TRUE(none->evidence.has_value());
-    EXPECT_EQ(none->evidence->rows.size(), 2U) << "power-on with `a`; then `n` is 0";
+    EXPECT_EQ(none->evidence->rows.size(), 2U) << "power-on with `a` true; then `n` is 0";
 }
 
 constexpr std::string_view two_orders = R"(
@@ -213,7 +213,7 @@ TEST(Analyse, TwoOrdersThatExcludeEachOtherAreShownTogether) {
     ASSERT_NE(twice, nullptr);
     ASSERT_TRUE(twice->evidence.has_value());
     EXPECT_EQ(twice->evidence->rows.back().what, "contradictory forcing orders");
-    EXPECT_EQ(found.notes.size(), 2U) << "elements reported as dead are dead up to these errors";
+    EXPECT_EQ(found.notes.size(), 2U) << "the findings about dead elements apply only until these errors";
     const std::string exclusive = std::string(two_orders) + "constraint !(a && b);";
     EXPECT_EQ(find(analysed(exclusive), "forced-twice"), nullptr);
 }
@@ -241,7 +241,7 @@ TEST(Analyse, AChartThatIsForcedWhileItsEnclosingStepGovernsItIsFound) {
     const Analysis found = analysed("input a, b;" + std::string(body));
     const Finding* const both = find(found, "forced-and-enclosed");
     ASSERT_NE(both, nullptr);
-    EXPECT_EQ(both->related.size(), 1U) << "the enclosing step";
+    EXPECT_EQ(both->related.size(), 1U) << "the related element is the enclosing step";
     ASSERT_TRUE(both->evidence.has_value());
     EXPECT_EQ(both->evidence->rows.size(), 2U);
     EXPECT_EQ(find(analysed("input a, b; constraint !(a && b);" + std::string(body)), "forced-and-enclosed"), nullptr);
@@ -255,7 +255,7 @@ TEST(Analyse, EvidenceIncludesAFirstEvolutionThatClearsNothing) {
     ASSERT_TRUE(endless != nullptr && endless->evidence.has_value());
     const ChartRun& run = *endless->evidence;
     ASSERT_EQ(run.rows.size(), 4U);
-    EXPECT_EQ(run.rows[1].what, "first evolution") << "t0 is enabled and a true, and t0 is not cleared yet";
+    EXPECT_EQ(run.rows[1].what, "first evolution") << "`t0` is enabled and `a` is true, but `t0` is not cleared yet";
     EXPECT_EQ(run.loop_from, 2U);
 }
 
@@ -277,7 +277,7 @@ TEST(Analyse, TotalInstabilityEndsInALoopOfSituations) {
     ASSERT_TRUE(run.loop_from.has_value());
     EXPECT_EQ(run.rows.size() - *run.loop_from, 2U);
     EXPECT_EQ(verify(run), std::vector<std::string>{});
-    EXPECT_EQ(endless->related.size(), 2U) << "t1 and t2, of the loops that are nearest";
+    EXPECT_EQ(endless->related.size(), 2U) << "t1 and t2, the transitions of the nearest loop";
     EXPECT_EQ(find(analysed(sound), "total-instability"), nullptr);
 }
 
@@ -394,7 +394,7 @@ TEST(Analyse, EventsExcludedOnlyByTimesAreReportedAsUnconfirmed) {
         transition t3: 2 -> when 1s/X2 && false;
     )");
     const Finding* const early = find(found, "transition-never-fired", "t2");
-    EXPECT_EQ(early, nullptr) << "the search knows the order of ends on one step only";
+    EXPECT_EQ(early, nullptr) << "the search considers the order of timers only for one step";
 }
 
 TEST(Analyse, TimerOfAnInputRunsIfItRisesWithoutOtherEvents) {
@@ -407,7 +407,7 @@ TEST(Analyse, TimerOfAnInputRunsIfItRisesWithoutOtherEvents) {
         transition t1: 1 -> 2 when 3s/a;
         transition t2: 2 -> 0 when b;
     )");
-    EXPECT_EQ(find(found, "step-never-active", "X2"), nullptr) << "a is true for 3 s while step 1 is active";
+    EXPECT_EQ(find(found, "step-never-active", "X2"), nullptr) << "a can be true for 3 s while step 1 is active";
     EXPECT_EQ(find(found, "transition-never-fired", "t1"), nullptr);
 }
 
@@ -454,17 +454,17 @@ TEST(Analyse, ACounterThatStopsAtItsThresholdIsDecidedWithoutCountingToItsEnd) {
     options.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
     options.first_slice = 4'000'000;
     const Analysis found = bounded_analysis(two_cells, options);
-    EXPECT_NE(find(found, "step-never-active", "cell1.Xc1"), nullptr) << "k1 stops at 3";
+    EXPECT_NE(find(found, "step-never-active", "cell1.Xc1"), nullptr) << "k1 is at most 3";
     EXPECT_EQ(find(found, "out-of-range", "k1"), nullptr);
     const auto open = [&](std::string_view code, std::string_view subject) {
         return std::ranges::any_of(found.open, [&](const OpenQuestion& question) {
             return question.code == code && question.subject == subject;
         });
     };
-    EXPECT_FALSE(open("out-of-range", "k1")) << "it is not counted beyond 3";
+    EXPECT_FALSE(open("out-of-range", "k1")) << "k1 is never incremented beyond 3";
     for (const OpenQuestion& question : found.open) {
-        EXPECT_EQ(question.code + " " + question.subject, "out-of-range k2") << "nothing else depends on its end";
-        EXPECT_GE(question.evolutions, 29'000) << "it takes that many rounds";
+        EXPECT_EQ(question.code + " " + question.subject, "out-of-range k2") << "no other question depends on k2";
+        EXPECT_GE(question.evolutions, 29'000) << "k2 needs this number of evolutions";
     }
 }
 
@@ -477,8 +477,8 @@ TEST(Analyse, ResultOfOnePartDoesNotWaitForOthers) {
     options.found = [&](const Finding& finding) { order.push_back(finding.code); };
     options.progress = [&](const AnalyseProgress& now) { parts = std::max(parts, now.parts); };
     const Analysis found = bounded_analysis(two_cells, options);
-    EXPECT_GE(parts, 4U) << "the supervisor, each cell with it, and all";
-    EXPECT_GE(order.size(), 1U) << "findings are told as they are found";
+    EXPECT_GE(parts, 4U) << "the supervisor, the supervisor with each cell, and the complete chart";
+    EXPECT_GE(order.size(), 1U) << "findings are reported when they are found";
 }
 
 TEST(Analyse, RepeatedAnalysisGivesTheSameResult) {
@@ -510,7 +510,7 @@ TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
         }
     )");
     EXPECT_NE(find(found, "action-race", "o"), nullptr);
-    EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr) << "no run goes on";
+    EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr) << "every run ends in the race";
 }
 
 TEST(Analyse, RunsOfPartsWithoutPossibleTimesAreNotRunsOfTheChart) {
@@ -593,7 +593,7 @@ TEST(Analyse, TwoPartsThatFallOutOfStepAreARegionThatIsNeverLeft) {
         }
     )");
     ASSERT_EQ(codes(found), Codes{"region-never-left"});
-    EXPECT_EQ(found.findings[0].evidence->rows.size(), 2U + 1U) << "power-on, and a rise of `b` alone";
+    EXPECT_EQ(found.findings[0].evidence->rows.size(), 2U + 1U) << "power-on and a rising edge of `b` only";
 }
 
 TEST(Analyse, PathBackThroughARaceIsNotExcluded) {

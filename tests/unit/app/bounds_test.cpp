@@ -215,7 +215,7 @@ TEST(Bounds, EveryCommandKeepsTheMemoryLimit) {
 }
 
 TEST(Bounds, RefusedMemoryIsReportedWithoutASignal) {
-    if (sanitized) GTEST_SKIP() << "the sanitizer reserves more address space than that";
+    if (sanitized) GTEST_SKIP() << "sanitizers reserve more address space than the limit";
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(2, 1)) {
         SCOPED_TRACE(command.front());
@@ -227,7 +227,7 @@ TEST(Bounds, RefusedMemoryIsReportedWithoutASignal) {
 /// Returns the property `name` from the output of `check`.
 Json property(const Ended& ended, const std::string& name) {
     const Json report = Json::parse(ended.out, nullptr, false);
-    if (report.is_discarded()) ADD_FAILURE() << "no JSON: " << ended.out << ended.err;
+    if (report.is_discarded()) ADD_FAILURE() << "not JSON: " << ended.out << ended.err;
     else
         for (const Json& each : report["properties"])
             if (each["name"] == name) return each;

@@ -104,7 +104,7 @@ TEST(Check, DecidesAFragmentOfALineAndNamesTheOmittedParts) {
         "check", (root / "samples/transfer_line/transfer_line.grafcet").string(), "--property", "held_2", "--format",
         "json"};
     const Result ran = grafverif(command);
-    EXPECT_EQ(ran.code, ExitCode::Done) << "the result is the same without the query of timelocks";
+    EXPECT_EQ(ran.code, ExitCode::Done) << "the undecided query for timelocks does not change the exit code";
     const Json properties = Json::parse(ran.out)["properties"];
     EXPECT_EQ(properties[0]["verdict"], "holds");
     EXPECT_EQ(properties[0]["cells"],
@@ -134,7 +134,8 @@ TEST(Check, ProvesThatAStateIsAlwaysPossibleUnlessTheCheckIsMonolithic) {
         for (const Json& property : report["properties"]) found.push_back(property["verdict"]);
         return found;
     };
-    EXPECT_EQ(verdicts({}), (std::vector<std::string>{"holds", "holds", "holds"})) << "the last is `no timelock`";
+    EXPECT_EQ(verdicts({}), (std::vector<std::string>{"holds", "holds", "holds"}))
+        << "the last verdict is that on `no timelock`";
     EXPECT_EQ(verdicts({"--monolithic"}), (std::vector<std::string>{"unknown", "unknown", "unknown"}));
 }
 
@@ -244,7 +245,7 @@ TEST(Check, FirstInterruptRequestsAnOrderlyEnd) {
         std::raise(SIGINT);
         EXPECT_TRUE(interrupt.requested());
     }
-    EXPECT_EQ(std::signal(SIGINT, before), SIG_DFL) << "what was there before is back";
+    EXPECT_EQ(std::signal(SIGINT, before), SIG_DFL) << "the previous handler is restored";
     EXPECT_FALSE(Interrupt().requested());
 }
 

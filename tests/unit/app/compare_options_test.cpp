@@ -36,7 +36,8 @@ TEST(CompareOptions, TheOutputsForStopsCanHaveDifferentNames) {
                             "and of later scans are not compared\n"),
               std::string::npos)
         << same.out;
-    EXPECT_EQ(compared(failing, halting, {"--stop-output", "Halt=Error"}).code, ExitCode::Input) << "a has `Error`";
+    EXPECT_EQ(compared(failing, halting, {"--stop-output", "Halt=Error"}).code, ExitCode::Input)
+        << "a has the output `Error`, not `Halt`";
     const Result other = compared(halting, with(failing, "off AND on", "on"), {"--stop-output", "Halt=Error"});
     EXPECT_EQ(other.code, ExitCode::Verdict) << other.out << other.err;
     EXPECT_NE(other.out.find("in the last scan, `b` stops and the other continues\n"), std::string::npos) << other.out;

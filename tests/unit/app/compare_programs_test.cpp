@@ -40,7 +40,7 @@ TEST(ComparePrograms, DifferenceIsTheShortestSequenceWithBothOutputs) {
     const auto json = nlohmann::json::parse(late.out);
     EXPECT_EQ(json["programs"], nlohmann::json({true, true}));
     EXPECT_EQ(json["shortest"], true);
-    ASSERT_EQ(json["scans"].size(), 5U) << "three edges";
+    ASSERT_EQ(json["scans"].size(), 5U) << "q counts three edges";
     EXPECT_EQ(json["scans"].back()["answers"][0]["outputs"]["q"], 3);
     EXPECT_EQ(json["scans"].back()["answers"][1]["outputs"]["q"], 0);
     EXPECT_TRUE(json["scans"].back()["answers"][0]["situation"].is_null());
@@ -233,7 +233,7 @@ TEST(ComparePrograms, SettledOutputsAreCompared) {
     const std::string slow =
         "PROGRAM slow\nVAR_INPUT on, off : BOOL; END_VAR\nVAR_OUTPUT L : BOOL; END_VAR\n"
         "VAR m : BOOL; END_VAR\nL := m;\nm := (m OR on) AND NOT off;\nEND_PROGRAM\n";
-    EXPECT_EQ(compared(latch, slow).code, ExitCode::Verdict) << "one scan late";
+    EXPECT_EQ(compared(latch, slow).code, ExitCode::Verdict) << "the output is one scan late";
     for (const std::string& other : {latch, lamp}) {
         const Result settled = compared(other, slow, {"--compare", "settled"});
         EXPECT_EQ(settled.code, ExitCode::Done) << settled.out << settled.err;

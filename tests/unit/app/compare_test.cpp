@@ -268,7 +268,7 @@ TEST(Compare, DivisionByZeroIsAStopAsIsTotalInstability) {
             EXPECT_NE(same.out.find(": equal\n"), std::string::npos) << same.out;
         }
         const std::string stable = with(unstable, "1 -> 0 when n == 0", "1 -> 0 when false");
-        EXPECT_EQ(compared(begin + dividing, stable).code, ExitCode::Verdict) << "one stops";
+        EXPECT_EQ(compared(begin + dividing, stable).code, ExitCode::Verdict) << "one chart stops";
     }
 }
 

@@ -118,7 +118,7 @@ TEST(Draw, TextNotationShowsTermsAsWritten) {
     EXPECT_EQ(text("text", "condition-t1"), "a && a && b");
     EXPECT_EQ(text("iec", "condition-t1"), "a · b");
     EXPECT_EQ(text("text", "condition-t2"), "a => b");
-    EXPECT_EQ(text("text", "action-c0"), "L (a || a) && 2s/X1") << "a disjunction beside a delay is in brackets";
+    EXPECT_EQ(text("text", "action-c0"), "L (a || a) && 2s/X1") << "a disjunction next to a delay is in parentheses";
     EXPECT_EQ(text("text", "action-s0"), "M := true && true rise(a) && rise(a)");
     EXPECT_EQ(text("text", "action-s1"), "n := 1 + 1");
 }

@@ -86,7 +86,7 @@ TEST(WriteFiles, KeepsPermissionsAndReplacesNothingThatMayNotBeWritten) {
     fs::permissions(folder.write("secret", "old"), fs::perms(0640));
     write_files({{folder.file("secret"), "new"}});
     EXPECT_EQ(fs::status(folder.file("secret")).permissions(), fs::perms(0640));
-    if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+    if (::geteuid() == 0) GTEST_SKIP() << "root can write to every file";
     fs::permissions(folder.file("secret"), fs::perms(0440));
     EXPECT_THROW(write_files({{folder.file("secret"), "newer"}}), std::system_error);
     EXPECT_EQ(folder.read("secret"), "new");
@@ -206,7 +206,7 @@ TEST(Mutate, AStateFileThatCannotBeWrittenIsAnErrorAndTheOldOneStays) {
     }
     fail_on = false;
     EXPECT_GT(refused, with_results);
-    EXPECT_GT(with_results, 0U) << "what was found out is printed though it cannot be kept";
+    EXPECT_GT(with_results, 0U) << "results are printed even if they cannot be stored";
     EXPECT_EQ(folder.entries(), 2U);
 }
 
@@ -350,7 +350,7 @@ TEST(FilesBelow, SkipsKernelFileSystemsAndStopsOnRequest) {
     EXPECT_GT(most, 90u);
     const std::atomic<bool> stop = true;
     EXPECT_TRUE(files_below(folder.file(""), ".grafcet", most, &stop).files.empty());
-    EXPECT_EQ(most, 0u) << "not all was looked at";
+    EXPECT_EQ(most, 0u) << "the search was incomplete";
 }
 
 TEST(Include, FileWithSeveralPathsIsReadOnce) {
@@ -429,7 +429,7 @@ TEST(Include, ReachIsTheSameFromEveryFolder) {
     EXPECT_EQ(codes("far.grafcet", {"-I", folder.file("project"), "-I", folder.file("")}), fine);
     fs::create_directory_symlink(folder.file(""), folder.file("project/charts/way_out"));
     folder.write("project/charts/link.grafcet", "include \"way_out/outside.grafcet\";\n");
-    EXPECT_EQ(codes("link.grafcet"), refused) << "links are followed first";
+    EXPECT_EQ(codes("link.grafcet"), refused) << "links are resolved before the check";
 }
 
 TEST(Include, FoldersOfTheCommandLineAreLookedInNext) {

@@ -219,7 +219,7 @@ TEST(FirstUse, ColoursAreUsedOnTerminalsByDefault) {
             EXPECT_EQ(out.str().find("\033[1;32mholds\033[0m") != std::string::npos,
                       *choice == 'a' && (choice[1] == 'l' || coloured))
                 << choice;
-            EXPECT_EQ(out.str().find("says"), std::string::npos) << "there is no room for texts";
+            EXPECT_EQ(out.str().find("says"), std::string::npos) << "the table has no space for descriptions";
         }
     }
 }

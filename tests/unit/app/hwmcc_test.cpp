@@ -50,7 +50,7 @@ TEST(Aiger, IsWrittenInBothFormsWithAMapToTheChart) {
         const auto& first = map["controllers"][0]["steps"][0]["bits"];
         ASSERT_EQ(first.size(), 1u);
         EXPECT_TRUE(aiger_value(aiger_run(file, {std::vector<bool>(file.inputs.size())})[0], first[0]))
-            << "its first step is active at first";
+            << "the first step is initially active";
     }
     EXPECT_TRUE(grafverif({"aiger", tanks}).out.starts_with("aag "));
     EXPECT_TRUE(grafverif({"aiger", tanks, "--format", "aig"}).out.starts_with("aig "));
@@ -136,7 +136,7 @@ TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
     std::vector<std::string> one_thread = command;
     one_thread.insert(one_thread.end(), {"--jobs", "1"});
     const Result ran = grafverif(command);
-    EXPECT_EQ(ran.code, ExitCode::Unknown) << "this model has no time that could be locked";
+    EXPECT_EQ(ran.code, ExitCode::Unknown) << "an untimed model cannot decide `no timelock`";
     const auto properties = nlohmann::json::parse(ran.out)["properties"];
     const std::vector<std::string> names = {"held_1", "released_1", "held_2",      "released_2",
                                             "held_3", "released_3", "no_timelock", "no_out_of_range"};
@@ -188,7 +188,8 @@ TEST(Pdr, DecidesStabilityOfAChartAloneAndNamesTheEngine) {
         EXPECT_EQ(alone.code, ExitCode::Verdict) << alone.err;
         EXPECT_EQ(alone.out.find("reachable"), std::string::npos) << alone.out;
     }
-    EXPECT_EQ(grafverif({"check", file}).out.find("not by"), std::string::npos) << "the engine is one with it";
+    EXPECT_EQ(grafverif({"check", file}).out.find("not by"), std::string::npos)
+        << "the default engine includes the exploration";
 }
 
 TEST(Abc, ProvesWithAnInvariantThatIsCheckedAndShowsRuns) {

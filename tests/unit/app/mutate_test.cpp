@@ -135,7 +135,7 @@ TEST(Mutate, AStateFileIsAFileOfItsRunsAndNoOther) {
         arguments.insert(arguments.end(), options.begin(), options.end());
         const Result result = grafverif(arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_EQ(result.out, "") << "refused before the work";
+        EXPECT_EQ(result.out, "") << "rejected before the first mutant is checked";
         return result.err;
     };
     const auto has = [](const std::string& text, const std::string& part) {
@@ -179,13 +179,13 @@ TEST(Mutate, StateFileIsUsedForTheSameQueryOnly) {
     EXPECT_EQ(lines(), 2);
     folder.write("part.grafcet", part + "// another file\n");
     grafverif(arguments);
-    EXPECT_EQ(lines(), 4) << "what the file includes belongs to the question";
+    EXPECT_EQ(lines(), 4) << "a result depends on the included files";
     arguments.insert(arguments.end(), {"--mode", "every-cycle"});
     grafverif(arguments);
-    EXPECT_EQ(lines(), 6) << "and how it is requested";
+    EXPECT_EQ(lines(), 6) << "a result depends on the options";
     arguments.insert(arguments.end(), {"--mutant-timeout", "30s"});
     grafverif(arguments);
-    EXPECT_EQ(lines(), 6) << "a verdict does not depend on the time there was";
+    EXPECT_EQ(lines(), 6) << "a verdict does not depend on the time limit";
 }
 
 TEST(Mutate, MutantsThatTimedOutAreCheckedAgainWithMoreTime) {
@@ -198,7 +198,7 @@ TEST(Mutate, MutantsThatTimedOutAreCheckedAgainWithMoreTime) {
     };
     EXPECT_EQ(counts("0ms")["unknown"], 2);
     EXPECT_EQ(counts("60s")["unknown"], 0);
-    EXPECT_EQ(counts("0ms")["unknown"], 0) << "what is decided stays so";
+    EXPECT_EQ(counts("0ms")["unknown"], 0) << "decided mutants remain decided";
 }
 
 TEST(Mutate, SurvivorsAreWrittenAsTextAndDrawing) {

@@ -196,7 +196,7 @@ TEST(Names, TimerIsShownAsInConditions) {
         words.insert(words.end(), options.begin(), options.end());
         const std::string out = grafverif(words).out;
         EXPECT_NE(out.find("upper: 1s/X0 is true\n"), std::string::npos) << out;
-        EXPECT_EQ(out.find("T_X0"), std::string::npos) << "the model's word:\n" << out;
+        EXPECT_EQ(out.find("T_X0"), std::string::npos) << "a name of the network:\n" << out;
     }
     const std::string automaton = grafverif({"automaton", file, "--chart", "upper"}).out;
     EXPECT_NE(automaton.find("when a and OPEN and 1s/X0"), std::string::npos) << automaton;
@@ -230,8 +230,8 @@ TEST(Names, SimulationListsTheCandidatesOfAnAmbiguousName) {
                                 "! unknown `Gate` location `opne`; did you mean `open`?", "! unknown input `H`",
                                 "! `Gate.H` ranges from 0 to 3 and cannot be 9"})
         EXPECT_NE(result.out.find(message), std::string::npos) << message << '\n' << result.out;
-    EXPECT_EQ(result.out.find("`G2.X0`"), std::string::npos) << "one alone is called so";
-    EXPECT_EQ(result.out.find("Gate_H"), std::string::npos) << "as models call it, and so may anybody";
+    EXPECT_EQ(result.out.find("`G2.X0`"), std::string::npos) << "the name `G2.X0` is unambiguous";
+    EXPECT_EQ(result.out.find("Gate_H"), std::string::npos) << "the name of the variable in the network is accepted";
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ TEST(Depfile, RejectsNamesThatItsReaderCannotRepresent) {
 }
 
 TEST(Depfile, RepresentsNamesExactlyForMake) {
-    if (printed("command -v make").empty()) GTEST_SKIP() << "there is no make";
+    if (printed("command -v make").empty()) GTEST_SKIP() << "make is not installed";
     const Folder folder;
     const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::Make);
     for (const std::string& name : files) folder.write(name, "");
@@ -184,7 +184,7 @@ TEST(Depfile, RepresentsNamesExactlyForMake) {
 }
 
 TEST(Depfile, IsActedOnByMake) {
-    if (printed("command -v make").empty()) GTEST_SKIP() << "there is no make";
+    if (printed("command -v make").empty()) GTEST_SKIP() << "make is not installed";
     const std::vector<std::string> names = {"plain", "a b", "a$b", "a#b", "a\\b", "a:b", "a%b", "100%", "a\\#b", "a|b"};
     const auto reader = DepfileReader::Make;
     for (const std::string result : {"result", "the $result #1\\2 of 3%"}) {
@@ -203,15 +203,15 @@ TEST(Depfile, IsActedOnByMake) {
             const std::string make = "make -rq -C '" + folder.file("") + "' >/dev/null 2>&1; echo $?";
             EXPECT_EQ(printed(make), "0\n") << "nothing has changed";
             fs::last_write_time(folder.file(touched), old + std::chrono::hours(2));
-            EXPECT_EQ(printed(make), "1\n") << "one has changed";
+            EXPECT_EQ(printed(make), "1\n") << "one file has changed";
             fs::remove(folder.file(touched));
-            EXPECT_EQ(printed(make), "1\n") << "one is gone";
+            EXPECT_EQ(printed(make), "1\n") << "one file is missing";
         }
     }
 }
 
 TEST(Depfile, RepresentsNamesExactlyForNinja) {
-    if (printed("command -v ninja").empty()) GTEST_SKIP() << "there is no ninja";
+    if (printed("command -v ninja").empty()) GTEST_SKIP() << "ninja is not installed";
     const Folder folder;
     const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::Ninja);
     for (const std::string& name : files) folder.write(name, "");
@@ -231,7 +231,7 @@ TEST(Depfile, RepresentsNamesExactlyForNinja) {
 }
 
 TEST(Depfile, RepresentsNamesExactlyForCMake) {
-    if (printed("command -v cmake").empty()) GTEST_SKIP() << "there is no cmake";
+    if (printed("command -v cmake").empty()) GTEST_SKIP() << "cmake is not installed";
     const Folder folder;
     const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::CMake);
     folder.write("in.d", depfile_text({"result"}, files, DepfileReader::CMake));
@@ -260,7 +260,7 @@ TEST(Build, AcceptsSeveralFilesWithAllTheirLoops) {
     const std::string out = folder.file("out");
     EXPECT_NE(grafverif({"build", one, two, "-o", out, "--create-dirs"}).err.find("[ambiguous-choice]"),
               std::string::npos);
-    EXPECT_FALSE(fs::exists(out)) << "all or nothing";
+    EXPECT_FALSE(fs::exists(out)) << "after an error, no file is written";
     const Result all =
         grafverif({"build", one, two, "--all", "-o", out, "--create-dirs", "--depfile", folder.file("d")});
     EXPECT_EQ(all.code, ExitCode::Done) << all.err;
@@ -270,7 +270,7 @@ TEST(Build, AcceptsSeveralFilesWithAllTheirLoops) {
             EXPECT_NE(all.out.find(std::string(name) + ending), std::string::npos);
         }
     EXPECT_EQ(std::ranges::count(folder.read("d"), '\n'), 7) << folder.read("d");
-    EXPECT_EQ(grafverif({"build", one, "--loop", "first"}).code, ExitCode::Done) << "its own folder is made";
+    EXPECT_EQ(grafverif({"build", one, "--loop", "first"}).code, ExitCode::Done) << "the default folder is created";
     fs::remove_all("first.grafverif");
     const Result twice = grafverif({"build", two, two, "-o", out});
     EXPECT_NE(twice.err.find("[output-twice]"), std::string::npos) << twice.err;
@@ -307,7 +307,7 @@ TEST(Outputs, AreWrittenIntoFoldersThatAreThere) {
         const Result result = grafverif(arguments);
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_NE(result.err.find("or pass `--create-dirs` [missing-folder]"), std::string::npos) << result.err;
-        EXPECT_EQ(result.out, "") << "said before there is any work";
+        EXPECT_EQ(result.out, "") << "reported before the work starts";
         EXPECT_EQ(folder.entries(), 1u);
     }
     EXPECT_EQ(grafverif({"uppaal", file, "-o", missing + "/deeper/l.xml", "--create-dirs"}).code, ExitCode::Done);
@@ -427,7 +427,7 @@ void with_each_path_option(const Folder& folder, const std::string& file, const 
                 continue;
             SCOPED_TRACE(verb.name + " --" + option.name);
             const auto listed = std::ranges::find(path_options, option.name, &PathOption::name);
-            ASSERT_NE(listed, path_options.end()) << "docs/reference/files.md has rules for every path";
+            ASSERT_NE(listed, path_options.end()) << "docs/reference/files.md must have rules for every path";
             Words words = call(verb, file, folder);
             if (accepts(verb, OptionGroup::Walk) && (option.name == "script" || option.name == "junit"))
                 words.resize(2);

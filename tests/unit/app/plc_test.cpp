@@ -81,7 +81,7 @@ TEST(Plc, AnswersAnInvalidLineAndContinues) {
         const Result result = played(pulse, std::string(c.line) + "\n1\n");
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_TRUE(result.out.starts_with("error: " + std::string(c.problem))) << result.out;
-        EXPECT_TRUE(result.out.ends_with("\n1\n")) << "the line was taken for a scan, or ended the session";
+        EXPECT_TRUE(result.out.ends_with("\n1\n")) << "the line was executed as a scan, or ended the session";
         EXPECT_NE(result.err.find("line 1: error"), std::string::npos);
     }
 }
@@ -124,7 +124,7 @@ TEST(Plc, StopsWithAReasonIfTheChartCannotContinue) {
         const Result result = played(c.chart, "0\n1\n0\n");
         EXPECT_EQ(result.code, ExitCode::Verdict);
         EXPECT_TRUE(result.out.starts_with("0\nerror: " + std::string(c.reason))) << result.out;
-        EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2) << "it went on after that";
+        EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2) << "the session continued after the error";
     }
 }
 

@@ -72,7 +72,7 @@ TEST(Process, ProgramsAreFoundOnThePathIfTheyCanBeRun) {
     EXPECT_EQ(find_program("tool"), fs::path(second.file("tool")));
     EXPECT_EQ(find_program("no_such_tool"), std::nullopt);
     EXPECT_EQ(find_program(""), std::nullopt);
-    EXPECT_EQ(find_program(first.file("tool")), std::nullopt) << "a path that cannot be run";
+    EXPECT_EQ(find_program(first.file("tool")), std::nullopt) << "the file is not executable";
     EXPECT_EQ(find_program(second.file("tool")), fs::path(second.file("tool")));
 }
 

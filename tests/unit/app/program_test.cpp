@@ -139,7 +139,7 @@ TEST(Build, KeepsExistingOutputsOnError) {
     const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create-dirs", "--grain", "atomic"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(folder.read("out/station.xml"), before);
-    EXPECT_EQ(folder.entries(), 4u) << "a draft was left behind";
+    EXPECT_EQ(folder.entries(), 4u) << "a draft remains";
 }
 
 TEST(Build, AcceptsOnlyAClosedLoop) {

@@ -86,12 +86,14 @@ TEST(Report, SummaryIsPositiveOnlyIfEverythingIsAsExpected) {
     EXPECT_EQ(glance({"report", both, "--property", "lit"}), "ok: Every property selected holds.");
     const std::string one = folder.write("one.grafcet", lamp + "property lit: reachable L; }\n");
     EXPECT_EQ(glance({"report", one}), "ok: Every property holds.");
-    EXPECT_EQ(glance({"report", one, "--max-states", "3"}).substr(0, 8), "unknown:") << "the rest is not looked at";
+    EXPECT_EQ(glance({"report", one, "--max-states", "3"}).substr(0, 8), "unknown:")
+        << "the remaining states are not searched";
     const std::string observed =
         folder.write("observed.grafcet", lamp +
                                              "observer Eye { initial location 10; location 11; 10 -> 11 when L; }\n"
                                              "property lit: reachable L; property blind: never Eye.11; }\n");
-    EXPECT_EQ(glance({"report", observed}), "unknown: 1 verdict is unknown.") << "left out of timed models";
+    EXPECT_EQ(glance({"report", observed}), "unknown: 1 verdict is unknown.")
+        << "the property is omitted from timed models";
     EXPECT_NE(grafverif({"report", observed}).out.find("id=\"property-blind\""), std::string::npos);
     const std::string idle = folder.write("idle.grafcet", lamp + "property r: X0 && X1 leads to L; }\n");
     EXPECT_EQ(glance({"report", idle}), "unknown: Every property holds, 1 vacuously.");
@@ -120,7 +122,7 @@ closed_loop shop {
     };
     EXPECT_TRUE(says({}, "The environment behaves in every way that its components permit: One (free), Two (free)."));
     EXPECT_NE(grafverif({"report", blinking}).out.find("Button (push_button, GAP = 1s)."), std::string::npos);
-    EXPECT_FALSE(says({}, "inputs always satisfy")) << "with a plant a constraint is proven, not assumed";
+    EXPECT_FALSE(says({}, "inputs always satisfy")) << "with a plant, a constraint is proved, not assumed";
     EXPECT_TRUE(says({"--untimed"}, free_inputs));
     EXPECT_FALSE(says({"--untimed"}, "inputs always satisfy"));
     EXPECT_TRUE(says({"--untimed", "--plant", "constraints"}, "The inputs always satisfy"));
@@ -197,7 +199,7 @@ TEST(Report, MarksMomentsThatAreNotStatesOfTheModel) {
     EXPECT_GE(length, 4U);
     const nlohmann::json timed = player_data(grafverif({"report", file}).out);
     for (const auto& run : timed["runs"])
-        EXPECT_TRUE(run["inside"].empty()) << "a timed run tells each move of the network";
+        EXPECT_TRUE(run["inside"].empty()) << "a timed run contains each move of the network";
 }
 
 TEST(Report, OfAChartAloneChecksReachabilityOfItsSteps) {

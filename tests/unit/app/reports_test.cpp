@@ -47,7 +47,7 @@ TEST(Reports, OfJunitHaveTheLocationAndTheBeginningOfTheTrace) {
     EXPECT_NE(std::string(p.child("failure").text().get()).find("t        1"), std::string::npos);
     EXPECT_EQ(suite.find_child_by_attribute("testcase", "name", "q").attribute("line").as_int(), 6);
     EXPECT_EQ(suite.find_child_by_attribute("testcase", "name", "no_timelock").attribute("line").as_int(), 4)
-        << "an unselected result has the place of its loop";
+        << "an undeclared result has the position of its loop";
 }
 
 TEST(Reports, OfJsonHaveTheLocationOfAProperty) {
@@ -75,7 +75,8 @@ Json checked(const std::string& text) {
     for (const Json& result : run["results"]) {
         EXPECT_EQ(rules.at(result["ruleIndex"].get<std::size_t>())["id"], result["ruleId"]);
         EXPECT_FALSE(result["message"]["text"].get<std::string>().empty());
-        EXPECT_EQ(result.value("kind", "fail") == "open", result["level"] == "none") << "a level is of failures";
+        EXPECT_EQ(result.value("kind", "fail") == "open", result["level"] == "none")
+            << "exactly the open results have the level `none`";
         for (const Json& location : result.value("locations", Json::array())) expect_place(location);
         for (const Json& flow : result.value("codeFlows", Json::array())) {
             const Json& locations = flow["threadFlows"].at(0)["locations"];
@@ -95,7 +96,7 @@ TEST(Reports, OfSarifContainTheCounterexampleAsACodeFlow) {
     const std::string file = folder.write("a lamp.grafcet", lamp_loop("l"));
     EXPECT_EQ(grafverif({"check", file, "--sarif", folder.file("r.sarif")}).code, ExitCode::Verdict);
     const Json results = checked(folder.read("r.sarif"));
-    ASSERT_EQ(results.size(), 1u) << "what is as expected is not told";
+    ASSERT_EQ(results.size(), 1u) << "expected verdicts are not reported";
     EXPECT_EQ(results[0]["ruleId"], "property-violated");
     EXPECT_EQ(results[0]["message"]["text"], "l: p \"a <claim>\": violated");
     EXPECT_EQ(results[0]["locations"][0]["physicalLocation"]["region"]["startLine"], 5);
@@ -174,7 +175,7 @@ TEST(Reports, OfAnEarlierRunAreRemoved) {
     ASSERT_EQ(run({"check", file}).code, ExitCode::Verdict);
     ASSERT_TRUE(fs::exists(vcd) && fs::exists(svg));
     EXPECT_EQ(run({"check", file, "--property", "q"}).code, ExitCode::Done);
-    EXPECT_FALSE(fs::exists(vcd) || fs::exists(svg)) << "nothing to draw now";
+    EXPECT_FALSE(fs::exists(vcd) || fs::exists(svg)) << "there is no counterexample to draw";
     for (const std::string& text :
          {std::string("grafcet {"), std::string("include \"none.grafcet\";"), lamp_loop("l", "never X7")}) {
         SCOPED_TRACE(text);
@@ -197,7 +198,7 @@ TEST(Reports, OfAnEarlierRunAreRemoved) {
     folder.write("lamp.grafcet", lamp_loop("l"));
     ASSERT_EQ(run({"check", file}).code, ExitCode::Verdict);
     fs::remove(file);
-    EXPECT_EQ(run({"check", file}).code, ExitCode::Input) << "no file, and its report says so";
+    EXPECT_EQ(run({"check", file}).code, ExitCode::Input) << "the report contains the error of the missing file";
     EXPECT_NE(folder.read("r.xml").find("type=\"cannot-read\""), std::string::npos) << folder.read("r.xml");
     EXPECT_EQ(checked(folder.read("r.sarif"))[0]["ruleId"], "cannot-read");
 }
@@ -244,15 +245,15 @@ TEST(Reports, OverwriteNoOtherFile) {
     const std::string main = folder.write("main.grafcet", "grafcet {\ninclude \"part.grafcet\";");
     for (const char* option : {"--junit", "--sarif", "--trace-svg"}) {
         EXPECT_EQ(grafverif({"check", main, option, folder.file("part.grafcet")}).code, ExitCode::Input);
-        EXPECT_EQ(folder.read("part.grafcet"), part) << option << ": it could be one that is read";
+        EXPECT_EQ(folder.read("part.grafcet"), part) << option << ": it may be an included file";
         EXPECT_EQ(grafverif({"check", folder.file("drawing.svg"), option, folder.file("drawing.svg")}).code,
                   ExitCode::Input);
-        EXPECT_TRUE(fs::exists(folder.file("drawing.svg"))) << option << ": what is named as input stays";
+        EXPECT_TRUE(fs::exists(folder.file("drawing.svg"))) << option << ": an input is not removed";
     }
     folder.write("notes.txt", "mine");
     folder.write("main.grafcet", part);
     EXPECT_EQ(grafverif({"check", main, "--junit", folder.file("notes.txt")}).code, ExitCode::Verdict);
-    EXPECT_TRUE(folder.read("notes.txt").starts_with("<?xml")) << "it was requested";
+    EXPECT_TRUE(folder.read("notes.txt").starts_with("<?xml")) << "a file that is not an input is overwritten";
 }
 
 TEST(List, NamesTheAvailableChecks) {
@@ -285,7 +286,7 @@ TEST(All, ProcessesEveryLoopOrWithoutLoopsEveryChart) {
     const Folder folder;
     const std::string two = folder.write("two.grafcet", lamp_loop("first") + lamp_loop("second", "always true"));
     const Result checked = grafverif({"check", two, "--all"});
-    EXPECT_EQ(checked.code, ExitCode::Verdict) << "the worse of both";
+    EXPECT_EQ(checked.code, ExitCode::Verdict) << "the exit code of the worse result";
     EXPECT_NE(checked.out.find("first: "), std::string::npos);
     EXPECT_NE(checked.out.find("second: "), std::string::npos);
     EXPECT_EQ(grafverif({"check", two}).code, ExitCode::Input);

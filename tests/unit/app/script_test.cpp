@@ -51,7 +51,7 @@ TEST(Script, WaitUntilIgnoresStatesBeforeTheLastCommand) {
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find(":4: not met: expected `X3`"), std::string::npos) << run.err;
     const ScriptRun plain = script(passing, {"--loop", "l"}, "GO = true\nexpect X1\n");
-    EXPECT_EQ(plain.code, 1) << "without a time, `expect` is about the state now";
+    EXPECT_EQ(plain.code, 1) << "without a time, `expect` refers to the current state";
 }
 
 TEST(Script, UndoRestoresTheStatesForWaitUntil) {

@@ -98,7 +98,7 @@ public:
             if (!state_.is_null() && wanted(state_)) return state_;
             std::this_thread::sleep_for(10ms);
         }
-        ADD_FAILURE() << "it never comes; the last state: " << state_.dump(1);
+        ADD_FAILURE() << "the expected state was not published; last state: " << state_.dump(1);
         return state_;
     }
     Json wait_for_verdicts() {
@@ -188,7 +188,7 @@ TEST(ServeFileChecker, ReportsRejectedModelsAndUndecidedProperties) {
     const auto property = [&](const std::string& name) {
         for (const Json& each : state["models"][1]["properties"])
             if (each["name"] == name) return each;
-        ADD_FAILURE() << name << " is not told";
+        ADD_FAILURE() << name << " is not published";
         return Json();
     };
     EXPECT_EQ(property("SEEN")["verdict"], "unknown");
@@ -248,7 +248,7 @@ TEST(Play, MakesTheMovesFromThePowerOnEachTime) {
     EXPECT_EQ(lit["time"], 1000);
     EXPECT_EQ(lit["problem"], "");
     EXPECT_EQ(lit["rows"].back()["lit"], Json({"c0-step-1"}));
-    EXPECT_EQ(lit["wait"]["change"], 3000) << "in units of 3 s, at least one";
+    EXPECT_EQ(lit["wait"]["change"], 3000) << "a multiple of the unit of 3 s, at least one unit";
     EXPECT_EQ(bystander.play({{"chart", "lamp"}}), begun);
     const Json both = bystander.play({{"chart", "lamp"}, {"moves", {"ON = true", "OFF = true"}}});
     EXPECT_EQ(both["broken_constraints"], Json({"!(ON && OFF)"}));
@@ -310,7 +310,7 @@ TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
                   "WHAT-IF: step 1 was forced active; the trace is no longer a run of the model");
         EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 2s"})), "1");
         EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 3s"})), "0")
-            << "its time counts from the trial on";
+            << "the time starts when the step is forced";
         EXPECT_EQ(moves({"force 1 on", "force 1 on"})["problem"], "step `1` is already active");
         EXPECT_EQ(moves({"force 1 off"})["problem"], "step `1` is not active");
         EXPECT_EQ(moves({"force 7 on"})["problem"], "unknown step `7`");

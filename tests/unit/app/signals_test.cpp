@@ -59,7 +59,7 @@ Outcome ended_by(int signal, std::vector<std::string> arguments, const Folder& f
     EXPECT_TRUE(waited_for([&] { return pids_in(folder).size() == 3; })) << folder.read("out");
     program.send(signal);
     EXPECT_TRUE(waited_for([&] { return program.ended().has_value(); }));
-    for (const pid_t pid : pids_in(folder)) EXPECT_NE(::kill(pid, 0), 0) << "process " << pid << " is left";
+    for (const pid_t pid : pids_in(folder)) EXPECT_NE(::kill(pid, 0), 0) << "process " << pid << " still exists";
     return {program.ended(), folder.read("out")};
 }
 

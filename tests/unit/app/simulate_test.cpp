@@ -425,10 +425,10 @@ TEST(SimulateChart, ReportsTheViolatedConstraintAndContinues) {
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     const std::string warning = "! these inputs violate the constraint `!(UP && DOWN)`\n";
     ASSERT_NE(result.out.find(warning), std::string::npos) << result.out;
-    EXPECT_EQ(result.out.find(warning, result.out.find(warning) + 1), std::string::npos) << "told once";
+    EXPECT_EQ(result.out.find(warning, result.out.find(warning) + 1), std::string::npos) << "printed once";
     const Result talk = grafverif({"simulate", file}, "UP = true\nquit\n");
     EXPECT_EQ(squeezed(talk.out).find("DOWN = true\n", talk.out.rfind("UP")), std::string::npos)
-        << "it is not offered: " << talk.out;
+        << "the choice is not offered: " << talk.out;
 }
 
 TEST(SimulateChart, RejectsInvalidInputsAndUndoesTheLastCommand) {

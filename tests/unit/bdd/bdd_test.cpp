@@ -167,11 +167,11 @@ TEST(Bdd, CountsAreExact) {
     space.add_variables(200 - variable_count);
     const std::vector<std::uint32_t> many = all_variables(200);
     EXPECT_EQ(count(Bdd::constant(true), many), "1606938044258990275541962092341162602522202993782792835301376")
-        << "2 to the 200";
+        << "2^200";
     EXPECT_EQ(count(Bdd::constant(false), many), "0");
     EXPECT_EQ(count(~cube(space, std::vector<BddLiteral>{{0, true}, {70, false}}), all_variables(100)),
               "950737950171172051122527404032")
-        << "three quarters of 2 to the 100";
+        << "three quarters of 2^100";
     EXPECT_FALSE(small_count(Bdd::constant(true), many));
     EXPECT_EQ(small_count(space.variable(3), std::vector<std::uint32_t>{3, 150}), 2u);
 }
@@ -203,13 +203,13 @@ TEST(Bdd, MemoryBoundIsKeptAndAllFunctionsRemain) {
     const std::string counted = count(before, all_variables(60));
     try {
         widely_separated(space, 30);
-        FAIL() << "2 to the 30 nodes do not fit";
+        FAIL() << "2^30 nodes exceed the memory limit";
     } catch (const BddExhausted& exhausted) {
         EXPECT_EQ(exhausted.cause(), BddExhausted::Cause::Memory);
     }
     EXPECT_LE(space.bytes(), 8U << 20U);
     EXPECT_EQ(count(before, all_variables(60)), counted);
-    EXPECT_EQ(widely_separated(space, 8), before) << "the space goes on, and no wrong result was kept";
+    EXPECT_EQ(widely_separated(space, 8), before) << "the space remains usable and has stored no wrong result";
 }
 
 TEST(Bdd, StoppingEndsALongOperation) {

@@ -49,7 +49,7 @@ BddExhausted::Cause cause_of(const std::function<void()>& work) {
     } catch (const BddExhausted& exhausted) {
         return exhausted.cause();
     }
-    ADD_FAILURE() << "it came to an end";
+    ADD_FAILURE() << "the operation did not fail";
     return {};
 }
 
@@ -63,7 +63,7 @@ TEST(BddLimits, MemoryBoundHoldsWithinAnOperationAndAllFunctionsRemain) {
         for (int i = 0; i < 3; ++i) {
             EXPECT_EQ(cause_of([&] { (void)apart.renaming(f); }), BddExhausted::Cause::Memory);
             EXPECT_LE(space.bytes(), memory);
-            EXPECT_GE(space.bytes(), memory / 2) << "what is allowed is used";
+            EXPECT_GE(space.bytes(), memory / 2) << "the available memory is used";
             EXPECT_EQ(verify(space), std::vector<std::string>());
             EXPECT_EQ(count(f, support(f)), counted);
             EXPECT_EQ(neighbours(space, many), f);
@@ -106,7 +106,7 @@ rlim_t address_space() {
 }
 
 TEST(BddLimitsDeathTest, RefusedAllocationCountsAsExhaustedMemoryAndAllFunctionsRemain) {
-    if (address_space() == 0) GTEST_SKIP() << "no /proc";
+    if (address_space() == 0) GTEST_SKIP() << "/proc is not available";
     EXPECT_EXIT(work_where_memory_is_refused(), testing::ExitedWithCode(0), "");
 }
 #endif
@@ -199,7 +199,7 @@ TEST(BddLimits, DeepDiagramsDoNotOverflowTheStack) {
     EXPECT_EQ(simplify(odd, first), ~others);
     const Bdd moved = BddRenaming(down)(odd);
     EXPECT_EQ(moved ^ odd, first ^ space.variable(depth));
-    EXPECT_EQ(count(odd, all), count(~odd, all)) << "half of all";
+    EXPECT_EQ(count(odd, all), count(~odd, all)) << "half of all assignments";
     EXPECT_EQ(one_cube(odd)->size(), depth);
     space.collect_garbage();
     EXPECT_EQ(verify(space), std::vector<std::string>());
@@ -224,7 +224,7 @@ TEST(BddLimits, SpacesAreIndependent) {
     EXPECT_EQ(small_count(f, support(f)), 16);
     EXPECT_EQ(small_count(g, support(g)), 8);
     EXPECT_EQ(f & Bdd::constant(true), f);
-    EXPECT_EQ(g & Bdd::constant(true), g) << "constants go with every space";
+    EXPECT_EQ(g & Bdd::constant(true), g) << "constants can be combined with functions of every space";
 }
 
 TEST(BddOrder, SiftingFindsTheOrderThatPairsNeed) {
@@ -236,13 +236,13 @@ TEST(BddOrder, SiftingFindsTheOrderThatPairsNeed) {
     space.reorder();
     EXPECT_EQ(verify(space), std::vector<std::string>());
     EXPECT_GT(before, 4000u);
-    EXPECT_EQ(size(f), 35u) << "three nodes for each pair, the last pair two";
+    EXPECT_EQ(size(f), 35u) << "three nodes for each pair, two for the last pair";
     EXPECT_EQ(count(f, support(f)), models);
     std::vector<bool> values(24, true);
     EXPECT_TRUE(evaluate(f, values));
     values[3] = false;
     EXPECT_FALSE(evaluate(f, values));
-    EXPECT_EQ(TakenApart(12).renaming(neighbours(space, 12)), f) << "whatever the order";
+    EXPECT_EQ(TakenApart(12).renaming(neighbours(space, 12)), f) << "the result does not depend on the order";
 }
 
 TEST(BddOrder, GroupsStayAdjacentInTheirOrder) {
@@ -268,7 +268,7 @@ TEST(BddOrder, SpaceReordersAutomaticallyIfEnabled) {
     space.reorder_above(2000);
     Bdd f = Bdd::constant(true);
     for (std::uint32_t i = 0; i < many; ++i) f &= iff(space.variable(i), space.variable(many + i));
-    EXPECT_LT(size(f), 1000u) << "without it: 2 to the 30";
+    EXPECT_LT(size(f), 1000u) << "without reordering: 2^30";
     EXPECT_EQ(count(f, support(f)), "1073741824");
     EXPECT_EQ(verify(space), std::vector<std::string>());
 }

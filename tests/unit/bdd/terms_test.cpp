@@ -112,8 +112,8 @@ TEST(BddTerms, WordsEncodeTheValuesOfTheirRange) {
         any |= equals(world.space, word, value);
     }
     EXPECT_EQ(any, in_range(world.space, word));
-    EXPECT_FALSE(in_range(world.space, world.words[3]).is_true()) << "three bits hold more than 0 to 5";
-    EXPECT_TRUE(in_range(world.space, world.words[4]).is_true()) << "no bit, one value";
+    EXPECT_FALSE(in_range(world.space, world.words[3]).is_true()) << "three bits can represent more values than 0 to 5";
+    EXPECT_TRUE(in_range(world.space, world.words[4]).is_true()) << "a word without bits has one value";
     EXPECT_TRUE(equal(term_of(world.space, world.words[4]), bdd_integer(7)).is_true());
 }
 

@@ -136,7 +136,7 @@ TEST(Decomposition, TimelockOfOnePartBlocksOthers) {
     const TimedResult result = agreed_separately(s.network);
     EXPECT_EQ(outcome_text(result, "on"), "violated");
     EXPECT_FALSE(apart(result, "on"));
-    EXPECT_TRUE(apart(result, "seen")) << "it may stay where it is, so time can pass for ever";
+    EXPECT_TRUE(apart(result, "seen")) << "`stuck` may remain in its initial location, so time can pass forever";
     EXPECT_EQ(outcome_text(result, "no_timelock"), "violated");
 }
 
@@ -158,7 +158,7 @@ TEST(Decomposition, DeadlocksAreCheckedPerPart) {
     const Pulse lamp(s);
     s.edge(s.process("once", 2), {.from = 0, .to = 1});
     s.property("alive", Pattern::NoDeadlock);
-    EXPECT_EQ(outcome_text(check_timed(s.network), "alive"), "holds") << "the lamp goes on";
+    EXPECT_EQ(outcome_text(check_timed(s.network), "alive"), "holds") << "the lamp can always move";
     const TimedResult result = check_timed_by_parts(s.network);
     EXPECT_EQ(outcome_text(result, "alive"), "violated");
     EXPECT_EQ(verdict(result, "alive").scope.searched, std::vector<std::string>{"once"});
@@ -220,14 +220,14 @@ TEST(Decomposition, InexactVerdictOfOnePartDoesNotNeedTheCompleteNetwork) {
     EXPECT_TRUE(apart(result, "seldom"));
     EXPECT_EQ(outcome_text(result, "alive"), "unknown (inexact)");
     EXPECT_EQ(outcome_text(result, "no_timelock"), "unknown (inexact)");
-    EXPECT_FALSE(apart(result, "again")) << "whether `strict` locks time is not known";
+    EXPECT_FALSE(apart(result, "again")) << "it is unknown whether `strict` has a timelock";
 
     Sketch t;
     const Pulse one(t, "one"), two(t, "two");
     t.property("again", Pattern::AlwaysPossible, {t.at(one.process, 1)});
     result = agreed_separately(t.network);
     EXPECT_EQ(outcome_text(result, "again"), "unknown (inexact)");
-    EXPECT_EQ(result.states, 10U) << "of 5 and 5";
+    EXPECT_EQ(result.states, 10U) << "5 states of each part";
 }
 
 TEST(Decomposition, PartThatIsTooLargeAloneIsNotSearchedWithOthers) {

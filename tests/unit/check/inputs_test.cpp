@@ -117,7 +117,7 @@ TEST(InputAbstraction, KnowsWhatEachProcessWritesAndWhichProcessesReadIt) {
     EXPECT_TRUE(named(network, "EA").readers.empty());
     EXPECT_EQ(named(network, "EB").readers, std::vector{named(network, "Lamp").process});
     EXPECT_FALSE(named(network, "Fol").autonomous);
-    EXPECT_EQ(named(network, "Fol").valuations, (Valuations{{0}, {1}})) << "whatever Q is";
+    EXPECT_EQ(named(network, "Fol").valuations, (Valuations{{0}, {1}})) << "for any value of Q";
     EXPECT_TRUE(named(network, "Lamp").valuations.empty()) << "it has no outputs";
     EXPECT_TRUE(named(network, "T_X0_1s").valuations.empty()) << "the PLC shares its variables";
 }

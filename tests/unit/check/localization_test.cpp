@@ -33,7 +33,7 @@ TEST(Localization, FragmentIsAPartialChartWithItsExclusiveInstances) {
         return NetworkFragments::none;
     };
     EXPECT_EQ(cell_of("Clamp_Sen_2"), 1U);
-    EXPECT_EQ(cell_of("Bringer"), 0U) << "by way of Buffer_0";
+    EXPECT_EQ(cell_of("Bringer"), 0U) << "through Buffer_0";
     EXPECT_EQ(cell_of("PLC"), NetworkFragments::none);
 }
 
@@ -48,7 +48,7 @@ TEST(Localization, AbstractionKeepsItsFragmentAndTheEffectsOfTheRest) {
     EXPECT_EQ(names, (std::vector<std::string>{"Clamp_2", "Clamp_Sen_2", "Drill_2", "Drill_Sen_2", "PLC", "rest"}));
     EXPECT_EQ(local.borders, (std::vector<std::uint32_t>{3, 4})) << "the buffers";
     EXPECT_EQ(local.tied, (std::vector<std::uint32_t>{0, 2, 3, 4})) << "and the charts, by `stable`";
-    EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "which wakes the PLC";
+    EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "this edge wakes the PLC";
 }
 
 TEST(Localization, UrgentEdgeStopsTimeOnlyIfEveryFreeValueEnablesIt) {
@@ -148,7 +148,7 @@ TEST(Localization, SmallSearchDoesNotWaitForALargeOne) {
     EXPECT_EQ(outcome("small"), Outcome::Holds);
     EXPECT_EQ(outcome("large"), Outcome::Unknown);
     const std::uint64_t states = search.found().states;
-    EXPECT_TRUE(search.refine(search_rounds[0], {})) << "the bound of the first round";
+    EXPECT_TRUE(search.refine(search_rounds[0], {})) << "an earlier round had the same bound";
     EXPECT_EQ(search.found().states, states);
     EXPECT_TRUE(search.refine(search_rounds[1], std::chrono::steady_clock::now())) << "no time is left";
     EXPECT_EQ(outcome("large"), Outcome::Unknown);

@@ -52,7 +52,7 @@ TEST(Flags, WithoutThemTimeNeverPassesAndUppaalSeesNoDeadlock) {
         const TimedResult bare = checked(sample(path, {.cycle_always = true}));
         EXPECT_EQ(outcome_text(bare, "no_timelock"), "violated");
         EXPECT_EQ(outcome_text(bare, "no_deadlock"), "holds, vacuous");
-        EXPECT_FALSE(bare.time_passes) << "from the initial state on";
+        EXPECT_FALSE(bare.time_passes) << "time cannot pass from the initial state on";
         EXPECT_TRUE(std::ranges::all_of(verdict(bare, "no_timelock").run->moves,
                                         [](const Move& move) { return std::holds_alternative<Fire>(move); }));
     }
@@ -68,7 +68,7 @@ TEST(Stable, PressInAQuiescentStateAlwaysHasAnEffect) {
     EXPECT_EQ(answered(sample(station)), "holds");
     EXPECT_EQ(answered(sample(station, {.cycle_unless_stable = true})), "violated");
     EXPECT_EQ(answered(read_sample(station, {.mode = ExecutionMode::EveryCycle}).network), "holds")
-        << "the mode is not to blame";
+        << "the mode is not the cause";
 }
 
 TEST(Stable, WithoutItTheStationNeedNotComeBackToRest) {
@@ -106,13 +106,12 @@ TEST(Timers, PulseChartLetsTimePassWithCorrectedTimersButNotWithThoseOfFigure33b
             checked(read_loop(pulse, {.grain = grain, .ablations = {.timers_as_published = true}}).network);
         EXPECT_EQ(outcome_text(bare, "time_goes_on"), "violated");
         EXPECT_EQ(outcome_text(bare, "no_deadlock"), "holds");
-        EXPECT_EQ(outcome_text(bare, "no_timelock"), "holds")
-            << "a timer that happens to be quick enough lets time pass";
+        EXPECT_EQ(outcome_text(bare, "no_timelock"), "holds") << "time can pass if the timer reacts early enough";
         const grafverif::Run& run = *verdict(bare, "time_goes_on").run;
         ASSERT_TRUE(run.loop);
         EXPECT_TRUE(std::all_of(run.moves.begin() + static_cast<std::ptrdiff_t>(*run.loop), run.moves.end(),
                                 [](const Move& move) { return std::holds_alternative<Fire>(move); }))
-            << "the chart fires for ever in one instant";
+            << "the chart clears transitions forever in one instant";
     }
 }
 
@@ -127,7 +126,8 @@ Network faulty(const std::string& seconds) {
 
 TEST(Watchdogs, MissAFaultInTheInstantOfArrivalAndNoOther) {
     const TimedResult result = checked(faulty("12s"));
-    EXPECT_EQ(outcome_text(result, "P16"), "violated") << "published as holding; see the sample's README";
+    EXPECT_EQ(outcome_text(result, "P16"), "violated")
+        << "it holds according to the publication; see the README of the sample";
     for (const char* property :
          {"P15", "P16_settled", "P16_under_way", "P16_or_rest", "no_false_alarm", "no_deadlock", "no_timelock"})
         EXPECT_EQ(outcome_text(result, property), "holds") << property;

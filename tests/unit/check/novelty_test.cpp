@@ -59,7 +59,7 @@ TEST(Novelty, ContinuesWithTheNextBound) {
     Searched loop(chain(8, "never X8"));
     EXPECT_TRUE(loop.search.run({.states = 100}));
     EXPECT_FALSE(loop.search.run_of(0));
-    EXPECT_FALSE(loop.search.run({.states = 1'000'000})) << "all properties have their runs";
+    EXPECT_FALSE(loop.search.run({.states = 1'000'000})) << "every property has a run";
     EXPECT_TRUE(loop.search.run_of(0));
 }
 

@@ -112,7 +112,7 @@ bool is_proved(const std::string& text, const InputAblations& ablations = {}) {
 TEST(PossibleProof, ReturnsToAStepThroughAPlant) {
     EXPECT_TRUE(is_proved(with_plant("plant Fol = follower(P = Q, S = D);")));
     EXPECT_TRUE(is_proved(with_plant("plant Fol = follower(P = Q, S = D);", "always possible X1 && D")))
-        << "the instant at which the sensor has changed";
+        << "both are true in the instant in which the sensor changes";
     EXPECT_FALSE(is_proved(with_plant("plant Fol = follower(P = Q, S = D);", "always possible X1 && D at stable")));
 }
 
@@ -200,7 +200,7 @@ TEST(PossibleProof, EndsAtItsLimitOfStates) {
     const Network network = network_of(with_plant("plant Fol = follower(P = Q, S = D);"));
     PossibleProof proof(network, abstractable_processes(network));
     EXPECT_EQ(proof.proves(network.properties[Id<Property>{0}], {.states = 5}), std::nullopt);
-    EXPECT_EQ(proof.proves(network.properties[Id<Property>{0}], {}), true) << "a further call continues";
+    EXPECT_EQ(proof.proves(network.properties[Id<Property>{0}], {}), true) << "another call continues the search";
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(StateProfile, GivesFactorOneToDeterminedParts) {
     const StateProfile found = profile_of(s.network);
     EXPECT_EQ(found.states, 4U);
     ASSERT_EQ(found.parts[1].name, "bulb");
-    EXPECT_DOUBLE_EQ(found.parts[1].factor.value(), 1) << "`lit` has two writers and is no part's own";
+    EXPECT_DOUBLE_EQ(found.parts[1].factor.value(), 1) << "`lit` has two writers and belongs to no component";
     EXPECT_DOUBLE_EQ(found.parts[0].factor.value(), 2);
 }
 
@@ -91,9 +91,9 @@ TEST(StateProfile, OfManyStatesIsEqualByClassesAndReportsProgress) {
     EXPECT_EQ(reported, 1U);
     ASSERT_TRUE(result.profile);
     ASSERT_EQ(result.states, std::uint64_t{128} * 128 * 65);
-    ASSERT_EQ(result.profile->sampled, result.states) << "the product is whole";
+    ASSERT_EQ(result.profile->sampled, result.states) << "all states are sampled";
     for (const StateProfile::Component& part : result.profile->parts) {
-        EXPECT_LT(part.factor.states, result.states) << "not every rest was kept";
+        EXPECT_LT(part.factor.states, result.states) << "the factor is computed from some of the states";
         EXPECT_DOUBLE_EQ(part.factor.value(), part.name == "three" ? 65 : 128);
     }
 }

@@ -341,7 +341,7 @@ TEST(TimedEngine, NamesTheBoundThatEndedTheSearch) {
     const TimedResult late = checked(s.network, {.deadline = std::chrono::steady_clock::now()});
     EXPECT_EQ(outcome_text(late, "end"), "unknown (stopped)");
     EXPECT_EQ(verdict(late, "end").reason, "stopped before the exploration");
-    EXPECT_FALSE(late.profile) << "one state explains nothing";
+    EXPECT_FALSE(late.profile) << "one state is not sufficient for a profile";
     const std::atomic<bool> stop = true;
     EXPECT_EQ(outcome_text(checked(s.network, {.stop = &stop}), "end"), "unknown (stopped)");
 }

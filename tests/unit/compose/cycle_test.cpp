@@ -130,7 +130,8 @@ TEST(Cycle, TheAtomicCycleIsOneEdgeThatKeepsOutputsUntilStable) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("        OUT := stable ? X_2 : OUT\n"), std::string::npos) << text;
-    EXPECT_EQ(text.find("CF_t0 := false"), std::string::npos) << "firing conditions are scratch, nobody resets them";
+    EXPECT_EQ(text.find("CF_t0 := false"), std::string::npos)
+        << "firing conditions are scratch variables and are not reset";
 }
 
 TEST(Cycle, TheTimerIsThatOfFigure33bWithCorrections) {
@@ -231,7 +232,7 @@ TEST(Cycle, ARaceIsFlaggedAndRequested) {
     HandChart hand = small_chart();
     const auto c = hand.variable("C", Chart::VariableKind::Internal, integer_type(0, 3));
     hand.on_activation({1}, c, hand.chart.exprs.integer(1));
-    EXPECT_TRUE(composed(lone_controller(hand.chart)).properties.empty()) << "one action cannot race";
+    EXPECT_TRUE(composed(lone_controller(hand.chart)).properties.empty()) << "one action cannot cause a race";
     hand.on_activation({1}, c, hand.chart.exprs.integer(2));
     const Network network = composed(lone_controller(hand.chart));
     ASSERT_EQ(network.properties.size(), 1U);

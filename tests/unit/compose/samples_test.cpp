@@ -97,10 +97,10 @@ TEST(Flags, WithATrueGuardTimeCannotPassAndNoProcessIsStuck) {
     ASSERT_TRUE(bare.all.complete);
     for (const TaddState& state : bare.all.states) {
         EXPECT_FALSE(bare.time_can_pass(state));
-        EXPECT_FALSE(bare.tadd.successors(state).empty()) << "a deadlock that UPPAAL would see";
+        EXPECT_FALSE(bare.tadd.successors(state).empty()) << "UPPAAL would report a deadlock";
     }
     EXPECT_EQ(bare.count([&](const TaddState& state) { return bare.value(state, "H") > 0; }), 0U)
-        << "nothing ever moves";
+        << "the axis never moves";
 }
 
 TEST(Flags, WithThemTimePassesInSomeStateAfterEveryState) {

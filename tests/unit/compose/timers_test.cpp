@@ -47,7 +47,7 @@ TEST(Timers, ThePulseChartFiresOncePerFiveSecondsInBothGrainsAndModes) {
             EXPECT_EQ(network.time_unit_ms, 5000);
             const History result = run(network, 6, 1000);
             EXPECT_EQ(result.units, 6);
-            EXPECT_EQ(result.pulses, 6 - 1) << "the pulse at the sixth unit is yet to come";
+            EXPECT_EQ(result.pulses, 6 - 1) << "the pulse at the sixth unit has not occurred yet";
         }
     }
 }
@@ -99,7 +99,7 @@ TEST(Timers, TimePassesWhileTheControllerWaits) {
             EXPECT_TRUE(moves.back().delay());
         }
         if (!waits) {
-            EXPECT_FALSE(moves.back().delay()) << "cycle time is zero";
+            EXPECT_FALSE(moves.back().delay()) << "a cycle takes no time";
         }
     }
 }

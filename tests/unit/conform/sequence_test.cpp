@@ -223,8 +223,8 @@ TEST(MealyMachine, IsMinimisedWithinItsBounds) {
 }
 
 TEST(TestSequence, OfAMinimizedMachineHoldsInputsOnlyIfTheOutputIsUnchanged) {
-    // {1} has the outputs of {1,2} in the following cycle. Both are merged into one state, which can be entered with
-    // different outputs.
+    // In the next cycle, {1} and {1,2} have the same outputs. Therefore both are merged into one state, which can be
+    // entered with different outputs.
     const std::string text =
         "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"
         "step 3; transition t1: 3 -> when fall(a);";

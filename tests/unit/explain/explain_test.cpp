@@ -154,7 +154,7 @@ TEST(Explain, TraceToATimelockContainsNoMovesThatCouldBeOmitted) {
     const ChartRun& run = answer(*report, "time").trace.value();
     EXPECT_FALSE(run.loop);
     for (const ChartRun::Row& row : run.rows) EXPECT_NE(row.component, "B");
-    EXPECT_EQ(std::ranges::count(run.rows, std::string("A"), &ChartRun::Row::component), 1) << "the press at 1 s";
+    EXPECT_EQ(std::ranges::count(run.rows, std::string("A"), &ChartRun::Row::component), 1) << "A is pressed at 1 s";
 }
 
 TEST(Explain, TimelockInDiscreteTimeNamesTheBlockingInvariants) {

@@ -12,7 +12,8 @@
 namespace grafverif {
 namespace {
 
-/// Random integer terms and the types of their variables. Ranges and constants are small, near the limits of 32 bits, or beyond.
+/// Random integer terms and the types of their variables. Ranges and constants are small, near the limits of 32 bits,
+/// or beyond.
 struct IntegerTerms {
     Exprs exprs = {};
     std::vector<Type> types = {};

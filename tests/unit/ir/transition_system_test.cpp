@@ -117,7 +117,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
         broken.damage(small);
         std::string all;
         for (const std::string& fault : verify(small.system)) all += fault + '\n';
-        EXPECT_NE(all.find(broken.fault), std::string::npos) << "found only:\n" << all;
+        EXPECT_NE(all.find(broken.fault), std::string::npos) << "found only these faults:\n" << all;
     }
 }
 

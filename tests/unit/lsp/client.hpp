@@ -154,7 +154,7 @@ private:
             found = std::ranges::find_if(arrived_, that);
             return found != arrived_.end();
         });
-        EXPECT_TRUE(there) << "nothing came";
+        EXPECT_TRUE(there) << "no message arrived";
         if (!there) return Json::object({{"params", {{"diagnostics", Json::array()}}}});
         Json message = *found;
         arrived_.erase(found);

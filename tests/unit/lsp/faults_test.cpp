@@ -45,7 +45,7 @@ TEST(LspFaults, ADocumentThatCannotBeReadKeepsNoOtherFromItsDiagnostics) {
             client.answer(client.send_request("textDocument/" + std::string(each), with_position(uri)));
         for (const char* each : {"codeLens", "documentSymbol", "semanticTokens/full", "formatting"})
             client.result("textDocument/" + std::string(each), document(uri));
-        EXPECT_EQ(client.diagnostics(uri).back()["code"], "unknown-variable") << "its text is what the editor has";
+        EXPECT_EQ(client.diagnostics(uri).back()["code"], "unknown-variable") << "the text of the editor is checked";
     }
     std::filesystem::permissions(folder.file("shut"), std::filesystem::perms::owner_all);
 }

@@ -242,7 +242,7 @@ TEST(LspCompletion, OffersConstantsWhereAConstantIsAllowed) {
                                                           {"within SLOW;", "within @"}})
         EXPECT_TRUE(holds(at(before, half), "MOST")) << half;
     EXPECT_EQ(at("LEAST: int 0..MOST = 1", "LEAST: @"), (std::vector<std::string>{"bool", "int", "duration"}));
-    EXPECT_TRUE(at("LEAST: int 0..MOST = 1", "@").empty()) << "a new name";
+    EXPECT_TRUE(at("LEAST: int 0..MOST = 1", "@").empty()) << "there are no completions for a new name";
 }
 
 TEST(LspCompletion, OffersValidProposals) {

@@ -127,7 +127,7 @@ private:
     bool take(std::string_view bytes) {
         const std::lock_guard hold(door_);
         if (!reads_) return false;
-        EXPECT_EQ(bytes.find('\n'), bytes.size() - 1) << "a message is one line";
+        EXPECT_EQ(bytes.find('\n'), bytes.size() - 1) << "a message must be one line";
         messages_.push_back(Json::parse(bytes));
         wake_.notify_all();
         return true;

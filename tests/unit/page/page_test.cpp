@@ -55,7 +55,7 @@ TEST(Page, FoldsHoldingPropertiesAndOpensOthers) {
     const Made made = page_of_text(press);
     EXPECT_NE(made.page.find("<details class=\"property bad\" id=\"property-idle\" open"), std::string::npos);
     EXPECT_NE(made.page.find("<details class=\"property ok\" id=\"property-sound\">"), std::string::npos);
-    EXPECT_LT(made.page.find("property-idle"), made.page.find("property-sound")) << "what needs eyes comes first";
+    EXPECT_LT(made.page.find("property-idle"), made.page.find("property-sound")) << "unexpected verdicts come first";
 }
 
 TEST(Page, IsDeterministicAndHasADateOnlyIfGiven) {
@@ -95,7 +95,7 @@ TEST(Page, ShowsHostileTextAsText) {
     EXPECT_EQ(count_of(made.page, "<script"), 2U);
     EXPECT_EQ(count_of(made.page, "</script>"), 2U);
     EXPECT_EQ(made.page.find("<img"), std::string::npos);
-    EXPECT_EQ(made.page.find("\xE2\x80\xAE"), std::string::npos) << "it turns the direction of what follows";
+    EXPECT_EQ(made.page.find("\xE2\x80\xAE"), std::string::npos) << "it changes the direction of the following text";
     EXPECT_NE(made.page.find("&lt;script&gt;alert(1)"), std::string::npos);
     EXPECT_FALSE(made.data.is_discarded());
 }
@@ -105,7 +105,7 @@ TEST(Page, HasDataForEveryElementThatARunNames) {
     ASSERT_FALSE(made.data.is_discarded());
     std::set<std::string> names;
     for (const auto& run : made.data["runs"]) {
-        EXPECT_TRUE(names.insert(run["name"]).second) << "addresses are unique";
+        EXPECT_TRUE(names.insert(run["name"]).second) << "names of runs must be unique";
         ASSERT_FALSE(run["rows"].empty());
         const auto& trace = run["run"];
         std::size_t moment = 0;
@@ -131,7 +131,7 @@ TEST(Page, HasDataForEveryElementThatARunNames) {
 TEST(Page, ShowsEachComponentDrawnAndAsTables) {
     const Made made = page_of_text(press);
     const std::string figure = made.data["plant"]["Start"];
-    EXPECT_EQ(made.data["plant"]["Done"], figure) << "both are of one component";
+    EXPECT_EQ(made.data["plant"]["Done"], figure) << "both are instances of one component";
     EXPECT_EQ(count_of(made.page, "<figure id=\"" + figure + "\""), 1U);
     EXPECT_NE(made.page.find("<svg></svg></div>\n<details><summary>Tables of this automaton"), std::string::npos)
         << made.page;
@@ -159,7 +159,7 @@ TEST(Page, StatesTheLengthOfARunThatIsTooLongToPlay) {
     EXPECT_LT(page.size(), 1'000'000U);
     for (PropertyResult& answer : content.report.answers)
         if (answer.trace) answer.trace->moments.resize(60'000, answer.trace->moments.back());
-    EXPECT_EQ(count_of(page_of(content), "\"loop_from\":"), 1U) << "two would be too long together";
+    EXPECT_EQ(count_of(page_of(content), "\"loop_from\":"), 1U) << "two runs would exceed the limit";
 }
 
 TEST(Page, SummaryIsPositiveOnlyIfTheChartHasNoErrors) {

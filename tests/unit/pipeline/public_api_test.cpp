@@ -39,7 +39,7 @@ ParseResult lamp_reading() {
 Outcome outcome(const Report& report, std::string_view property) {
     for (const PropertyResult& answer : report.answers)
         if (answer.verdict.property == property) return answer.verdict.outcome;
-    ADD_FAILURE() << "no answer to " << property;
+    ADD_FAILURE() << "no result for " << property;
     return Outcome::Unknown;
 }
 

@@ -294,7 +294,7 @@ TEST(Plant, AStepThatCanJumpOverARangeIsWarnedOf) {
         station[0].arguments[3] = c.step;
         station[2].arguments[2] = c.low;
         station[2].arguments[3] = c.high;
-        EXPECT_TRUE(station.build()) << "a warning, no error";
+        EXPECT_TRUE(station.build()) << "it is a warning, not an error";
         EXPECT_EQ(station.codes(), c.warned ? "range-skipped" : "");
     }
 }

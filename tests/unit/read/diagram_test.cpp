@@ -93,7 +93,7 @@ TEST(Diagram, NetworksAreEvaluatedFromTopToBottom) {
                       element("contact", 3, second, "0", "q") + element("coil", 4, second, "3", "r"));
     };
     EXPECT_EQ(values(text(0, 50), "r", {{0, 0}, {1, 0}, {0, 0}}), "0 1 0");
-    EXPECT_EQ(values(text(50, 0), "r", {{0, 0}, {1, 0}, {0, 0}}), "0 0 1") << "q of the last scan";
+    EXPECT_EQ(values(text(50, 0), "r", {{0, 0}, {1, 0}, {0, 0}}), "0 0 1") << "the value of q from the previous scan";
 }
 
 TEST(Diagram, AnInvalidPositionCountsAsZero) {
@@ -220,7 +220,7 @@ TEST(Diagram, RejectsWhatHasNoDefinedMeaning) {
     EXPECT_NE(codes(ladder(block(1, 0, "TON", "t", pin("IN", "0"), pin("Q", "")), instance("t", "TOF")))
                   .find("not-in-program"),
               std::string::npos)
-        << "another type than declared";
+        << "the type differs from the declared type";
     EXPECT_NE(
         codes(project("", "<FBD>" + element("inVariable", 1, 0, "", "a") + element("inOutVariable", 2, 0, "1", "q") +
                               element("outVariable", 3, 0, "2", "r") + "</FBD>"))

@@ -87,7 +87,7 @@ TEST(Import, ReadsTextInUtf16AndLatin1AsItsUtf8) {
     ASSERT_EQ(rendered.all().size(), 1U);
     EXPECT_EQ(rendered.all()[0].code, "read-as-latin");
     EXPECT_NE(imported(latin + " Größe").rendered.find("byte 0xF6 is not UTF-8"), std::string::npos)
-        << "mixed: a guess";
+        << "the encoding of a mixed text is not guessed";
 }
 
 TEST(Import, RejectsUtf16WithHalfACharacter) {
@@ -130,7 +130,7 @@ TEST(Import, ImportsVariablesWithoutAKindAsOutputsIfActionsDriveThem) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_text(sources.add({"chart.xml", refused}), sources, {}, diagnostics));
     EXPECT_EQ(diagnostics.errors(), 1U);
-    EXPECT_EQ(diagnostics.all().back().code, "not-an-output") << "what is called an input stays one";
+    EXPECT_EQ(diagnostics.all().back().code, "not-an-output") << "a declared input remains an input";
 }
 
 TEST(Import, CutsNamesSoThatTheirNumbersAndPrefixesFit) {

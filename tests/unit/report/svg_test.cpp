@@ -140,11 +140,11 @@ TEST(Svg, DrawsTheRequestedEventsAndNamesThem) {
     for (const pugi::xml_node node : of_class(drawn, "number")) numbers.push_back(node.text().get());
     EXPECT_EQ(numbers, (std::vector<std::string>{"1", "2", "3"}));
     EXPECT_NE(foot_of(drawn).find("Events 1 to 3 of 4."), std::string::npos);
-    ASSERT_EQ(of_class(drawn, "loop").size(), 1u) << "event 3 is in it";
+    ASSERT_EQ(of_class(drawn, "loop").size(), 1u) << "event 3 is in the loop";
     EXPECT_EQ(of_class(drawn, "loop")[0].attribute("width").as_int(), 36);
     Drawn after_end;
     draw(sample_run(), after_end, {99, 100});
-    EXPECT_EQ(of_class(after_end, "number").size(), 1u) << "the last one";
+    EXPECT_EQ(of_class(after_end, "number").size(), 1u) << "the last event is drawn";
 }
 
 TEST(Svg, CutsALongTraceIntoStripsThatNameTheirRows) {

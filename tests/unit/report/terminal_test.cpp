@@ -88,7 +88,7 @@ TEST(Terminal, PrintsATraceAsATableWithItsLoopMarked) {
     finite.loop_from.reset();
     EXPECT_EQ(table(finite).substr(table(finite).rfind("  1.5 s")),
               "  1.5 s  Slide: going_out, X 0 -> 4  LEVEL = 3              1, 2       GO\n")
-        << "a delay is told by the time of what comes next";
+        << "a delay is visible only in the time of the next row";
 }
 
 TEST(Terminal, PrintsACauseOfSeveralEventsOfOneInstantOnce) {
@@ -134,7 +134,7 @@ TEST(Terminal, PrintsSharedAssumptionsOnce) {
         "\nP2 \"a <dangerous> & \"quoted\" text\": violated\ncounterexample:\n"))
         << output;
     EXPECT_EQ(output.find("12 states\n"), output.rfind("12 states\n")) << output;
-    EXPECT_EQ(output.find("P1 \"all"), std::string::npos) << "what holds is told by the table alone";
+    EXPECT_EQ(output.find("P1 \"all"), std::string::npos) << "a property that holds is only in the table";
     EXPECT_TRUE(
         output.ends_with("\n"
                          "P3: unknown\n"
@@ -229,7 +229,7 @@ TEST(Terminal, PrintsOnlyFailuresOnRequest) {
     report.answers.resize(1);
     std::ostringstream none;
     print_report(report, {.failures_only = true}, none);
-    EXPECT_EQ(none.str(), "") << "what holds is no failure";
+    EXPECT_EQ(none.str(), "") << "a property that holds is not a failure";
 }
 
 TEST(Terminal, FitsTheClosingTableIntoTheTerminalAsFarAsItsTextGoes) {
@@ -249,7 +249,7 @@ TEST(Terminal, FitsTheClosingTableIntoTheTerminalAsFarAsItsTextGoes) {
               "property  verdict  location     description\n"
               "P1        holds    a.grafcet:7  字字字字字字字字字…\nstation: 1 holds\n");
     EXPECT_EQ(last_rows(51), "property  verdict  location\nP1        holds    a.grafcet:7\nstation: 1 holds\n")
-        << "a place is never cut";
+        << "a location is never truncated";
 }
 
 TEST(Terminal, PaintsVerdicts) {
@@ -280,7 +280,7 @@ TEST(Terminal, PrintsTheSharedReasonOfUnknownVerdictsOnce) {
     EXPECT_NE(output.find(once), std::string::npos) << output;
     EXPECT_EQ(output.find("state limit reached"), output.rfind("state limit reached")) << output;
     EXPECT_NE(output.find("\nP3: unknown\n    why: 12 states are not enough\n"), std::string::npos)
-        << "a reason of its own stays where it is";
+        << "a reason of a single property is printed with this property";
 }
 
 TEST(Terminal, PrintsTheStateProfile) {
@@ -325,7 +325,7 @@ TEST(Terminal, WrapsBetweenCharactersAndCountsTheirColumns) {
     EXPECT_EQ(wrapped("Förderer läuft", 8), (Lines{"Förderer", "läuft"}));
     EXPECT_EQ(wrapped("ÄÖÜäöü", 4), (Lines{"ÄÖÜä", "öü"}));
     EXPECT_EQ(wrapped("字字字", 5), (Lines{"字字", "字"}));
-    EXPECT_EQ(wrapped("字字", 1), (Lines{"字", "字"})) << "a character at least";
+    EXPECT_EQ(wrapped("字字", 1), (Lines{"字", "字"})) << "each line has at least one character";
     EXPECT_EQ(wrapped("e\xCC\x81tage", 3), (Lines{"e\xCC\x81ta", "ge"}));
     EXPECT_EQ(wrapped("\xFF\xFF\xFF", 2), (Lines{"\xFF\xFF", "\xFF"}));
     ChartRun run = sample_run();

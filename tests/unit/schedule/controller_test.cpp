@@ -75,7 +75,7 @@ TEST(ScheduleController, WritesOutputsOnlyWhenStableUnderStabilitySearch) {
         searching);
     s.step({{"a", 1}});
     EXPECT_EQ(s["X_2"], 1);
-    EXPECT_EQ(s["A"], 0) << "step 2 is transient: its output is never seen";
+    EXPECT_EQ(s["A"], 0) << "step 2 is transient: its output is never written";
     s.step({{"a", 1}});
     EXPECT_EQ(s["X_3"], 1);
     EXPECT_EQ(s["B"], 0);
@@ -110,9 +110,9 @@ TEST(ScheduleController, DefinesOutputsOverTheActivitiesWhenEveryCycleWrites) {
 
 TEST(ScheduleController, SamplesTheInputsOfAnOutputInTheCycleThatWritesIt) {
     Stepper s = start("input a; output A; initial step 1 { A if a; }", cyclic, {{"a", 1}});
-    EXPECT_EQ(s["A"], 1) << "the first evolution writes, too";
+    EXPECT_EQ(s["A"], 1) << "the first evolution also writes outputs";
     s.set({{"a", 0}});
-    EXPECT_EQ(s["A"], 1) << "the input moves, the output stays until the next cycle";
+    EXPECT_EQ(s["A"], 1) << "the input changes; the output is unchanged until the next cycle";
     EXPECT_FALSE(s.settled());
     s.step();
     EXPECT_EQ(s["A"], 0);
@@ -131,7 +131,7 @@ TEST(ScheduleController, KeepsStoredOutputsInAnImageUntilTheyAreWritten) {
     s.step();
     EXPECT_EQ(s["L"], 0);
     s.step();
-    EXPECT_EQ(s["L"], 1) << "written with the others";
+    EXPECT_EQ(s["L"], 1) << "written with the other outputs";
     EXPECT_EQ(s["O"], 1);
     EXPECT_FALSE(has_symbol(s.system, s.system.instances[{0}].name + ".O_image"));
 }
@@ -192,10 +192,10 @@ TEST(ScheduleController, KeepsAValueThatWouldLeaveItsRangeAndRecordsTheFault) {
         EXPECT_EQ(s["out_of_range"], 0);
     }
     s.step();
-    EXPECT_EQ(s["n"], 2) << "it does not wrap";
+    EXPECT_EQ(s["n"], 2) << "the value does not wrap around";
     EXPECT_EQ(s["out_of_range"], 1);
     s.step();
-    EXPECT_EQ(s["out_of_range"], 1) << "for ever";
+    EXPECT_EQ(s["out_of_range"], 1) << "the error persists";
     ASSERT_EQ(property_names(s.system), std::vector<std::string>{"no_out_of_range"});
     const Property& property = s.system.properties[{0}];
     EXPECT_EQ(property.pattern, Pattern::Never);
@@ -241,7 +241,7 @@ TEST(ScheduleController, RecordsARace) {
     s.step({{"a", 1}});
     EXPECT_EQ(s["race"], 1);
     s.step();
-    EXPECT_EQ(s["race"], 1) << "for ever";
+    EXPECT_EQ(s["race"], 1) << "the error persists";
 }
 
 TEST(ScheduleController, KeepsInputsAndTimerOutputsFree) {

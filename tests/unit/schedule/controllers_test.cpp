@@ -155,7 +155,7 @@ TEST(ScheduleControllers, LetsAControllerRunAheadOfTheOther) {
         state = next_state(system, state, least);
     };
     step(false, true);
-    EXPECT_EQ(value_of(system, state, "one.X_0"), 1) << "not its turn";
+    EXPECT_EQ(value_of(system, state, "one.X_0"), 1) << "the controller is not selected";
     EXPECT_EQ(value_of(system, state, "two.X_0"), 1) << "LAMP was not yet written";
     step(true, true);
     EXPECT_EQ(value_of(system, state, "one.X_1"), 1);

@@ -54,7 +54,7 @@ TEST(RenderText, ClipsAVeryLongLine) {
         return text.substr(text.find('\n'));
     };
     EXPECT_EQ(shown(1200, 600), shown(60'000, 60'000));
-    EXPECT_NE(shown(60'000, 0), shown(60'000, 60'000)) << "nothing is cut away behind it";
+    EXPECT_NE(shown(60'000, 0), shown(60'000, 60'000)) << "no text after the mark is omitted";
 }
 
 TEST(RenderText, ClipsALongLineAroundItsCaret) {

@@ -34,7 +34,7 @@ TEST(Printable, JsonAndXmlEscapesAreReversible) {
     const std::string json = json_text({{"text", text}}, -1);
     EXPECT_EQ(printable(json), json);
     EXPECT_EQ(nlohmann::json::parse(json)["text"], text);
-    EXPECT_NE(json.find("\xC3\xBC"), std::string::npos) << "what does no harm stays readable";
+    EXPECT_NE(json.find("\xC3\xBC"), std::string::npos) << "harmless characters remain readable";
     EXPECT_EQ(json_text("\xFF", -1), "\"\xEF\xBF\xBD\"");
     const std::string legal = "\xE2\x80\xAE \xC2\x9B \x7F \xC3\xBC";
     std::string xml;

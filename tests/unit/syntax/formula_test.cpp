@@ -118,7 +118,7 @@ TEST(Formula, NestingIsBounded) {
     EXPECT_NE(fault_of(Uppaal, text).find("nested deeper than 200"), std::string::npos);
     std::string flat = "a";
     for (int i = 0; i < 10'000; ++i) flat += " & a";
-    EXPECT_EQ(fault_of(Ctl, flat), "") << "a long row is not nested";
+    EXPECT_EQ(fault_of(Ctl, flat), "") << "a long conjunction is not nested";
 }
 
 TEST(Formula, NamesAndTheirTypesAreThoseOfTheModel) {

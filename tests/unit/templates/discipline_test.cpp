@@ -143,7 +143,8 @@ TEST_P(EveryComponent, IsEitherInstantaneousOrTimedNeverBoth) {
             continue;
         }
         const bool forced = !component.locations[edge.from].invariant.empty();
-        EXPECT_TRUE(!forced || !edge.constraint.empty()) << "a movement ends at no time";
+        EXPECT_TRUE(!forced || !edge.constraint.empty())
+            << "an edge from a location with an invariant has no time constraint";
     }
 }
 

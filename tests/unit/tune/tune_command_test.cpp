@@ -107,8 +107,8 @@ TEST_F(TuneCommand, InvalidValuesAreRejected) {
     expect_error({"--over", "HIGH=1s..2s", "--over", "HIGH=1s..3s"}, "`--over` names `HIGH` twice; remove one");
     expect_error({"--over", "HIGH=1s..2s", "--set", "HIGH=3s"}, "`--set` and `--over` both name `HIGH`; remove one");
     expect_error({"--over", "GAP=1s..1000s", "--over", "HIGH=1s..1000000s"},
-                 "the grid has 1000000000 points, of at most 10000; at one millisecond per point, reading their "
-                 "models needs 277.8 hours; use larger steps or smaller ranges");
+                 "the grid has 1000000000 points, but at most 10000 are allowed; at one millisecond per point, reading "
+                 "their models needs 277.8 hours; use larger steps or smaller ranges");
     expect_error({"--over", "N=-5000000000000000000..5000000000000000000:1000000000000000000"},
                  "of `N` exceed the integers -32768..32767; reduce the range");
     expect_error({"--over", "N=1..3", "--property", "son"}, "soon");

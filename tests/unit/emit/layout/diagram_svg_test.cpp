@@ -169,7 +169,7 @@ TEST(DiagramSvg, AComponentShowsItsInvariantsGuardsAndAssignments) {
         "door.grafcet");
     ASSERT_TRUE(reading.model) << reading.diagnostics_text();
     const Diagram drawn = diagram(*reading.model->components.begin());
-    ASSERT_EQ(drawn.nodes.size(), 3u) << "what nothing leads to is drawn too";
+    ASSERT_EQ(drawn.nodes.size(), 3u) << "unreachable locations are also drawn";
     EXPECT_EQ(drawn.nodes[1].lines, (std::vector<std::string>{"moves", "t <= STEP"}));
     EXPECT_TRUE(drawn.nodes[0].initial);
     EXPECT_EQ(drawn.arrows[0].lines, (std::vector<std::string>{"at once, when OPEN", "do t := 0"}));

@@ -141,7 +141,7 @@ TEST_F(Pins, RandomNetworksHaveTheStatesOfTheTimedEngine) {
         compared += compare(random_network(random)) ? 1 : 0;
     }
     EXPECT_GT(compared, cases / 2);
-    EXPECT_GT(broken_, 0) << "models that break off are among them";
+    EXPECT_GT(broken_, 0) << "some runs of the models must end with an error";
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST(StructuredTextForm, TermsThatAPlcMayComputeDifferentlyAreRejected) {
         EXPECT_FALSE(structured_text::expressible(found, diagnostics));
         ASSERT_FALSE(diagnostics.all().empty());
         EXPECT_TRUE(diagnostics.all()[0].message.starts_with(c.reason)) << diagnostics.all()[0].message;
-        EXPECT_TRUE(diagnostics.all()[0].where.source.valid()) << "no place";
+        EXPECT_TRUE(diagnostics.all()[0].where.source.valid()) << "the diagnostic has no position";
     }
     Diagnostics none;
     EXPECT_TRUE(structured_text::expressible(

@@ -43,14 +43,14 @@ TEST(StructuredTextTimers, WithoutStabilitySearchThePulseLastsOneCycle) {
         plc.call(now);
         seen += plc.value("L") != 0 ? '1' : '0';
     }
-    EXPECT_EQ(seen, "0010010") << "the second 5 s count from the activation at 5001";
+    EXPECT_EQ(seen, "0010010") << "the second period of 5 s starts with the activation at 5001 ms";
 }
 
 TEST(StructuredTextTimers, ATimerDoesNotEndWithinACycleThatTakesLong) {
     const std::string text = controller("output L; initial step 1; step 2 { L; } transition a: 1 -> 2 when 5s/X1;",
                                         ExecutionMode::StabilitySearch);
     EXPECT_NE(text.find("T_X1_5s_Q := T_X1_5s_Q AND X_1;"), std::string::npos)
-        << "an end that is sampled can only fall within the cycle\n"
+        << "a sampled timer output can only become false within the cycle\n"
         << text;
 }
 
@@ -67,7 +67,7 @@ TEST(StructuredTextController, StopsAtTheBoundOfEvolutionsAndKeepsItsOutputs) {
     EXPECT_EQ(plc.value("evolutions"), 20);
     plc.set("a", 0);
     plc.call(2);
-    EXPECT_EQ(plc.value("FAULT"), 1) << "not explored of the situation any more";
+    EXPECT_EQ(plc.value("FAULT"), 1) << "the block remains in the fault state";
     EXPECT_EQ(plc.value("L"), 1);
 }
 

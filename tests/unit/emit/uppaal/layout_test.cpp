@@ -72,7 +72,7 @@ TEST(UppaalLayout, GivesLoopsAndParallelEdgesNails) {
                               to = edge.child("target").attribute("ref").value();
             if (edge.child("nail")) continue;
             EXPECT_NE(from, to);
-            EXPECT_EQ(++straight[std::minmax(from, to)], 1) << "two edges in one line";
+            EXPECT_EQ(++straight[std::minmax(from, to)], 1) << "two edges coincide";
         }
     }
 }
