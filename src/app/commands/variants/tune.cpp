@@ -96,8 +96,8 @@ private:
             return std::nullopt;
         };
         if (constant.kind == NamedConstant::Kind::Boolean)
-            return wrong(fmt::format("the constant `{}` is a truth value", constant.name),
-                         "`--over` accepts numbers and durations; compare `--set` with `true` and `false`");
+            return wrong(fmt::format("the constant `{}` is Boolean", constant.name),
+                         "`--over` accepts numbers and durations; use `--set` with `true` and with `false`");
         const auto low = value_of(constant.kind, written.low), high = value_of(constant.kind, written.high);
         const auto step = written.step.empty() ? std::optional<std::int64_t>(duration ? 1000 : 1)
                                                : value_of(constant.kind, written.step);
