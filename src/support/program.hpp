@@ -30,7 +30,7 @@ inline std::string ended_by(const ProgramResult& program_result) {
     case ProgramResult::End::Stopped: return "stopped";
     case ProgramResult::End::TooMuchOutput: return "the output of the program is too large";
     case ProgramResult::End::Signalled:
-        return "the program was ended by signal " + std::to_string(program_result.status);
+        return "the program was terminated by signal " + std::to_string(program_result.status);
     case ProgramResult::End::Exited: break;
     }
     return {};
