@@ -24,14 +24,14 @@ std::string nusmv_complaint(std::string_view bytes) {
     program_result.out = bytes;
     const NusmvResult result = read_nusmv(system, spelling, properties, program_result);
     if (result.verdicts.size() != properties.size() || result.runs.size() != properties.size())
-        return "too few verdicts, or too many";
+        return "the number of verdicts or runs is wrong";
     for (std::size_t i = 0; i < properties.size(); ++i) {
         if (!result.total && result.verdicts[i].outcome != Outcome::Unknown)
             return "a verdict on a model with dead ends";
         if (!result.runs[i]) continue;
         const SystemRun& run = *result.runs[i];
         if (run.states.empty() || (run.loop && *run.loop >= run.states.size()))
-            return "a run of no states, or that loops to none";
+            return "a run without states, or with a loop to a missing state";
         ChartRun projected = project(system, run);
         if (!disagreement(projected, loop.charts())) with_rows(std::move(projected));
     }
@@ -45,11 +45,11 @@ std::string verifyta_complaint(std::string_view bytes) {
     const ExternalResult answer = read_verifyta(program_result);
     const bool known = answer.outcome != Outcome::Unknown;
     if (known != (answer.obstacle == UnknownReason::None) || known != answer.reason.empty())
-        return "a verdict with a reason, or none without: " + answer.reason;
+        return "the verdict and its reason contradict each other: " + answer.reason;
     const bool yes = program_result.out.find("Formula is satisfied.") != std::string::npos,
                no = program_result.out.find("Formula is NOT satisfied.") != std::string::npos;
     if ((answer.outcome == Outcome::Holds && !yes) || (answer.outcome == Outcome::Violated && !no))
-        return "a verdict that nobody gave";
+        return "a verdict that verifyta did not print";
     return {};
 }
 

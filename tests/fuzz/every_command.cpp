@@ -94,7 +94,7 @@ std::string units_complaint(const std::string& text) {
     st::File file;
     const st::Text whole{{{source, 0, static_cast<std::uint32_t>(text.size())}, false}};
     return st::parse_units(whole, file, sources, diagnostics) ? ""
-                                                              : "no Structured Text: " + shown(diagnostics, sources);
+                                                              : "not Structured Text: " + shown(diagnostics, sources);
 }
 
 /// Checks that a generated table belongs to the chart from which it was generated.
@@ -105,14 +105,14 @@ std::string table_complaint(const std::string& text, const VerbRun& run, const M
     const bool every_cycle = std::ranges::find(run.arguments, "every-cycle") != run.arguments.end();
     const auto mode = every_cycle ? ExecutionMode::EveryCycle : ExecutionMode::StabilitySearch;
     const auto test = read_test_csv(sources.add({"test.csv", text}), sources, *model.charts.begin(), mode, diagnostics);
-    return test ? "" : "no table of a test: " + shown(diagnostics, sources);
+    return test ? "" : "not a test table: " + shown(diagnostics, sources);
 }
 
 std::string grafcet_complaint(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
     return parse_file(sources.add({"written.grafcet", text}), sources, diagnostics).broken
-               ? "no text of ours: " + shown(diagnostics, sources)
+               ? "not a .grafcet file: " + shown(diagnostics, sources)
                : "";
 }
 
@@ -124,7 +124,7 @@ std::string written_complaint(const std::string& text, const VerbRun& run, Writt
         case Written::Json: return nlohmann::json::accept(text) ? "" : "not valid JSON";
         case Written::Xml: {
             const pugi::xml_parse_result read = pugi::xml_document().load_buffer(text.data(), text.size());
-            return read ? "" : std::string("no XML: ") + read.description();
+            return read ? "" : std::string("not XML: ") + read.description();
         }
         case Written::Uppaal: test::read_uppaal(text); return {};
         case Written::Nusmv: return read_nusmv(text).error_text;
@@ -133,9 +133,9 @@ std::string written_complaint(const std::string& text, const VerbRun& run, Writt
         case Written::StructuredText: return units_complaint(text);
         }
     } catch (const std::exception& failure) {
-        return std::string("not what it claims to be: ") + failure.what();
+        return std::string("not in the expected format: ") + failure.what();
     }
-    return "a form that nobody knows";
+    return "unknown format";
 }
 
 /// Returns the type of a file according to its name.
@@ -160,7 +160,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
         if (!entry.is_regular_file()) continue;
         const bool is_report = entry.path().extension() == ".xml";  // the report of a rejected input contains its error
         if (result.code == app::ExitCode::Input && !is_report)
-            return "it is refused, and writes " + entry.path().string();
+            return "the input is rejected, but the command writes " + entry.path().string();
         const std::string wrong = written_complaint(content_of(entry.path()), run, written_to(entry.path()), model);
         if (!wrong.empty()) return entry.path().string() + ": " + wrong;
     }
@@ -169,7 +169,7 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
     case app::ExitCode::Input:
         if (run.arguments[0] == "plc" && result.out.find("error: ") != std::string::npos)
             return {};  // the command rejected this line
-        return std::regex_search(result.err, refusal) ? "" : "it is refused, and nothing says why";
+        return std::regex_search(result.err, refusal) ? "" : "the input is rejected without an error";
     case app::ExitCode::Unknown:
         if (result.out.empty()) return {};
         break;

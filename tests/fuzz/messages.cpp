@@ -29,7 +29,7 @@ ProgramResult command(const mcp::CommandRun& run) {
 
 /// Returns the violated rule of JSON-RPC 2.0, or an empty string.
 std::string message_complaint(const Json& message) {
-    if (!message.is_object() || message.value("jsonrpc", "") != "2.0") return "no message of JSON-RPC 2.0";
+    if (!message.is_object() || message.value("jsonrpc", "") != "2.0") return "not a message of JSON-RPC 2.0";
     if (message.contains("method"))
         return message["method"] == "notifications/progress" && !message.contains("id") ? "" : "an unknown request";
     if (!message.contains("id")) return "a response without an id";

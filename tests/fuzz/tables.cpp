@@ -49,15 +49,16 @@ std::string test_table_complaint(std::string_view bytes) {
         const auto test =
             read_test_csv(sources.add({"fuzzed.csv", std::string(bytes)}), sources, press(), mode, diagnostics);
         const std::string rendered = shown(diagnostics, sources);
-        if (test.has_value() == diagnostics.has_errors()) return "read and refused, or neither:\n" + rendered;
+        if (test.has_value() == diagnostics.has_errors())
+            return "the result and the diagnostics contradict each other:\n" + rendered;
         if (!test) continue;
         for (const std::string& broken : verify(*test)) return "not well formed: " + broken;
         std::ostringstream written;
         print_test_csv(written, *test);
         Diagnostics none;
         const auto again = read_test_csv(sources.add({"written.csv", written.str()}), sources, press(), mode, none);
-        if (!again) return "what is written is refused:\n" + shown(none, sources) + written.str();
-        if (*again != *test) return "what is written means something else:\n" + written.str();
+        if (!again) return "the written table is rejected:\n" + shown(none, sources) + written.str();
+        if (*again != *test) return "the written table has another meaning:\n" + written.str();
     }
     return {};
 }
@@ -68,13 +69,14 @@ std::string exclusions_complaint(std::string_view bytes) {
     const Id<Source> source = sources.add({"fuzzed.csv", std::string(bytes)});
     const auto rows = read_exclusions(source, sources, press(), diagnostics);
     const std::string rendered = shown(diagnostics, sources);
-    if (rows.has_value() == diagnostics.has_errors()) return "read and refused, or neither:\n" + rendered;
+    if (rows.has_value() == diagnostics.has_errors())
+        return "the result and the diagnostics contradict each other:\n" + rendered;
     if (!rows) return {};
     for (const ExclusionRow& row : *rows) {
         if (row.first == row.second) return "an input that excludes itself";
         for (const auto input : {row.first, row.second})
             if (press().variables[input].kind != Chart::VariableKind::Input || !press().variables[input].type.boolean)
-                return "an exclusion of what is no Boolean input";
+                return "an exclusion of a variable that is not a Boolean input";
     }
     return {};
 }
@@ -82,15 +84,16 @@ std::string exclusions_complaint(std::string_view bytes) {
 std::string scan_complaint(std::string_view bytes) {
     const std::vector<ScanColumn> columns{{"start", {}}, {"level", integer_type(-2, 300)}, {"stop", {}}};
     const ScanValues read = read_scan_line(bytes, columns);
-    if (read.values.has_value() != read.problem.empty()) return "read and refused, or neither: " + read.problem;
+    if (read.values.has_value() != read.problem.empty())
+        return "the result and the error contradict each other: " + read.problem;
     for (const std::string& text : {shown_line(bytes), read.problem})
         for (const char byte : text)
-            if (byte < ' ' || byte > '~') return "a line is shown that is not printable: " + text;
+            if (byte < ' ' || byte > '~') return "a displayed line is not printable: " + text;
     if (!read.values) return {};
-    if (bytes.size() > longest_scan_line(columns.size())) return "a line is read that is too long";
+    if (bytes.size() > longest_scan_line(columns.size())) return "a line that is too long is accepted";
     const std::string written = scan_line(*read.values);
     if (read_scan_line(written, columns).values != read.values)
-        return "what is written means something else: " + written;
+        return "the written line has another meaning: " + written;
     return {};
 }
 

@@ -24,11 +24,11 @@ namespace {
 /// string.
 std::string result_complaint_of(bool read, const Diagnostics& diagnostics, const Sources& sources) {
     if (read == diagnostics.has_errors())
-        return read ? "it is read, with errors" : "it cannot be read, without an error";
-    if (diagnostics.all().size() > Diagnostics::limit * 4) return "there is no end of warnings";
+        return read ? "the text is accepted, but there are errors" : "the text is rejected without an error";
+    if (diagnostics.all().size() > Diagnostics::limit * 4) return "there are too many diagnostics";
     std::ostringstream json;
     render_json(diagnostics.all(), sources, json);
-    if (!nlohmann::json::accept(json.str())) return "no JSON:\n" + json.str();
+    if (!nlohmann::json::accept(json.str())) return "not JSON:\n" + json.str();
     shown(diagnostics, sources);
     return {};
 }
@@ -63,9 +63,9 @@ std::string printed(const Model& model) {
 std::string reading_back(const Model& model, const std::string& text, Sources& sources) {
     const TextRead again = read(sources.add({"written.grafcet", text}), sources, false);
     if (!again.error_text.empty()) return again.error_text + "\nof:\n" + text;
-    if (!again.model) return "what is written is refused:\n" + again.rendered + text;
+    if (!again.model) return "the written text is rejected:\n" + again.rendered + text;
     if (printed(*again.model) != printed(model))
-        return "what is written means something else:\n" + text + "\nwas:\n" + printed(model);
+        return "the written text has another meaning:\n" + text + "\nwas:\n" + printed(model);
     return {};
 }
 
@@ -74,9 +74,9 @@ std::string form_complaint(const std::string& text, Sources& sources) {
     Diagnostics diagnostics;
     const tree::File file = parse_file(sources.add({"formatted.grafcet", text}), sources, diagnostics);
     if (file.broken || diagnostics.has_errors())
-        return "formatted, it does not parse:\n" + shown(diagnostics, sources) + text;
+        return "the formatted text does not parse:\n" + shown(diagnostics, sources) + text;
     const std::string again = formatted(file);
-    return again == text ? "" : "formatted twice, it differs:\n" + text + "\nand:\n" + again;
+    return again == text ? "" : "formatting again changes the text:\n" + text + "\nand:\n" + again;
 }
 
 std::string imported_complaint(std::string_view bytes, bool lossy) {

@@ -348,7 +348,8 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
         const auto fact = expected.find(fact_of(question.code, question.subject));
         if (never || fact == expected.end() || found.contains(fact->first) || fact->second > question.instants)
             continue;
-        text += "said not to be in the first " + std::to_string(question.instants) + " instants: " + fact->first + '\n';
+        text += "reported as impossible in the first " + std::to_string(question.instants) +
+                " instants: " + fact->first + '\n';
     }
     return text;
 }
@@ -403,7 +404,7 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
         const std::size_t last_instant = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
         // In every_cycle mode, the path of a finding may be one instant longer.
         const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;
-        if (first.empty()) text += "not lost: " + finding.message + '\n';
+        if (first.empty()) text += "the lost elements occur again: " + finding.message + '\n';
         else if (!first.contains(last_instant) && !(cyclic && first.contains(last_instant - 1)) && one_part)
             text += "not shortest: " + finding.message + ", " + std::to_string(last_instant) + " instants\n";
     }
@@ -426,7 +427,7 @@ std::string disagreement_on_graph(const Chart& chart, const Equations& equations
         if (unconfirmed.contains(each)) continue;
         const bool once = found.contains(each) && found[each] == Finding::Level::Note;
         if (found.contains(each) && !once && ((!ever && !cut) || first_without(graph, {each}, !cut).empty()))
-            text += "never lost: " + each + '\n';
+            text += "always possible again: " + each + '\n';
         if (once && graph.comes_again(each, steps.contains(each))) text += "more than once: " + each + '\n';
     }
     const auto regions = graph.regions();

@@ -56,7 +56,7 @@ public:
         read_inputs(inputs);
         const Cycle run = cycle(chart_, state_, inputs, automaton_.mode);
         ended = true;
-        if (run.race || run.fault) return "the automaton knows nothing of a race or fault";
+        if (run.race || run.fault) return "the automaton does not contain the race or fault";
         const LocationAutomaton::Instability* instability = nullptr;
         for (const LocationAutomaton::Instability& one : instabilities_of(automaton_, location_))
             if (value(one.condition) != 0) instability = &one;
@@ -196,11 +196,11 @@ std::string tested(const Chart& chart, const LocationAutomaton& automaton, Walke
     if (!machine) return {};
     for (const std::string& fault : verify(*machine)) return "verify: " + fault;
     const auto least = minimised(*machine, {}, chart.origin, diagnostics);
-    if (!least) return "there is no least machine";
-    for (const std::string& fault : verify(*least)) return "verify of the least machine: " + fault;
+    if (!least) return "there is no minimized machine";
+    for (const std::string& fault : verify(*least)) return "verify of the minimized machine: " + fault;
     if (least->states.size() < machine->states.size()) ++walked.merged;
     if (std::string what = tested(chart, *machine, walked); !what.empty()) return what;
-    if (std::string what = tested(chart, *least, walked); !what.empty()) return "least machine, " + what;
+    if (std::string what = tested(chart, *least, walked); !what.empty()) return "minimized machine, " + what;
     return {};
 }
 

@@ -222,7 +222,7 @@ std::string violation(const std::string& one, const std::string& other, bool sam
         ++seen[scans > 2 ? "of three scans or more" : "of one or two scans"];
         if (searched.complete && searched.difference == 0) return "the programs are equal";
         if (found->shortest && searched.difference != 0 && searched.difference < scans)
-            return "there is a shorter difference";
+            return "a shorter sequence exists";
         if (found->shortest) ++seen["shortest"];
         else if (!settles) return "the difference is not proved to be a shortest one";
         break;

@@ -166,7 +166,8 @@ std::string violation(const Chart& a, const Chart& b, ExecutionMode mode, Random
         ++met.different;
         met.long_ones += found->scans.size() > 2 ? 1 : 0;
         met.stops += found->answers[0].back().stop.empty() && found->answers[1].back().stop.empty() ? 0 : 1;
-        if (difference(a, b, mode, found->scans) != found->scans.size() - 1) return "the scans do not tell them apart";
+        if (difference(a, b, mode, found->scans) != found->scans.size() - 1)
+            return "the scans do not distinguish the charts";
         if (!found->shortest) return "";
         ++met.shortest;
     } else ++met.equal;
@@ -174,7 +175,7 @@ std::string violation(const Chart& a, const Chart& b, ExecutionMode mode, Random
         const std::vector<Comparison::Scan> scans = random_scans(*found, random);
         const auto apart = difference(a, b, mode, scans);
         if (apart && (found->outcome == Comparison::Outcome::Equal || *apart + 1 < found->scans.size()))
-            return "random scans tell them apart, in scan " + std::to_string(*apart + 1);
+            return "random scans distinguish the charts, in scan " + std::to_string(*apart + 1);
     }
     return {};
 }

@@ -64,8 +64,8 @@ std::string claim(const Property& property, Outcome outcome) {
 void compare(const Network& network, const Property& property, const Verdict& apart, const Verdict& whole,
              std::map<std::string, int>& seen) {
     SCOPED_TRACE(property.name + ", pattern " + std::to_string(static_cast<int>(property.pattern)) +
-                 (property.at_stable ? " at stable" : "") + ": apart " + std::string(word(apart.outcome)) + " (" +
-                 apart.reason + "), whole " + std::string(word(whole.outcome)) + " (" + whole.reason + ")");
+                 (property.at_stable ? " at stable" : "") + ": by parts " + std::string(word(apart.outcome)) + " (" +
+                 apart.reason + "), complete network " + std::string(word(whole.outcome)) + " (" + whole.reason + ")");
     const bool checked_separately = !apart.scope.searched.empty();
     ++seen[claim(property, apart.outcome) + (checked_separately ? ", apart" : ", whole")];
     if (apart.run) confirm_run(network, property, apart);
@@ -212,11 +212,11 @@ struct Premise {
     void (*grant)(OmittedSubsystem&) = nullptr;
 };
 const Premise premises[] = {
-    {"the others can let time pass for ever", [](OmittedSubsystem& other) { other.diverges = true; }},
-    {"the others never lock time", [](OmittedSubsystem& other) { other.never_locks = true; }},
-    {"the others come to rest in every instant", [](OmittedSubsystem& other) { other.rests = true; }},
-    {"the others are settled where time passes", [](OmittedSubsystem& other) { other.settles = true; }},
-    {"the others break off nowhere", [](OmittedSubsystem& other) { other.faulty = false; }},
+    {"the others can let time pass forever", [](OmittedSubsystem& other) { other.diverges = true; }},
+    {"the others have no timelock", [](OmittedSubsystem& other) { other.never_locks = true; }},
+    {"the others become quiescent in every instant", [](OmittedSubsystem& other) { other.rests = true; }},
+    {"the others are quiescent when time passes", [](OmittedSubsystem& other) { other.settles = true; }},
+    {"the others have no model errors", [](OmittedSubsystem& other) { other.faulty = false; }},
 };
 
 /// Computes the verdicts of a part for the complete network under all premises but one.
@@ -269,8 +269,8 @@ TEST(RandomizedDecomposition, EachPremiseIsNeeded) {
     }
     std::map<std::string, int> counts;
     for (const auto& [what, count] : tried) {
-        counts[what + ": left out"] = count;
-        counts[what + ": wrong then"] = failed[what];
+        counts[what + ": omitted"] = count;
+        counts[what + ": wrong verdicts"] = failed[what];
         // Without the second premise, 12 of 5,019 verdicts were wrong in 30,000 networks.
         const bool rare = what == premises[1].name && count < 3000;
         EXPECT_TRUE(failed[what] > 0 || rare || what == premises[4].name) << what;

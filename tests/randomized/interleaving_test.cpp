@@ -148,7 +148,8 @@ void compare(const SymbolicResult& apart, const SymbolicResult& whole, const Sys
     for (std::size_t i = 0; i < std::min(apart.verdicts.size(), whole.verdicts.size()); ++i) {
         const Verdict &here = apart.verdicts[i], &there = whole.verdicts[i];
         const Property& property = system.properties[here.about];
-        SCOPED_TRACE(property.name + ": " + claim(property, here) + ", whole " + std::string(word(there.outcome)));
+        SCOPED_TRACE(property.name + ": " + claim(property, here) + ", complete model " +
+                     std::string(word(there.outcome)));
         ++seen[claim(property, here)];
         EXPECT_EQ(here.property, there.property);
         if (apart.runs[i]) confirm(system, property, *apart.runs[i]);
@@ -229,10 +230,10 @@ struct Premise {
     void (*grant)(OmittedSubsystem&) = nullptr;
 };
 const Premise premises[] = {
-    {"the others can let time pass for ever", [](OmittedSubsystem& other) { other.diverges = true; }},
-    {"the others never lock time", [](OmittedSubsystem& other) { other.never_locks = true; }},
-    {"the others come to rest", [](OmittedSubsystem& other) { other.rests = true; }},
-    {"the others are settled where time passes", [](OmittedSubsystem& other) { other.settles = true; }},
+    {"the others can let time pass forever", [](OmittedSubsystem& other) { other.diverges = true; }},
+    {"the others have no timelock", [](OmittedSubsystem& other) { other.never_locks = true; }},
+    {"the others become quiescent", [](OmittedSubsystem& other) { other.rests = true; }},
+    {"the others are quiescent when time passes", [](OmittedSubsystem& other) { other.settles = true; }},
 };
 
 /// A part of a system: the verdicts on the properties that read only this part, and the premises that the part fulfils
@@ -314,8 +315,8 @@ TEST(RandomizedInterleaving, EachPremiseIsNeeded) {
         }
     Counts counts;
     for (const auto& [what, count] : tried) {
-        counts[what + ": left out"] = count;
-        counts[what + ": wrong then"] = failed[what];
+        counts[what + ": omitted"] = count;
+        counts[what + ": wrong verdicts"] = failed[what];
         const bool rare = what.ends_with(premises[1].name) && count < 3000;
         EXPECT_TRUE(failed[what] > 0 || rare) << what << " of " << count;
     }

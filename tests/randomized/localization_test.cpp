@@ -46,7 +46,7 @@ int differing(const Network& network, const TimedResult& whole, const TimedResul
         const bool by_cells = here.scope.cells;
         if (by_cells) ++seen["by cells: " + std::string(word(here.outcome))];
         if (by_cells && there.outcome == Outcome::Unknown)
-            ++seen["by cells, of the whole unknown: " + std::string(word(there.obstacle))];
+            ++seen["by cells, unknown in the complete network: " + std::string(word(there.obstacle))];
         if (by_cells && there.obstacle == UnknownReason::Inexact && expected) {
             if (!finer) finer = check_timed(refined(network, 2), {.max_states = 4 * complete_limit});
             const Verdict& found = verdict(*finer, here.property);
@@ -321,17 +321,17 @@ TEST(RandomizedLocalization, EachPremiseIsNeeded) {
         const TimedResult whole = check_timed(network, {.max_states = complete_limit});
         if (!whole.complete) continue;
         for (const Premise& premise :
-             {Premise{"urgency where every value enables", &LocalAblations::urgent_where_possible},
-              Premise{"what is left out writes", &LocalAblations::silent},
+             {Premise{"urgency only if every value enables the edge", &LocalAblations::urgent_where_possible},
+              Premise{"omitted processes write", &LocalAblations::silent},
               Premise{"free values change", &LocalAblations::steady},
-              Premise{"nothing breaks off", &LocalAblations::break_off},
-              Premise{"invariants are proven", &LocalAblations::unproven}}) {
+              Premise{"there are no model errors", &LocalAblations::break_off},
+              Premise{"invariants are proved", &LocalAblations::unproven}}) {
             LocalAblations ablations;
             ablations.*premise.left_out = true;
             std::map<std::string, int> seen;
             const std::string name = premise.name;
-            counts[name + ": wrong without"] += differing(network, whole, by_cells(network, ablations), false, seen);
-            counts[name + ": by cells without"] += seen["by cells: holds"] + seen["by cells: violated"];
+            counts[name + ": wrong without it"] += differing(network, whole, by_cells(network, ablations), false, seen);
+            counts[name + ": by localization without it"] += seen["by cells: holds"] + seen["by cells: violated"];
         }
     }
     print_counts(counts);

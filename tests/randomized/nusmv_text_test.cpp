@@ -55,7 +55,7 @@ std::string module_difference(const System& system, Id<System::Module> id, Nusmv
     }
     if (parameters != there.parameters) return module.name + ": the parameters";
     if (!there.defines.empty() || !there.initial.empty() || !there.next.empty())
-        return module.name + ": something was added";
+        return module.name + ": the text has additional assignments";
     if (there.justice.size() != module.justice.size()) return module.name + ": justice";
     if (id != system.main) return {};
     if (there.instances.size() != system.instances.size()) return "the instances";

@@ -78,7 +78,7 @@ private:
             add(texts_, area_of(text, number));
             const bool in_box = text.kind == "label" || (text.kind == "name" && is(element, "step"));
             if (in_box && !contains(area_of(element.boxes.front(), number, false), texts_.back()))
-                found_.push_back(name(number) + ": its text does not fit");
+                found_.push_back(name(number) + ": the text does not fit into its box");
         }
         bool up = false, arrow = false;
         for (const Drawing::Line& line : element.lines) {
@@ -91,7 +91,8 @@ private:
                                   std::max(from.y, to.y), number, false});
             }
         }
-        if (is(element, "link") && up != arrow) found_.push_back(name(number) + ": an upward link has an arrow");
+        if (is(element, "link") && up != arrow)
+            found_.push_back(name(number) + ": a link must have an arrow exactly if it leads upward");
         if (is(element, "link") && element.lines.empty()) found_.push_back(name(number) + ": no line");
     }
 
@@ -101,11 +102,10 @@ private:
         each_pair(std::move(all), [&](const Area& a, const Area& b) {
             if (a.element == b.element || !meet(a, b)) return;
             const bool inside = (a.frame && contains(a, b)) || (b.frame && contains(b, a));
-            if (!inside) found_.push_back(name(a.element) + " lies on " + name(b.element));
+            if (!inside) found_.push_back(name(a.element) + " overlaps " + name(b.element));
         });
         each_pair(texts_, [&](const Area& a, const Area& b) {
-            if (a.element == b.element && meet(a, b))
-                found_.push_back(name(a.element) + ": its texts lie on each other");
+            if (a.element == b.element && meet(a, b)) found_.push_back(name(a.element) + ": its texts overlap");
         });
     }
 
@@ -130,7 +130,7 @@ private:
                                                                line.top < area.bottom && area.top < line.bottom
                                                          : area.top < line.top && line.top < area.bottom &&
                                                                line.left < area.right && area.left < line.right;
-            if (through) found_.push_back(name(line.element) + " runs through " + name(area.element));
+            if (through) found_.push_back(name(line.element) + " crosses " + name(area.element));
         });
     }
 

@@ -27,13 +27,13 @@ Btor2File::Btor2File(const std::string& text) {
         if (line.op == "sort") {
             std::string kind;
             words >> kind >> sorts_[line.number];
-            if (kind != "bitvec" || sorts_[line.number] > 128) complaint_ = "a sort that is not read: " + row;
+            if (kind != "bitvec" || sorts_[line.number] > 128) complaint_ = "unsupported sort: " + row;
             continue;
         }
         if (line.op != "bad") {
             std::uint64_t sort = 0;
             words >> sort;
-            if (!sorts_.contains(sort)) complaint_ = "no sort: " + row;
+            if (!sorts_.contains(sort)) complaint_ = "unknown sort: " + row;
             line.width = sorts_[sort];
         }
         for (std::string word; words >> word;) {
@@ -45,9 +45,11 @@ Btor2File::Btor2File(const std::string& text) {
                                  : line.op == "sext" || line.op == "slice" ? 1
                                                                            : line.arguments.size();
         for (std::size_t i = 0; i < read; ++i)
-            if (!widths_.contains(static_cast<std::uint64_t>(line.arguments[i]))) complaint_ = "reads ahead: " + row;
+            if (!widths_.contains(static_cast<std::uint64_t>(line.arguments[i])))
+                complaint_ = "a line is used before its definition: " + row;
         if (line.op == "bad") bads_.push_back(line.name);
-        if (line.op == "init" && line.arguments[0] < line.arguments[1]) complaint_ = "init comes too late: " + row;
+        if (line.op == "init" && line.arguments[0] < line.arguments[1])
+            complaint_ = "the initial value has a greater number than the state: " + row;
         widths_[line.number] = line.op == "bad" ? 1 : line.width;
         lines_.push_back(std::move(line));
     }

@@ -245,7 +245,7 @@ TEST(Abc, WrongResultOfTheProgramIsRejected) {
               "engine-disagrees: the program printed no trace for its verdict"},
              {"never L", "echo 'Property proved.'", "the program printed no verdict"},
              {"never L", "exec yes", "the output of the program is too large"},
-             {"never L", "kill -SEGV $$", "the program was ended by signal 11"},
+             {"never L", "kill -SEGV $$", "the program was terminated by signal 11"},
          }) {
         SCOPED_TRACE(lie.script);
         const Folder folder;
@@ -263,7 +263,7 @@ TEST(EngineCommand, ResultsAreValidatedOrUnknown) {
              {"never L", "echo 2 ; true", "the program printed no verdict"},
              {"never L", "echo 1; true", "engine-disagrees: the program printed no trace for its verdict"},
              {"never L", "exit 1; true", "the program printed no verdict"},
-             {"never L", "kill -SEGV $$; true", "the program was ended by signal 11"},
+             {"never L", "kill -SEGV $$; true", "the program was terminated by signal 11"},
          }) {
         SCOPED_TRACE(lie.script);
         const Folder folder;

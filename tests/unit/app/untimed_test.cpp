@@ -262,7 +262,7 @@ TEST(CheckUntimed, WrongResultOfTheProgramIsRejected) {
              {"never L", "exec yes 'my hovercraft is full of eels'", "the output of the program is too large"},
              {"never L", "echo '-- invariant a  is true'; exit 0", "the program printed no verdict"},
              {"never L", "echo '-- invariant a  is true'; echo 'grafverif: end'; kill -SEGV $$",
-              "the program was ended by signal 11"},
+              "the program was terminated by signal 11"},
          }) {
         SCOPED_TRACE(one.answer);
         const Folder folder;

@@ -99,7 +99,7 @@ TEST_F(TuneCommand, InvalidValuesAreRejected) {
     expect_error({"--over", "HIGH=1..3"},
                  "the constant `HIGH` is a duration and cannot have the values `1..3`; write `--over HIGH=1s..20s:1s`");
     expect_error({"--over", "N=1s..3s"}, "the constant `N` is an integer and cannot have the values `1s..3s`");
-    expect_error({"--over", "LAMP=0..1"}, "the constant `LAMP` is a truth value; `--over` accepts numbers");
+    expect_error({"--over", "LAMP=0..1"}, "the constant `LAMP` is Boolean; `--over` accepts numbers");
     expect_error({"--over", "HIGH=9s..3s"}, "the range `9s..3s` of `HIGH` is empty; write the smaller value first");
     expect_error({"--over", "N=1..6:2"},
                  "the step 2 does not divide the range `1..6` of `N`; end the range at 5, or change the step");

@@ -53,7 +53,7 @@ std::string overlaps(const std::string& xml) {
             for (auto b = a + 1; b != list.end() && b->left < a->right; ++b)
                 if (a->top < b->bottom && b->top < a->bottom)
                     found +=
-                        std::string(automaton.child_value("name")) + ": `" + a->what + "` lies on `" + b->what + "`\n";
+                        std::string(automaton.child_value("name")) + ": `" + a->what + "` overlaps `" + b->what + "`\n";
     }
     return found;
 }
