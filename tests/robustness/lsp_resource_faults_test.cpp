@@ -275,7 +275,7 @@ TEST(LspServer, JoinsItsThreadsIfAnExceptionIsThrown) {
         std::copy_n(first.begin(), static_cast<std::ptrdiff_t>(count), buffer.begin());
         return count;
     };
-    const Send send = [](std::string_view) { throw std::logic_error("no way out"); };
+    const Send send = [](std::string_view) { throw std::logic_error("the output is closed"); };
     EXPECT_THROW(converse(receive, send, {}), std::logic_error);
 }
 

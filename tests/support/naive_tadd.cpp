@@ -157,7 +157,7 @@ std::vector<TaddMove> NaiveTadd::successors(const TaddState& state) const {
 Id<Network::Variable> NaiveTadd::variable_id(const std::string& name) const {
     for (const Id<Network::Variable> id : network_.variables.ids())
         if (network_.variables[id].name == name) return id;
-    throw std::out_of_range("no variable " + name);
+    throw std::out_of_range("unknown variable " + name);
 }
 
 std::int64_t NaiveTadd::variable(const TaddState& state, const std::string& name) const {
@@ -169,7 +169,7 @@ std::string NaiveTadd::location(const TaddState& state, const std::string& proce
         if (network_.processes[id].name != process) continue;
         return network_.templates[network_.processes[id].automaton].locations[{state.locations[id.index]}].name;
     }
-    throw std::out_of_range("no process " + process);
+    throw std::out_of_range("unknown process " + process);
 }
 
 Reachable reachable(const Network& network, std::size_t limit) {

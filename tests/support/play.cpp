@@ -57,7 +57,7 @@ namespace {
 Id<Chart::Variable> variable(const Chart& chart, std::string_view name) {
     for (const Id<Chart::Variable> id : chart.variables.ids())
         if (chart.variables[id].name == name) return id;
-    throw std::runtime_error("no variable " + std::string(name));
+    throw std::runtime_error("unknown variable " + std::string(name));
 }
 
 std::string listed(const std::vector<std::string>& words) {

@@ -30,7 +30,7 @@ private:
     }
     std::uint32_t literal() {
         const std::uint32_t value = number();
-        if (value / 2 > file_.most) throw std::runtime_error("a literal is above the greatest");
+        if (value / 2 > file_.most) throw std::runtime_error("a literal exceeds the maximum");
         return value;
     }
 
@@ -40,13 +40,14 @@ private:
         std::istringstream words(line);
         std::string form;
         words >> form;
-        if (form != "aag" && form != "aig") throw std::runtime_error("no AIGER");
+        if (form != "aag" && form != "aig") throw std::runtime_error("not an AIGER file");
         binary_ = form == "aig";
         for (std::uint32_t count = 0; words >> count;) counts_.push_back(count);
         if (counts_.size() < 5 || counts_.size() > 9) throw std::runtime_error("the header has another length");
         counts_.resize(9);
         file_.most = counts_[0];
-        if (binary_ && counts_[0] != counts_[1] + counts_[2] + counts_[4]) throw std::runtime_error("M is wrong");
+        if (binary_ && counts_[0] != counts_[1] + counts_[2] + counts_[4])
+            throw std::runtime_error("M differs from I + L + A");
     }
 
     void body() {
@@ -89,7 +90,7 @@ private:
             value |= static_cast<std::uint32_t>(byte & 0x7F) << shift;
             if ((byte & 0x80) == 0) return value;
         }
-        throw std::runtime_error("a difference is too long");
+        throw std::runtime_error("the encoding of a difference is too long");
     }
 
     std::istringstream in_;

@@ -19,7 +19,7 @@ const std::filesystem::path root = GRAFVERIF_SOURCE_DIR;
 
 std::string content(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::invalid_argument("no file " + path.string());
+    if (!file) throw std::invalid_argument("cannot read " + path.string());
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -41,7 +41,7 @@ void QueryReader::read_query(const std::string& formula, const std::string& comm
         property.operands = {step};
     } else {
         read_formula(cursor, property);
-        if (!cursor.at_end()) throw std::runtime_error("left over in `" + formula + "`");
+        if (!cursor.at_end()) throw std::runtime_error("unexpected text at the end of `" + formula + "`");
     }
     network_.properties.add(std::move(property));
 }

@@ -313,7 +313,7 @@ private:
                                                       : Op::Greater,
                                    reader.sum(cursor)});
         } while (cursor.accept("&&"));
-        if (!cursor.at_end()) throw std::runtime_error("left over in `" + text + "`");
+        if (!cursor.at_end()) throw std::runtime_error("unexpected text at the end of `" + text + "`");
         return network_.exprs.conjunction(data);
     }
 
@@ -352,7 +352,7 @@ private:
                 edge.assignments.push_back({target, terms(&scope).term(cursor)});
             }
         } while (cursor.accept(","));
-        if (!cursor.at_end()) throw std::runtime_error("left over in `" + text + "`");
+        if (!cursor.at_end()) throw std::runtime_error("unexpected text at the end of `" + text + "`");
     }
 
     // -- the system -----------------------------------------------------------------------------------------------

@@ -20,7 +20,7 @@ constexpr const char* oven = "oven_door/oven_door.grafcet";
 /// Returns the variable `name` as a term of `network`.
 Id<Expr> is(Network& network, const std::string& name) {
     const auto found = std::ranges::find(network.variables, name, &Network::Variable::name);
-    if (found == network.variables.end()) throw std::out_of_range("no variable " + name);
+    if (found == network.variables.end()) throw std::out_of_range("unknown variable " + name);
     return network.exprs.leaf(Op::Variable, static_cast<std::uint32_t>(found - network.variables.begin()));
 }
 

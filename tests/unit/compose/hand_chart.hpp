@@ -65,7 +65,7 @@ inline Network composed(const Model& model, const ComposeOptions& options = {}) 
 inline const Network::Template& automaton(const Network& network, const std::string& process) {
     for (const Network::Process& candidate : network.processes)
         if (candidate.name == process) return network.templates[candidate.automaton];
-    throw std::out_of_range("no process " + process);
+    throw std::out_of_range("unknown process " + process);
 }
 
 }  // namespace grafverif

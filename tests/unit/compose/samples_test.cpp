@@ -59,7 +59,7 @@ struct Explored {
                 return !is_considered || tadd.holds(property.operands[0], state) != never;
             });
         }
-        throw std::out_of_range("no property " + name);
+        throw std::out_of_range("unknown property " + name);
     }
     bool time_can_pass(const TaddState& state) const {
         const std::vector<TaddMove> moves = tadd.successors(state);
