@@ -6,7 +6,7 @@ mark_as_advanced(Libedit_INCLUDE_DIR Libedit_LIBRARY)
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(Libedit
     REQUIRED_VARS Libedit_LIBRARY Libedit_INCLUDE_DIR
-    REASON_FAILURE_MESSAGE "install the library that edits lines: apt-get install libedit-dev")
+    REASON_FAILURE_MESSAGE "install the line editor library: apt-get install libedit-dev")
 if(Libedit_FOUND AND NOT TARGET Libedit::Libedit)
     add_library(Libedit::Libedit UNKNOWN IMPORTED)
     set_target_properties(Libedit::Libedit PROPERTIES

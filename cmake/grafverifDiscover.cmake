@@ -13,7 +13,7 @@ execute_process(
             --depfile "${BASE}.d" --depfile-format cmake --depfile-target "${BASE}.cmake" -- "${CHART}"
     RESULT_VARIABLE result OUTPUT_VARIABLE listed)
 if(NOT result EQUAL 0)
-    message(FATAL_ERROR "grafverif takes no chart from ${CHART}, for the reason above")
+    message(FATAL_ERROR "grafverif cannot list the checks of ${CHART}; see the error above")
 endif()
 
 string(JSON count LENGTH "${listed}")

@@ -76,7 +76,7 @@ def eventually(question, seconds=10, what=""):
             answer = None
         if answer:
             return answer
-        assert time.monotonic() < end, f"never within {seconds} s: {what or question}"
+        assert time.monotonic() < end, f"not true within {seconds} s: {what or question}"
         time.sleep(0.02)
 
 

@@ -28,7 +28,7 @@ def test_examples_of_the_page_are_well_typed(tmp_path):
     assert mypy(tmp_path, "--follow-imports", "silent", examples) == ""
     examples.write_text("import grafverif\ngrafverif.read(7).loop().check('P15')['P15'].verdict += 1\n")
     wrong = mypy(tmp_path, examples)
-    assert "arg-type" in wrong and "operator" in wrong, "mypy looks"
+    assert "arg-type" in wrong and "operator" in wrong, "mypy checks the file"
 
 
 def test_the_stub_of_the_core_is_that_of_the_core(tmp_path):

@@ -68,7 +68,7 @@ class Suite(unittest.TestCase):
         try:
             import yaml  # noqa: F401
         except ImportError:
-            self.skipTest("there is no python3-yaml")
+            self.skipTest("python3-yaml is not installed")
         self.write("t/benchmark.yml", "language: ST\nproperties_file: safe.yaml\nvariants:\n"
                    "  - {file: p.st, expected_verdict: true}\n"
                    "  - {file: p.st, expected_verdict: false, properties_file: unsafe.yaml, violated_properties: [P2]}\n")
