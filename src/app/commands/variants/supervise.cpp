@@ -89,7 +89,7 @@ void print_disabled(const Supervised& found, std::ostream& out) {
     if (found.claim != Supervisor::Permissiveness::Least) out << permissiveness_text(found) << '\n';
 }
 
-/// The verdicts in the timed loop without conditions, and the remedy if a property depends on durations.
+/// Prints the verdicts in the timed loop without conditions, and the remedy if a property depends on durations.
 void print_timed(const Supervised& found, std::ostream& out) {
     const auto with = [&](Outcome outcome) {
         std::vector<std::string> names;
