@@ -101,7 +101,7 @@ std::optional<Run> Retiming::fit(const Network& member) const {
 
 namespace {
 
-/// The state of a network, in which clock values that no constraint distinguishes are equal.
+/// Returns the state with equal values in place of clock values that no constraint distinguishes.
 NetworkState capped(NetworkState state, const std::vector<ProcessClocks>& clocks) {
     for (std::size_t process = 0; process < state.clocks.size(); ++process)
         for (std::size_t clock = 0; clock < state.clocks[process].size(); ++clock) {
