@@ -28,7 +28,7 @@ std::vector<Tool> tools(const ServerEnvironment& environment);
 /// Returns the tools as `tools/list` sends them. Before version 2025-06-18, tools had no titles and output schemas.
 Json tool_list(std::span<const Tool> tools, bool structured);
 
-// The tools without their common arguments: chart_tools.cpp, check_tools.cpp, complete_tool.cpp.
+// Functions that return the tools without their common arguments: chart_tools.cpp, check_tools.cpp, complete_tool.cpp.
 Tool read_tool();
 Tool draw_tool();
 Tool simulate_tool();
@@ -46,7 +46,7 @@ Argument mode_argument();
 std::vector<Argument> input_arguments();
 /// Returns the arguments that select a loop or chart of the input, and the execution mode.
 std::vector<Argument> model_arguments();
-/// Arguments for tools that execute closed loops: grain and constants.
+/// Returns the arguments for tools that execute closed loops: grain and constants.
 std::vector<Argument> loop_arguments();
 
 }  // namespace grafverif::mcp
