@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A command that prints a result of `check`, a drawing, or an error, depending on the number of its arguments.
+/// Replaces a command. Prints a result of `check`, a drawing, or an error, depending on the number of its arguments.
 ProgramResult command(const mcp::CommandRun& run) {
     const std::string_view verdicts =
         R"({"model":"m","properties":[{"name":"p","text":null,"file":null,"line":null,"column":null,"verdict":"unknown",)"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests: RecordingCheck accepts a recording if and only if it has an admissible timing. The second route
-// executes the equations of the chart with concrete times. For short recordings, it tries all times and all orders, and
-// checks the outputs by the definition. Long recordings are written with random delays.
+// Randomized tests: RecordingCheck accepts a recording if and only if it has an admissible timing. An independent
+// implementation executes the equations of the chart with concrete times. For short recordings, it tries all times and
+// all orders, and checks the outputs by the definition. Long recordings are written with random delays.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -73,7 +73,7 @@ auto one_of(Random& random, const List& list) {
     return list[below(random, std::size(list))];
 }
 
-/// A loop with the constants A, B (durations) and N (a number).
+/// Returns a loop with the constants A, B (durations) and N (a number).
 std::string random_text(Random& random) {
     const std::vector<std::string> times{"A", "B", "A", "B", "2s", "3s"};
     const auto time = [&] { return one_of(random, times); };

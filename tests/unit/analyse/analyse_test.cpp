@@ -514,8 +514,8 @@ TEST(Analyse, EventsExcludedByAnAbortedRunAreNotTransferredFromParts) {
 }
 
 TEST(Analyse, RunsOfPartsWithoutPossibleTimesAreNotRunsOfTheChart) {
-    // After a rise of `a` the chart is never stable, because of part g. In the shortest run of the other part a timer
-    // expires too late.
+    // After a rising edge of `a`, the chart is never stable, because of part g. In the shortest run of the other part,
+    // a timer expires too late.
     const Analysis found = analysed(R"(
         input a;
         output o;

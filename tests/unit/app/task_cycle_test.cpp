@@ -9,7 +9,7 @@
 namespace grafverif::app {
 namespace {
 
-/// A loop with a light barrier whose pulses last 8 ms. `cycle` is inserted after `controller diverter`.
+/// Returns a loop with a light barrier whose pulses last 8 ms. `cycle` is inserted after `controller diverter`.
 std::string sorter(const std::string& cycle) {
     return "grafcet diverter { input SEEN; output PUSH; initial step 0; step 1 { PUSH; }\n"
            "    transition t0: 0 -> 1 when SEEN; transition t1: 1 -> 0 when 50ms/X1 && !SEEN; }\n"

@@ -10,7 +10,8 @@
 namespace grafverif {
 namespace {
 
-/// A process that leaves l0 at `c0 >= low`; the invariant of l0 is `c0 <= high`. In l1, nothing happens.
+/// Returns a network of one process, which leaves l0 at `c0 >= low`; the invariant of l0 is `c0 <= high`. In l1, nothing
+/// happens.
 Network door(std::int64_t low, std::int64_t high, Op relation = Op::GreaterEqual) {
     Sketch sketch;
     const auto process = sketch.process("door", 2, 1);
@@ -22,7 +23,7 @@ Network door(std::int64_t low, std::int64_t high, Op relation = Op::GreaterEqual
     return sketch.network;
 }
 
-/// The relaxation of two networks of one family.
+/// Returns the relaxation of two networks of one family.
 Network relaxed(const Network& a, const Network& b) {
     const FamilyMember one = member_of(a), other = member_of(b);
     EXPECT_EQ(one.frame, other.frame);

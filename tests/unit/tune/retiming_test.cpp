@@ -12,7 +12,7 @@
 namespace grafverif {
 namespace {
 
-/// Two processes: `a` moves to l1 at exactly `when`, and `b` at any time between `low` and `high`.
+/// Returns a network of two processes: `a` moves to l1 at exactly `when`, and `b` at any time between `low` and `high`.
 Network racing(std::int64_t when, std::int64_t low, std::int64_t high) {
     Sketch sketch;
     const auto a = sketch.process("a", 2, 1), b = sketch.process("b", 2, 1);
@@ -59,7 +59,7 @@ TEST(Retiming, RunsOfOtherNetworksAreRejected) {
     EXPECT_FALSE(decides(racing(9, 5, 8), run, Pattern::Reachable));
 }
 
-/// A light that is off at first, is switched on after `first`, and then blinks with `period`.
+/// Returns a network of a light that is initially off, is switched on after `first`, and then blinks with `period`.
 Network blinking(std::int64_t first, std::int64_t period) {
     Sketch sketch;
     const auto light = sketch.process("light", 3, 1);
@@ -103,7 +103,7 @@ TEST(Retiming, ALoopThatCannotBeRepeatedDecidesNothing) {
     EXPECT_TRUE(decides(expand(limited(5)), stay, Pattern::Inevitable));
 }
 
-/// A process that must leave l0 at `bound` at the latest, but can leave it only from `low` on.
+/// Returns a network of one process that must leave l0 at `bound` at the latest, but can leave it only from `low` on.
 Network gate(std::int64_t low, std::int64_t bound) {
     Sketch sketch;
     const auto process = sketch.process("door", 2, 1);

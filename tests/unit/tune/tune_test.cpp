@@ -164,7 +164,7 @@ TEST(Tune, AModelThatIsRejectedForSomeValuesIsAnError) {
         << station.read.diagnostics_text();
 }
 
-/// A result with two constants and the verdicts of `map`.
+/// Returns a result with two constants and the verdicts of `map`.
 Tuning drawn(const std::string& map) {
     Tuning tuning{.model = "m", .constants = {{"A", of_number, 1, 3, 1, 2}, {"B", of_time, 1000, 4000, 1000, 2000}}};
     tuning.points = 12;
@@ -207,7 +207,8 @@ TEST(Tune, MarginsAreTheNearestOtherVerdicts) {
     EXPECT_EQ(std::pair(margins[1].value, margins[1].distance), std::pair(std::int64_t{1000}, std::int64_t{1000}));
     Tuning elsewhere = tuning;
     elsewhere.constants[0].current = 9;
-    EXPECT_EQ(margins_of(elsewhere, elsewhere.rows[0]).size(), 1U);  // B has none: A is not on the grid
+    // B has no margins, because the current value of A is not on the grid.
+    EXPECT_EQ(margins_of(elsewhere, elsewhere.rows[0]).size(), 1U);
 }
 
 }  // namespace
