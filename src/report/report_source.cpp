@@ -38,8 +38,8 @@ const Span* origin_of(const ReportSource& written, const ChartRun& run, Id<Chart
     return nullptr;
 }
 
-/// Returns the position of a step that is active after the row. If the row belongs to a controller, the step is a step of
-/// this controller.
+/// Returns the position of a step that is active after the row. If the row belongs to a controller, the step is a step
+/// of this controller.
 const Span* origin_of_situation(const ReportSource& written, const ChartRun& run, const ChartRun::Row& row) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
         const Id<Chart> chart = chart_of(written, id);
