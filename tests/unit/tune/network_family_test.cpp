@@ -10,8 +10,8 @@
 namespace grafverif {
 namespace {
 
-/// Returns a network of one process, which leaves l0 at `c0 >= low`; the invariant of l0 is `c0 <= high`. In l1, nothing
-/// happens.
+/// Returns a network of one process, which leaves l0 at `c0 >= low`; the invariant of l0 is `c0 <= high`. In l1,
+/// nothing happens.
 Network door(std::int64_t low, std::int64_t high, Op relation = Op::GreaterEqual) {
     Sketch sketch;
     const auto process = sketch.process("door", 2, 1);
