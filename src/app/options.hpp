@@ -160,7 +160,8 @@ struct PathOption {
     PathUse use = PathUse::Written;
 };
 
-/// Lists every option that names a file or folder, except `--include`. `--output` of `build` is a folder.
+/// Lists every option that names a file or folder, except `--include` and `--within`. `--output` of
+/// `build` is a folder.
 inline constexpr std::array path_options = {
     PathOption{"output", &Options::output, PathUse::Written},
     PathOption{"junit", &Options::junit, PathUse::Written},

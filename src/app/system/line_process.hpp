@@ -37,7 +37,7 @@ struct Reply {
 
 class LineProcess {
 public:
-    /// Starts `command` in the shell. Throws std::system_error.
+    /// Starts `command` in the shell. Throws std::system_error if it cannot be started.
     LineProcess(const std::string& command, const LineProcessLimits& limits);
     LineProcess(const LineProcess&) = delete;
     LineProcess& operator=(const LineProcess&) = delete;

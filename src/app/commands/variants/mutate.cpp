@@ -150,7 +150,7 @@ public:
             next_save_ = std::chrono::steady_clock::now() + between_saves;
         }
     }
-    /// Saves the results. Throws std::system_error.
+    /// Saves the results. Throws std::system_error if the file cannot be written.
     void save() {
         if (!path_ || saved_) return;
         write_files({{*path_, text_}});
