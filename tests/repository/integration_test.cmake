@@ -84,7 +84,7 @@ function(with_cmake generator)
     made_anew("${build}" ${models} ${tests})
     expect_made()
 
-    # A changed include: only the files that include it are built.
+    # A changed include: only the outputs of files that include it are built.
     replace("${source}/gate_controller.grafcet" "5s/X2" "4s/X2")
     must_run("${CMAKE_COMMAND}" --build "${build}" -j2)
     made_anew("${build}" ${models} ${tests})

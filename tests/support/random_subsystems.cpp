@@ -89,8 +89,8 @@ struct PartsGenerator {
         network.processes.add({.name = name, .automaton = id, .initial = {0}});
     }
 
-    /// Returns the condition of quiescence: usually, most urgent edges are disabled, as in compose; sometimes it is
-    /// another condition.
+    /// Returns the condition of quiescence: all urgent edges of the processes from `first_process` on are disabled.
+    /// Sometimes it contains an additional condition.
     Id<Expr> settled_of(std::size_t first_process) {
         std::vector<Id<Expr>> conjuncts;
         for (auto process = static_cast<std::uint32_t>(first_process); process < network.processes.size(); ++process)
