@@ -101,7 +101,7 @@ std::string validate_combinations(const CliCommand& verb, const Options& options
     constexpr std::array needs = {std::pair("from", "trace-svg"), std::pair("to", "trace-svg"),
                                   std::pair("seed", "limit"), std::pair("steps", "random")};
     for (const auto& [one, other] : needs)
-        if (given(one) && !given(other)) return fmt::format("`--{}` needs `--{}`", one, other);
+        if (given(one) && !given(other)) return fmt::format("`--{}` requires `--{}`; add it", one, other);
     if (accepts(verb, OptionGroup::Walk) && given("junit") && !given("script"))
         return "`--junit` requires `--script`; add it";
     constexpr std::array excludes = {std::pair("chart", "loop"), std::pair("chart", "grain"),

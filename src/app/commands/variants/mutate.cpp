@@ -116,7 +116,7 @@ public:
           bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {}
 
     /// Opens the file. Returns false after an error: the file cannot be read, or is not a state file. Throws
-    /// std::system_error.
+    /// std::system_error if it cannot be written.
     bool open(Diagnostics& diagnostics) {
         if (!path_) return true;
         std::string why;
