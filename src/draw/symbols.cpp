@@ -228,8 +228,8 @@ Symbols::Action Symbols::forcing(Id<Chart::ForcingOrder> id) const {
             .twofold = true};
 }
 
-/// Draws actions in a row, connected with the node by a line. If actions have conditions, or the row would be too wide,
-/// they are stacked and connected by a line at the left.
+/// Draws actions in a row, connected with the node by a line. If the row would be too wide, the actions are stacked and
+/// connected by a line at the left.
 void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol) const {
     if (actions.empty()) return;
     int width = 0;

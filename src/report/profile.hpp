@@ -18,7 +18,7 @@ void print_profile(const StateProfile& profile, std::ostream& out);
 
 /// Returns `{"states", "sampled", "inside_cycles", "parts":[{"name", "kind", "combinations", "factor", "place"}],
 /// "clocks":[{"instance", "clock", "greatest", "values", "factor", "place"}], "finest":{"duration", "unit", "coarser",
-/// "place"}}`. Durations and units are in ms.
+/// "factor", "place"}}`. Durations and units are in ms.
 nlohmann::ordered_json profile_json(const StateProfile& profile);
 
 }  // namespace grafverif

@@ -103,7 +103,7 @@ std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::se
     return best;
 }
 
-/// Places nodes with one neighbour outside of the ring, provided that the other nodes form a ring.
+/// Returns an arrangement in which nodes with one neighbour are outside of the ring of the other nodes.
 Arrangement ring_with_pendants(std::size_t nodes, const std::set<Pair>& pairs) {
     const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
     const auto is_pendant = [&](std::size_t node) {
