@@ -96,8 +96,8 @@ private:
             timed_[k] = act.samples && timers_[k] && act.timers[*timers_[k]];
     }
 
-    /// Returns an error if a timer has not expired although its duration has elapsed. At exactly this time, the timer
-    /// need not have expired.
+    /// Returns an error if a timer has expired too early, or has not expired although its duration has elapsed. At
+    /// exactly this time, the timer need not have expired.
     std::string timers_fault() const {
         for (std::size_t k = 0; k < timers_.size(); ++k) {
             if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
