@@ -92,7 +92,7 @@ std::string Names::component_of(const std::string& instance) const {
     return found == components_.end() ? std::string() : found->second;
 }
 
-/// Returns the inputs and outputs that are shared with the element `key`, directly or through several loops.
+/// Returns `key`, and the inputs and outputs that are shared with this element, directly or through several loops.
 std::set<std::string> Names::tied(const std::string& key) const {
     std::set<std::string> found = {key};
     const Declaration* const first = element(key);

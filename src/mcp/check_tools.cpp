@@ -85,7 +85,7 @@ std::string text_of_lines(const Json& lines) {
 
 bool is_expected(const Json& property) { return property.at("verdict") == property.at("expected"); }
 
-/// Converts an element of `properties`. If `always` is false, only a violated or unexpected property has its trace.
+/// Converts an element of `properties`. If `always` is false, only an unexpected property has its trace.
 Json property_of(const Json& found, std::size_t longest_trace, bool always) {
     const bool shown = always || !is_expected(found);
     Json made = {
