@@ -22,7 +22,8 @@ std::vector<std::string> conjuncts(const Draft& draft, Id<tree::Expr> condition)
 
 std::string negated(const std::string& text) { return text.starts_with('!') ? text.substr(1) : '!' + text; }
 
-/// True if two conditions are syntactically exclusive: one has the conjunct `a`, and the other has `!a`.
+/// True if two conditions are syntactically exclusive: one has the conjunct `a` and the other has `!a`, or `one` has
+/// the conjunct `false`.
 bool exclusive(const std::vector<std::string>& one, const std::vector<std::string>& other) {
     return std::ranges::any_of(one, [&](const std::string& text) {
         return text == "false" || std::ranges::find(other, negated(text)) != other.end();

@@ -67,7 +67,7 @@ void comment(Sfc& sfc, Span where, const std::string& text) {
     for (std::string& line : comment_lines(text)) sfc.draft.comment(where, std::move(line));
 }
 
-/// In each expansion, marks the only step without predecessors as entry step, and the only step without successors as
+/// In an expansion, marks the only step without predecessors as entry step, and the only step without successors as
 /// exit step.
 void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem>& items) {
     std::unordered_set<Id<st::Word>> reached, left;
