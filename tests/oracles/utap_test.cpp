@@ -24,7 +24,7 @@ std::string error_texts(const std::string& xml) {
     std::ofstream(file) << xml;
     const int status = std::system(("syntaxcheck " + file.string() + " > " + log.string() + " 2>&1").c_str());
     std::ifstream lines(log);
-    std::string errors = WEXITSTATUS(status) > 2 ? "it broke off\n" : "";
+    std::string errors = WEXITSTATUS(status) > 2 ? "syntaxcheck terminated abnormally\n" : "";
     for (std::string line; std::getline(lines, line);) {
         // A strict invariant causes a warning, and so does an update that assigns only scratch variables.
         const bool warning = line.find("$Strict_invariant") != std::string::npos ||

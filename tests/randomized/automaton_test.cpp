@@ -130,7 +130,7 @@ private:
     std::vector<std::int64_t> inputs_ = {};  ///< indexed by input of the automaton
 };
 
-/// If the chart has two Boolean inputs, adds the constraint that they are not true together.
+/// If the chart has several Boolean inputs, adds the constraint that two of them are not true together.
 void constrain(Chart& chart, Random& random) {
     std::vector<Id<Expr>> inputs;
     for (const Id<Chart::Variable> id : chart.variables.ids())

@@ -36,7 +36,7 @@ public:
         for (int i = 0; i < 12; ++i) pool_.push_back(variable());
     }
 
-    /// Applies one operation to some functions of the pool. The result replaces one of them.
+    /// Applies one operation to some functions of the pool. The result replaces a function of the pool.
     void step() {
         Tabled result = made();
         expect_same(result);

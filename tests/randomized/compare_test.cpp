@@ -35,7 +35,7 @@ struct Met {
     int equal = 0, different = 0, timed = 0, stops = 0, long_ones = 0, shortest = 0, unknown = 0;
 };
 
-/// Executes one chart scan by scan, by an implementation written only for this test.
+/// Executes one chart scan by scan with the interpreter, independently of Lockstep.
 class Plc {
 public:
     Plc(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode), state_(power_on(chart)) {}

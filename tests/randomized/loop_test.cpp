@@ -19,8 +19,8 @@ bool derivable(const Model& model) {
     return !diagnostics.has_errors();
 }
 
-/// Returns the observable part of a state as text: the variables that both grains have, and the locations of the plant
-/// and the timers.
+/// Returns the observable part of a state as text: the variables that both grains have, the locations of the plant and
+/// the timers, and the clocks.
 std::string visible(const Network& network, const TaddState& state) {
     std::string text;
     std::map<std::string, std::int64_t> values;

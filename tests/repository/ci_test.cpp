@@ -169,7 +169,7 @@ std::vector<std::string> workflow_commands(const std::string& log) {
             obeyed.push_back(line);
         }
     }
-    if (!token.empty()) obeyed.emplace_back("commands stay stopped");
+    if (!token.empty()) obeyed.emplace_back("commands remain stopped");
     return obeyed;
 }
 

@@ -80,7 +80,8 @@ std::string name_of(const Block& block) {
     return name;
 }
 
-/// A folder in which the documents' commands run. It contains the samples at the same relative path as the repository.
+/// A folder in which the documents' commands run. It contains the documents, the samples and the templates at
+/// the same relative paths as the repository.
 class Workplace {
 public:
     Workplace() {

@@ -79,7 +79,7 @@ ProgramResult ran(const Words& words) {
                        {.deadline = steady_clock::now() + std::chrono::seconds(120)});
 }
 
-/// Returns `text` without the parts that differ from run to run, namely durations and paths.
+/// Returns `text` without the parts that differ from run to run, namely the path of the folder and all numbers.
 std::string comparable(std::string text, const Folder& folder) {
     for (const std::string& place : {folder.file("")})
         for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place))
@@ -294,8 +294,8 @@ TEST(Init, TwoConcurrentRunsLeaveOneCompleteProjectAndOverwriteNothing) {
     EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "if one file exists, no file is written";
 }
 
-/// Two of the runs of `watch` have unreadable input, and two others run concurrently on one file. All of them end on
-/// request.
+/// Four of the runs of `watch` have unreadable or invalid input, and two others run concurrently on one file. All of
+/// them end on request.
 TEST(Watch, SurvivesUnreadableInputAndLeavesNoProcesses) {
     const Folder folder;
     folder.write("lamp.grafcet",

@@ -28,7 +28,7 @@ Component toggle() {
     return std::move(build.component);
 }
 
-/// Returns a component that increments or decrements OUT every second, within LOW..HIGH.
+/// Returns a component that increments or decrements OUT within LOW..HIGH, at least 1 s after the previous change.
 Component wander() {
     ComponentBuilder build{{.name = "wander"}};
     Exprs& exprs = build.component.exprs;

@@ -25,12 +25,12 @@ namespace {
 
 std::string units_of_plcopen(const std::string& xml) {
     pugi::xml_document document;
-    if (!document.load_string(xml.c_str())) refuse("no XML");
+    if (!document.load_string(xml.c_str())) refuse("not XML");
     std::string text;
     for (const pugi::xml_node pou : document.child("project").child("types").child("pous").children("pou")) {
         const std::string type = pou.attribute("pouType").value();
         const std::string word = type == "program" ? "PROGRAM" : type == "functionBlock" ? "FUNCTION_BLOCK" : "";
-        if (word.empty()) refuse("no unit: " + type);
+        if (word.empty()) refuse("not a unit: " + type);
         text += word + ' ' + pou.attribute("name").value() + '\n';
         for (const pugi::xml_node section : pou.child("interface").children()) {
             const std::string name = section.name();
@@ -82,7 +82,7 @@ std::unique_ptr<SmallPlc::Instance> SmallPlc::instance(const std::string& type) 
         return made;
     }
     made->unit = unit_named(st::capitals(type));
-    if (made->unit == nullptr) refuse("no unit `" + type + "`");
+    if (made->unit == nullptr) refuse("unknown unit `" + type + "`");
     for (const st::Variable& variable : made->unit->variables) {
         const std::string called = name(variable.name.word);
         const std::string of = name(variable.type.name.word);
@@ -97,7 +97,7 @@ std::unique_ptr<SmallPlc::Instance> SmallPlc::instance(const std::string& type) 
 
 void SmallPlc::set(const std::string& variable, std::int64_t value) {
     const auto found = main_->values.find(st::capitals(variable));
-    if (found == main_->values.end()) refuse("no variable `" + variable + "`");
+    if (found == main_->values.end()) refuse("unknown variable `" + variable + "`");
     found->second = value;
 }
 
@@ -105,7 +105,7 @@ bool SmallPlc::has(const std::string& variable) const { return main_->values.con
 
 std::int64_t SmallPlc::value(const std::string& variable) const {
     const auto found = main_->values.find(st::capitals(variable));
-    if (found == main_->values.end()) refuse("no variable `" + variable + "`");
+    if (found == main_->values.end()) refuse("unknown variable `" + variable + "`");
     return found->second;
 }
 
@@ -201,7 +201,7 @@ std::int64_t SmallPlc::evaluate(Id<st::Expr> expression, Instance& instance) con
     case st::Op::Time: return node.value;
     case st::Op::Name: {
         const auto found = instance.values.find(name(node.word));
-        if (found == instance.values.end()) refuse("no variable `" + name(node.word) + "`");
+        if (found == instance.values.end()) refuse("unknown variable `" + name(node.word) + "`");
         return found->second;
     }
     case st::Op::Member: {

@@ -152,7 +152,7 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
         std::string error_text = {};
     };
     for (const Case& each : std::vector<Case>{
-             {{"check", file, "--from", "3"}, "`--from` needs `--trace-svg`"},
+             {{"check", file, "--from", "3"}, "`--from` requires `--trace-svg`; add it"},
              {{"check", file, "--max-steps", "3"}, "`--max-steps` applies only to `--engine bmc`"},
              {{"check", file, "--engine-command", ""}, "the value of `--engine-command` is empty"},
              {{"check", file, "--chart", "c", "--loop", "l"},
@@ -161,13 +161,13 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
              {{"check", file, "--properties", "p.yaml", "--list"}, "`--properties` checks a PLC program"},
              {{"simulate", file, "--chart", "c", "--grain", "atomic"},
               "`--chart` and `--grain` are mutually exclusive; remove one"},
-             {{"simulate", file, "--steps", "3"}, "`--steps` needs `--random`"},
+             {{"simulate", file, "--steps", "3"}, "`--steps` requires `--random`; add it"},
              {{"simulate", file, "--junit", "r.xml"}, "`--junit` requires `--script`; add it"},
              {{"simulate", file, "--script", "s", "--random", "1"},
               "`--script` and `--random` are mutually exclusive; remove one"},
              {{"test", file, "--against", "x", "--sequence", "s", "--cover", "locations"},
               "`--sequence` and `--cover` are mutually exclusive; remove one"},
-             {{"mutate", file, "--seed", "3"}, "`--seed` needs `--limit`"},
+             {{"mutate", file, "--seed", "3"}, "`--seed` requires `--limit`; add it"},
              {{"mutate", file, "--limit", "0"}, "invalid value of `--limit`; use a number from 1"},
              {{"supervise", file, "--marked", ""}, "the value of `--marked` is empty"},
              {{"watch", "chekc", file}, "unknown command `chekc`; did you mean `check`?"},

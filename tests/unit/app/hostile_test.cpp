@@ -76,7 +76,7 @@ std::string dirt(const std::string& text) {
     try {
         static_cast<void>(Json(text).dump());
     } catch (const Json::type_error&) {
-        return "no UTF-8";
+        return "not UTF-8";
     }
     return {};
 }
@@ -264,7 +264,7 @@ TEST(Hostile, NoCommentOfATestEndsEarly) {
 TEST(Hostile, DocumentsAreReadBackWhole) {
     const Folder folder;
     for (const std::string& text : hostile_strings) {
-        if (!fits_a_text(text) || dirt(text) == "no UTF-8") continue;
+        if (!fits_a_text(text) || dirt(text) == "not UTF-8") continue;
         const std::string file = folder.write("loop.grafcet", loop_with(text));
         const Result checked = grafverif({"check", file, "--format", "json", "--junit", folder.file("r.xml"),
                                           "--trace-svg", folder.file("t.svg"), "--trace-vcd", folder.file("t.vcd")});

@@ -57,7 +57,7 @@ bool holds_at(const Network& network, const Property& property, std::size_t oper
 
 void confirm(const Network& network, const Property& property, const Verdict& verdict) {
     const auto states = replay(network, *verdict.run);
-    ASSERT_TRUE(states) << "the run does not replay";
+    ASSERT_TRUE(states) << "the run fails the replay";
     const NetworkState& last = states->back();
     const auto holds = [&](std::size_t operand, const NetworkState& state) {
         return holds_at(network, property, operand, state);

@@ -147,7 +147,7 @@ TEST(Replay, DetectsAnOmittedAssignment) {
     EXPECT_GE(caught * 10, mutants * 6) << caught << " of " << mutants;
 }
 
-/// Returns true if a random walk through the network does not replay.
+/// Returns true if a random walk through the network fails the replay.
 bool is_caught(const LoopUnderTest& loop) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed);
