@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Writes files completely or not at all. The guarantees, and their implementation, are:
 //
-//   a file    A reader sees the old content or the new one, never a part. The new content is written to a draft of an
-//             unpredictable name in the same folder, flushed to the disk, and renamed.
+//   a file    A reader reads the old content or the new content, never a part. The new content is written to a draft
+//             with an unpredictable name in the same folder, flushed to the disk, and renamed.
 //   a set     After an error nothing has changed: renamed files are renamed back. SIGINT, SIGTERM and SIGHUP are
 //             postponed until the set is written. SIGKILL or a loss of power cannot be postponed and can leave a set
 //             of which some files are new and others old, each of them complete: POSIX renames one file at a time.
 //   two runs  A lock (flock) on each folder serializes them, so that one complete set remains. If the file system has
-//             no such locks, they are not serialized, and drafts of killed runs stay; otherwise the next run in that
+//             no such locks, they are not serialized, and drafts of killed runs remain; otherwise the next run in that
 //             folder removes them.
 #pragma once
 
