@@ -95,7 +95,7 @@ private:
         flags[running.element] = false;
     }
 
-    /// Chooses the number of changes of each input, from signal `k` on, that the instant sees.
+    /// Chooses the number of changes of each input, from signal `k` on, that the instant observes.
     void choose_inputs(std::size_t k, const Zone& zone, bool caused) {
         if (check_.limit_ != Limit::None) return;
         if (k == check_.signals_.size()) {
@@ -135,7 +135,8 @@ private:
         write_outputs(0, std::move(next));
     }
 
-    /// Notes a model error of the instant if a later instant can still see each change that this instant does not see.
+    /// Notes a model error of the instant if a later instant can still observe each change that this instant does not
+    /// observe.
     void note_problem(Zone zone, const std::string& problem) const {
         if (!check_.problem_.empty()) return;
         for (std::size_t k = 0; k < check_.signals_.size(); ++k)
@@ -214,8 +215,8 @@ private:
         return std::clamp(cause_time(), zone.lower(now_), zone.upper(now_));
     }
 
-    /// Returns the time of the latest event that the instant sees, which is the time of the instant if the controller
-    /// reacts immediately.
+    /// Returns the time of the latest event that the instant observes, which is the time of the instant if the
+    /// controller reacts immediately.
     Ticks cause_time() const {
         Ticks time = from_.history ? from_.typical[last] : check_.begin_;
         for (const Running& running : running_)
@@ -328,7 +329,7 @@ void RecordingCheck::advance() {
 /// Notes the output that ends the hypothesis, if it explains a longer part of the recording than the other ones.
 void RecordingCheck::end(const Hypothesis& hypothesis) {
     const Ticks jitter = settings_.jitter;
-    Ticks other = Zone::unbounded;  // deadline of an event that another hypothesis sees together with an earlier one
+    Ticks other = Zone::unbounded;  // deadline of an event that another hypothesis observes with an earlier one
     for (std::size_t k = 0; k < elements_.size(); ++k) {
         const auto deadline = [&](std::size_t start, std::int64_t milliseconds) {
             if (start == 0) return;
@@ -363,8 +364,8 @@ void RecordingCheck::relax(Hypothesis& hypothesis) const {
         if (const Change* const change = signals_[k].at(hypothesis.used[k]); signals_[k].input && change != nullptr)
             next = std::min(next, change->time);
     next -= settings_.jitter;
-    // The next instant either sees a change of an input, and is then not before `next`, or sees that a time has elapsed
-    // after the last instant.
+    // The next instant either observes a change of an input, and is then not before `next`, or it observes that a time
+    // has elapsed after the last instant.
     if (hypothesis.zone.upper(last) < next) hypothesis.zone.assign(last, begin_ - settings_.jitter - 1);
 }
 

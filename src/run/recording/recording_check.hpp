@@ -4,18 +4,18 @@
 // An admissible timing, with jitter J, consists of the instants at which the chart executes cycles, with at least one
 // tick between them, such that:
 //   power-on   the first instant is at most J before or after the first sample, which has the first values of inputs
-//   inputs     each recorded change of an input at time t is seen by an instant in [t - J, t + J]. The changes of one
-//              input are seen in their order, several possibly by the same instant, which then sees the last value.
-//              Changes of different inputs may be seen in any order
-//   times      an instant sees that a time T of the chart, which started at instant s, has elapsed if and only if it is
-//              not before s + T; at least one instant is in [s + T, s + T + J], unless the time has been stopped
+//   inputs     each recorded change of an input at time t is observed by an instant in [t - J, t + J]. The changes of
+//              one input are observed in their order. If an instant observes several of them, it reads the last value.
+//              Changes of different inputs may be observed in any order
+//   times      an instant observes that a time T of the chart, which started at instant s, has elapsed if and only if
+//              it is not before s + T; at least one instant is in [s + T, s + T + J], unless the time has been stopped
 //   outputs    each change of an output by an instant e is recorded at a time in [e - J, e + J]. The changes of one
 //              output are recorded in their order. If several are recorded at the same time, only the last value is
-//              visible. The result is the recorded output. Before the first sample, it has its initial value
+//              visible. The resulting values are the recorded output. Before the first sample, it has its initial value
 // An instant reads the inputs once. If it has a model error (total instability, race, value out of range), the timing
 // ends there; if no other timing is admissible, the verdict is unknown.
-// Each instant sees a change of an input or that a time has elapsed. The recording deviates if it has no admissible
-// timing, independently of its continuation after the last sample.
+// Each instant observes a change of an input, or that a time has elapsed. The recording deviates if it has no
+// admissible timing, independently of its continuation after the last sample.
 //
 // Method: a hypothesis is a state of the chart with a zone of the instants that matter for its future. All hypotheses
 // together represent all admissible timings up to the current time. Each hypothesis is expanded when the recording is
@@ -103,8 +103,8 @@ private:
     };
     struct Hypothesis {
         StatePointer state = {};
-        std::vector<std::int64_t> inputs = {};   ///< for each variable: value of an input that the chart has seen
-        std::vector<std::uint64_t> used = {};    ///< for each signal: number of changes that are seen or explained
+        std::vector<std::int64_t> inputs = {};   ///< for each variable: last value of an input that was read
+        std::vector<std::uint64_t> used = {};    ///< for each signal: number of observed or explained changes
         std::vector<std::int64_t> visible = {};  ///< for each signal: an output's recorded value after these changes
         Zone zone = {};                          ///< variable 1 is the last instant
         std::vector<std::size_t> rise = {},
