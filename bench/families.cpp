@@ -66,7 +66,7 @@ void add_ring(Family& family, std::size_t steps) {
     family.steps += steps;
 }
 
-/// Adds the steps that close the branches below `step`.
+/// Adds branches below `step`, which may contain branches themselves. Returns the last step of each branch.
 std::vector<std::size_t> add_branches(Family& family, std::size_t step, std::size_t levels, std::size_t branches) {
     std::vector<std::size_t> opened, closing;
     for (std::size_t k = 0; k < branches; ++k) opened.push_back(family.step());

@@ -84,7 +84,7 @@ struct Execution {
     EquationsState state = {};
     Ticks last = 0;  ///< time of the last instant
     std::vector<std::int64_t> values = {};
-    std::map<std::size_t, std::size_t> seen = {};  ///< for each input: number of seen entries
+    std::map<std::size_t, std::size_t> seen = {};  ///< for each input: number of observed entries
     std::map<std::size_t, History> changes = {};   ///< for each output
 };
 
@@ -119,7 +119,7 @@ public:
         return false;
     }
 
-    /// Appends an instant that sees `seen`. Returns false if the chart has no result.
+    /// Appends an instant that observes `seen`. Returns false if the chart has no result.
     bool append(Execution& timing, Ticks time, const std::map<std::size_t, std::size_t>& seen) const {
         if (timing.state.started) timing.state = pass_time(std::move(timing.state), time - timing.last);
         timing.seen = seen;
@@ -227,7 +227,7 @@ History random_history(const Chart::Variable& variable, Ticks begin, Ticks end, 
 std::optional<Execution> random_timing(const Timings& timings, Random& random) {
     const Recording& recording = timings.recording();
     const auto delay = [&](Ticks least) { return random_number(random, least, recording.jitter); };
-    std::map<std::size_t, std::vector<Ticks>> times;  // time at which the controller sees each change
+    std::map<std::size_t, std::vector<Ticks>> times;  // time at which the controller observes each change
     for (const auto& [input, history] : recording.inputs) {
         Ticks earliest = recording.begin - recording.jitter;
         for (const TimedValue& change : history)

@@ -41,11 +41,11 @@ private:
 void limit_heap(std::size_t bytes);
 /// Removes the limit of limit_heap and all refusals that are still pending in any thread.
 void lift_limits();
-/// Returns the maximum number of bytes in use since the last call.
+/// Returns the maximum number of bytes in use since the previous call.
 std::size_t peak_of_heap();
 std::size_t heap_in_use();
 
-/// Refuses all threads except the first `count` ones that this thread starts during the lifetime of the object.
+/// During the lifetime of the object, allows this thread to start only `count` threads.
 class FewThreads {
 public:
     explicit FewThreads(int count);

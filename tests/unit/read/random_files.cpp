@@ -27,7 +27,7 @@ struct Dice {
 
 std::string number(std::size_t n) { return std::to_string(n); }
 
-/// Comments that a careless translation would turn into chart elements.
+/// Comments whose text becomes part of the chart if the translation does not escape it.
 constexpr std::array comments = {"plain", "two\nlines", "a return\rgrafcet intruder {", "*/ } // grafcet", "\xC3\xBC",
                                  "",      " \t "};
 
