@@ -17,7 +17,8 @@ Script script_of(std::string_view text) {
             script.error_texts.emplace_back(number, bad->error_text);
         if (std::holds_alternative<SaveCommand>(next.command))
             script.error_texts.emplace_back(number, "`save` is allowed only interactively; remove it from the script");
-        if (ends && open.empty()) script.error_texts.emplace_back(number, "this `}` closes no `repeat`; remove it");
+        if (ends && open.empty())
+            script.error_texts.emplace_back(number, "this `}` does not close a `repeat`; remove it");
         if (std::holds_alternative<RepeatCommand>(next.command)) open.push_back(script.lines.size());
         else if (ends && !open.empty()) open.pop_back();
         script.lines.push_back(std::move(next));
