@@ -41,7 +41,7 @@ bool nests_too_deep(std::string_view json) {
 
 Item item_of(Framed framed) {
     if (!framed.error_text.empty()) return {.error_text = std::move(framed.error_text)};
-    if (nests_too_deep(framed.body)) return {.error_text = "the message nests too deeply"};
+    if (nests_too_deep(framed.body)) return {.error_text = "the message is nested too deeply"};
     Json message = Json::parse(framed.body, nullptr, false);
     if (message.is_discarded()) return {.error_text = "the message is not valid JSON"};
     return {.message = std::make_shared<const Json>(std::move(message))};
