@@ -268,7 +268,7 @@ void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     }
 }
 
-/// Turns each Boolean variable that continuous actions drive into an output, even if the file declares the variable as
+/// Converts each Boolean variable that continuous actions drive to an output, even if the file declares the variable as
 /// internal or without a type. The meaning is unchanged: conditions that name the variable read the steps that drive
 /// it.
 void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& chart,

@@ -75,7 +75,8 @@ private:
         std::map<std::string, YAML::Node> entries;
         for (const auto& entry : from) {
             if (!entry.first.IsScalar()) {
-                reject(where(entry.first), "this key is not a word", "use `id`, `kind`, `expression` or `variables`");
+                reject(where(entry.first), "this key is not a single word",
+                       "use `id`, `kind`, `expression` or `variables`");
                 continue;
             }
             if (!entries.emplace(entry.first.Scalar(), entry.second).second)
@@ -88,7 +89,8 @@ private:
                 return {};
             }
             if (found->second.IsScalar() && !found->second.Scalar().empty()) return found->second.Scalar();
-            reject(where(found->second), "`" + std::string(key) + "` is not a word", "write a single value");
+            reject(where(found->second), "`" + std::string(key) + "` is empty or has several values",
+                   "write a single value");
             return {};
         };
         const auto name = word("id");
