@@ -97,7 +97,7 @@ public:
     const std::set<TaddState>& states() const { return states_; }
 
 private:
-    void rest();  ///< Takes edges until time can pass, and drops the states in which time cannot pass.
+    void rest();  ///< Takes edges until time can pass, and discards the states in which time cannot pass.
 
     Network network_;
     NaiveTadd tadd_;

@@ -210,7 +210,7 @@ TEST(Simulate, ReadsTheCompleteScriptBeforeTheFirstMove) {
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, script + ":3: error: unknown command `press`; list the commands with `help`\n" + script +
-                              ":5: error: this `}` closes no `repeat`; remove it\n" + script +
+                              ":5: error: this `}` does not close a `repeat`; remove it\n" + script +
                               ":6: error: `repeat` is not closed; add `}`\n");
     const Result unknown = grafverif(
         {"simulate", blinker, "--script", folder.write("u.txt", "expect NOBODY\n"), "--junit", folder.file("r.xml")});
