@@ -40,8 +40,8 @@ struct Tally {
 };
 Tally tally(const Report& report);
 
-/// True if the report has a verdict on the property or on one of its steps (`S.X7`). The result is false if the model
-/// of the report omits the property.
+/// True if the report has a verdict on the property, or on one of the steps for which it is checked (`S.X7`). The result
+/// is false if the model of the report omits the property.
 bool has_result(const Report& report, const Property& property);
 
 }  // namespace grafverif

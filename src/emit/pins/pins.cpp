@@ -35,7 +35,7 @@ Spelling spelling(Op op) {
     }
 }
 
-/// Returns `text`, escaped for a C string or comment.
+/// Returns `text`, in which `_` replaces the characters that are not allowed in a C string or comment.
 std::string harmless(std::string_view text) {
     std::string result;
     for (const char character : printable(text)) {
