@@ -154,7 +154,7 @@ Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit) 
 
 Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit) {
     return error("too-large", where,
-                 fmt::format("the equation of {} nests deeper than {} levels, because outputs in conditions are "
+                 fmt::format("the equation of {} is nested deeper than {} levels, because outputs in conditions are "
                              "replaced by their equations; read internal variables instead",
                              what, limit));
 }

@@ -71,7 +71,7 @@ Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit) {
 
 Diagnostic too_deep(Span where, std::size_t limit) {
     return error("too-deep", where,
-                 fmt::format("the expression nests deeper than {} levels; use internal variables", limit));
+                 fmt::format("the expression is nested deeper than {} levels; use internal variables", limit));
 }
 
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant) {
