@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Randomized tests of the advice in reports about invariants that block time and about steps that are never active. The
-// network simulator is the independent computation.
+// expected results are computed with the network simulator.
 #include <gtest/gtest.h>
 
 #include <algorithm>
