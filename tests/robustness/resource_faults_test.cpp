@@ -25,7 +25,7 @@ const std::string lamp =
     "property lit: reachable LAMP; property one: exactly one of { X0, X1 }; property never_lit: never LAMP; }\n";
 
 TEST(RefusedMemory, VerdictsOfTheSolversAreUnknownOrCorrect) {
-    if (sanitized) GTEST_SKIP() << "sanitizers have their own allocator";
+    if (sanitized) GTEST_SKIP() << "sanitizers replace the allocator";
     using Method = PdrOptions::Method;
     const TransitionSystem system = untimed_text(lamp, {.plant = PlantApproach::Automata});
     std::size_t refused = 0;

@@ -118,7 +118,7 @@ TEST(BddLimits, LongOperationStopsAtItsDeadline) {
     const Bdd f = neighbours(space, many);
     EXPECT_EQ(cause_of([&] { (void)TakenApart(many).renaming(f); }), BddExhausted::Cause::Stopped);
     EXPECT_GE(Clock::now() - start, std::chrono::milliseconds(200));
-    EXPECT_LE(Clock::now() - start, std::chrono::seconds(5)) << "generous: machines may be busy";
+    EXPECT_LE(Clock::now() - start, std::chrono::seconds(5)) << "the limit allows for a busy machine";
 }
 
 TEST(BddLimits, LongOperationStopsOnRequestOfAnotherThread) {

@@ -47,8 +47,8 @@ TEST(Localization, AbstractionKeepsItsFragmentAndTheEffectsOfTheRest) {
     for (const Network::Process& process : local.network.processes) names.push_back(process.name);
     EXPECT_EQ(names, (std::vector<std::string>{"Clamp_2", "Clamp_Sen_2", "Drill_2", "Drill_Sen_2", "PLC", "rest"}));
     EXPECT_EQ(local.borders, (std::vector<std::uint32_t>{3, 4})) << "the buffers";
-    EXPECT_EQ(local.tied, (std::vector<std::uint32_t>{0, 2, 3, 4})) << "and the charts, by `stable`";
-    EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "this edge wakes the PLC";
+    EXPECT_EQ(local.tied, (std::vector<std::uint32_t>{0, 2, 3, 4})) << "the charts are included because of `stable`";
+    EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "this edge causes a cycle of the PLC";
 }
 
 TEST(Localization, UrgentEdgeStopsTimeOnlyIfEveryFreeValueEnablesIt) {

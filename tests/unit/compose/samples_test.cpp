@@ -124,7 +124,7 @@ std::size_t sleeping(const Explored& loop) {
 TEST(Stable, WithoutItTheTransientOfFigure27LeavesTheControllerAsleep) {
     EXPECT_GT(sleeping(Explored(axis, {.ablations = {.cycle_unless_stable = true}})), 0U);
     EXPECT_EQ(sleeping(Explored(axis, {})), 0U);
-    EXPECT_EQ(sleeping(Explored(axis, {.mode = ExecutionMode::EveryCycle})), 0U) << "the mode is not to blame";
+    EXPECT_EQ(sleeping(Explored(axis, {.mode = ExecutionMode::EveryCycle})), 0U) << "the mode is not the cause";
 }
 
 TEST(Samples, TheOvenDoorNeverForcesItsBoltAndReachesEveryStep) {

@@ -172,7 +172,7 @@ TEST(EmitNusmv, FormulasThatTheModelCannotExpressAreOmittedInTheirPlaces) {
     EXPECT_EQ(expressible.omitted[0].reason, "the model does not declare `press.X_7`");
     EXPECT_EQ(expressible.omitted[0].before, 0u);
     EXPECT_EQ(expressible.omitted[1].property.name, "before");
-    EXPECT_EQ(expressible.omitted[1].before, 0u) << "still before P1";
+    EXPECT_EQ(expressible.omitted[1].before, 0u) << "it also precedes P1";
     EXPECT_EQ(expressible.omitted[2].property.name, "P3");
     EXPECT_EQ(expressible.omitted[2].before, 2u);
 }
