@@ -153,7 +153,7 @@ SmallPlc::Flow SmallPlc::execute(const st::Statement& statement, Instance& insta
     case st::StatementKind::Repeat:  // MATIEC executes this statement incorrectly
     case st::StatementKind::Exit: break;
     }
-    refuse("a statement that is never written");
+    refuse("an unsupported statement");
 }
 
 SmallPlc::Flow SmallPlc::choose(const st::Statement& statement, Instance& instance) {
@@ -181,11 +181,11 @@ SmallPlc::Flow SmallPlc::repeat(const st::Statement& statement, Instance& instan
 void SmallPlc::call(Id<st::Expr> expression, Instance& instance) {
     const std::vector<Id<st::Expr>> parts = st::operands(file_, expression);
     const auto block = instance.blocks.find(name(file_.exprs[parts.at(0)].word));
-    if (block == instance.blocks.end()) refuse("no block to call");
+    if (block == instance.blocks.end()) refuse("a call of a variable that is not a block");
     for (std::size_t k = 1; k < parts.size(); ++k) {
         const auto parameter = block->second->values.find(name(file_.exprs[parts[k]].word));
         if (file_.exprs[parts[k]].op != st::Op::Argument || parameter == block->second->values.end())
-            refuse("no parameter");
+            refuse("unknown parameter");
         parameter->second = evaluate(file_.exprs[parts[k]].first, instance);
     }
     run(*block->second);
@@ -206,13 +206,13 @@ std::int64_t SmallPlc::evaluate(Id<st::Expr> expression, Instance& instance) con
     }
     case st::Op::Member: {
         const auto block = instance.blocks.find(name(file_.exprs[parts.at(0)].word));
-        if (block == instance.blocks.end()) refuse("no block `" + name(file_.exprs[parts.at(0)].word) + "`");
+        if (block == instance.blocks.end()) refuse("unknown block `" + name(file_.exprs[parts.at(0)].word) + "`");
         const auto found = block->second->values.find(name(node.word));
-        if (found == block->second->values.end()) refuse("no member `" + name(node.word) + "`");
+        if (found == block->second->values.end()) refuse("unknown member `" + name(node.word) + "`");
         return found->second;
     }
     case st::Op::Call:
-        if (name(file_.exprs[parts.at(0)].word) != "SEL" || parts.size() != 4) refuse("no function");
+        if (name(file_.exprs[parts.at(0)].word) != "SEL" || parts.size() != 4) refuse("unknown function");
         return evaluate(parts[evaluate(parts[1], instance) != 0 ? 3 : 2], instance);
     case st::Op::Not: return evaluate(parts.at(0), instance) == 0 ? 1 : 0;
     case st::Op::Negate: return combine(st::Op::Minus, 0, evaluate(parts.at(0), instance));
@@ -247,7 +247,7 @@ std::int64_t SmallPlc::combine(st::Op op, std::int64_t left, std::int64_t right)
     case st::Op::NotEqual: return left != right;
     case st::Op::And: return (left != 0 && right != 0) ? 1 : 0;
     case st::Op::Or: return (left != 0 || right != 0) ? 1 : 0;
-    default: refuse("an operator that is never written");
+    default: refuse("an unsupported operator");
     }
 }
 
