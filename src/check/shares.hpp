@@ -33,11 +33,11 @@ inline Deadline share_of(const Deadline& deadline, std::size_t shares) {
     return now + (*deadline - now) / shares;
 }
 
-/// Returns the time at which an eighth of the remaining time will be left; empty without a deadline.
+/// Returns the time at which a sixteenth of the remaining time will be left; empty without a deadline.
 inline Deadline most_of(const Deadline& deadline) {
     const auto now = std::chrono::steady_clock::now();
     if (!deadline || *deadline <= now) return deadline;
-    return *deadline - (*deadline - now) / 8;
+    return *deadline - (*deadline - now) / 16;
 }
 
 /// Adds the number of states that `searches` explored to the reason of a verdict that is unknown because of a time or

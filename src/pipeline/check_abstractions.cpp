@@ -60,6 +60,7 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
     timed.max_states = limits.local;
     timed.jobs = options.jobs;
     timed.timelock = false;
+    timed.profile = ProfileFor::None;
     std::map<std::string_view, Id<Property>> requested;
     for (const std::size_t index : selected_properties(check.system, options.properties)) {
         const Id<Property> id{static_cast<std::uint32_t>(index)};

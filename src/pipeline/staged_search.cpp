@@ -43,7 +43,7 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
         };
     timed.jobs = options.jobs;
     timed.covering = !options.whole;
-    timed.profile = options.profile;
+    timed.profile = options.profile ? ProfileFor::All : ProfileFor::IfLarge;
     timed.many = options.many;
     return timed;
 }
@@ -57,6 +57,8 @@ StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, cons
       network_(network),
       options_(timed_options(loop, options)) {
     options_.timelock = timelock && !is_watched_;
+    if (is_watched_)
+        options_.profile = ProfileFor::None;  // a report contains the profile of the loop without observers
 }
 
 void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, const InputLimits& inputs) {

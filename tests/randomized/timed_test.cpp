@@ -429,7 +429,7 @@ TEST(RandomizedTimedEngine, EveryQuiescentStateOfGrainAtomicIsReachedInGrainPhas
                                        .pattern = Pattern::Reachable,
                                        .operands = {term}});
             }
-            const TimedResult result = check_timed(phased, {.max_states = 300'000, .profile = true});
+            const TimedResult result = check_timed(phased, {.max_states = 300'000, .profile = ProfileFor::All});
             for (const Property& property : phased.properties) EXPECT_EQ(outcome_text(result, property.name), "holds");
             if (result.complete && result.errors.empty() && result.profile->sampled == result.states) {
                 EXPECT_LE(check_timed(atomic).states, result.states - result.profile->inside_cycles);

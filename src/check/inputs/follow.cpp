@@ -340,16 +340,15 @@ private:
 
     void expand(std::size_t node) {
         const std::size_t stage = states_.mark(node);
-        const std::vector<Word> at(states_.words(node), states_.words(node) + layout_.words);
-        machine_.expand(at.data(), moves_);
+        states_.load(node, now_);
+        machine_.expand(now_.data(), moves_);
         const bool urgent = moves_.urgent;
         for (std::size_t i = 0; i < moves_.edges.size() && !shown_; ++i) {
             const Fire fire{machine_.process_of(moves_.edges[i]), machine_.edge_of(moves_.edges[i])};
-            if (may_move(at.data(), stage, fire.process))
+            if (may_move(now_.data(), stage, fire.process))
                 add(moves_.words.data() + i * layout_.words, node, stage, fire);
         }
-        std::vector<Word> later = at;
-        if (!urgent && !shown_ && machine_.delay(later.data())) add(later.data(), node, stage, Delay{1});
+        if (!urgent && !shown_ && machine_.delay(now_.data())) add(now_.data(), node, stage, Delay{1});
     }
 
     /// Returns the instances that the last reached stage constrains. If there are none, returns the instances that the
@@ -381,6 +380,7 @@ private:
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};
+    std::vector<Word> now_ = {};  // the state that is expanded
     timed::Moves moves_ = {};
     timed::PropertyMonitor::Registers registers_ = {};
 };

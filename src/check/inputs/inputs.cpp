@@ -198,7 +198,7 @@ void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End en
 
 TimedResult InputAbstractionCheck::searched(const Network& network, const InputAbstraction& abstraction,
                                             TimedOptions options, const Task& task) {
-    options.profile = false;
+    options.profile = ProfileFor::None;
     options.many = {};
     options.choices = abstraction.choices;
     options.max_states = std::min(round_, bound_of(task));

@@ -95,14 +95,13 @@ private:
     }
 
     void expand(std::size_t state) {
-        const std::vector<timed::Word> at(states_.words(state), states_.words(state) + machine_.layout().words);
-        machine_.expand(at.data(), moves_);
+        states_.load(state, now_);
+        machine_.expand(now_.data(), moves_);
         for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
             const Fire fire{machine_.process_of(moves_.edges[i]), machine_.edge_of(moves_.edges[i])};
             add(moves_.words.data() + i * machine_.layout().words, state, fire.process, fire);
         }
-        std::vector<timed::Word> later = at;
-        if (!moves_.urgent && machine_.delay(later.data())) add(later.data(), state, {}, Delay{1});
+        if (!moves_.urgent && machine_.delay(now_.data())) add(now_.data(), state, {}, Delay{1});
     }
 
     timed::Machine machine_;
@@ -115,6 +114,7 @@ private:
     std::vector<Situation> situations_ = {};  // data of each state
     std::unordered_map<std::uint64_t, std::size_t> visits_ = {};
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
+    std::vector<timed::Word> now_ = {};  // the state that is expanded
     timed::Moves moves_ = {};
     timed::PropertyMonitor::Registers registers_ = {};
 };

@@ -4,29 +4,46 @@
 #include <algorithm>
 #include <functional>
 #include <string_view>
+#include <utility>
 
 namespace grafverif {
 
+namespace {
+
+std::uint32_t hash_of(const timed::Word* words, std::size_t count) {
+    const auto* const bytes = reinterpret_cast<const char*>(words);
+    return static_cast<std::uint32_t>(std::hash<std::string_view>()({bytes, count * sizeof(timed::Word)}));
+}
+
+}  // namespace
+
 PackedStates::Added PackedStates::add(const timed::Word* words) {
-    const auto state = static_cast<std::uint32_t>(size());
-    states_.insert(states_.end(), words, words + words_);
-    const auto [known, is_new] = known_.insert(state);
-    if (!is_new) states_.resize(states_.size() - words_);
-    return {*known, is_new};
+    if ((size_ + 1) * 4 > slots_.size() * 3) grow();
+    const std::uint32_t hash = hash_of(words, words_);
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t at = hash & mask; slots_[at] != 0; at = (at + 1) & mask) {
+        if (static_cast<std::uint32_t>(slots_[at]) != hash) continue;
+        const auto state = static_cast<std::uint32_t>((slots_[at] >> 32U) - 1);
+        if (std::equal(words, words + words_, this->words(state))) return {state, false};
+    }
+    if (size_ == chunks_.size() * chunk)
+        chunks_.push_back(std::make_unique_for_overwrite<timed::Word[]>(chunk * words_));
+    std::copy_n(words, words_, chunks_.back().get() + size_ % chunk * words_);
+    put(Slot{++size_} << 32U | hash);
+    return {static_cast<std::uint32_t>(size_ - 1), true};
 }
 
-std::uint64_t PackedStates::bytes() const {
-    constexpr std::uint64_t entry = sizeof(std::size_t) + 2 * sizeof(void*);  // size in a list of the hash table
-    return states_.capacity() * sizeof(timed::Word) + known_.bucket_count() * sizeof(void*) + known_.size() * entry;
+void PackedStates::put(Slot slot) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = static_cast<std::uint32_t>(slot) & mask;
+    while (slots_[at] != 0) at = (at + 1) & mask;
+    slots_[at] = slot;
 }
 
-std::size_t PackedStates::Hash::operator()(std::uint32_t state) const {
-    const auto* const bytes = reinterpret_cast<const char*>(states.words(state));
-    return std::hash<std::string_view>()({bytes, states.words_ * sizeof(timed::Word)});
-}
-
-bool PackedStates::Equal::operator()(std::uint32_t a, std::uint32_t b) const {
-    return std::equal(states.words(a), states.words(a) + states.words_, states.words(b));
+void PackedStates::grow() {
+    const std::size_t size = std::max<std::size_t>(slots_.size() * 2, 64);
+    for (const Slot slot : std::exchange(slots_, std::vector<Slot>(size)))
+        if (slot != 0) put(slot);
 }
 
 }  // namespace grafverif

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_set>
+#include <memory>
 #include <vector>
 
 #include "check/timed/layout.hpp"
@@ -13,32 +13,36 @@ namespace grafverif {
 
 class PackedStates {
 public:
+    /// `words`: the number of words of each state.
     explicit PackedStates(std::size_t words) : words_(words) {}
-    PackedStates(PackedStates&&) = delete;
 
     struct Added {
         std::uint32_t state = 0;
         bool is_new = false;
     };
+    /// Adds a state, unless the set contains it, and returns its number. The set can contain 2^32 - 1 states.
     Added add(const timed::Word* words);
 
-    std::size_t size() const { return states_.size() / words_; }
-    const timed::Word* words(std::size_t state) const { return states_.data() + state * words_; }
-    /// Returns the approximate memory in bytes.
-    std::uint64_t bytes() const;
+    std::size_t size() const { return size_; }
+    /// Returns the words of a state. They remain at this address.
+    const timed::Word* words(std::size_t state) const { return chunks_[state / chunk].get() + state % chunk * words_; }
+    /// Returns the memory in bytes.
+    std::uint64_t bytes() const {
+        return (chunks_.size() * chunk * words_ + slots_.capacity()) * sizeof(std::uint64_t);
+    }
 
 private:
-    struct Hash {
-        const PackedStates& states;
-        std::size_t operator()(std::uint32_t state) const;
-    };
-    struct Equal {
-        const PackedStates& states;
-        bool operator()(std::uint32_t a, std::uint32_t b) const;
-    };
+    static constexpr std::size_t chunk = 4096;  // number of states that are allocated together
+
+    /// A slot of the hash table: the number of a state plus 1, and the lower half of its hash value; 0 if it is free.
+    using Slot = std::uint64_t;
+    void put(Slot slot);
+    void grow();
+
     const std::size_t words_;
-    std::vector<timed::Word> states_ = {};
-    std::unordered_set<std::uint32_t, Hash, Equal> known_{0, Hash{*this}, Equal{*this}};
+    std::size_t size_ = 0;
+    std::vector<std::unique_ptr<timed::Word[]>> chunks_ = {};
+    std::vector<Slot> slots_ = {};  // a power of two; at least a quarter is free
 };
 
 }  // namespace grafverif

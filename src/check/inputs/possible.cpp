@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <queue>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -24,18 +25,18 @@ struct LoopTiming {
     std::vector<std::vector<std::size_t>> bounds = {};  // number of bounds of the invariant, per process and location
 };
 
-namespace {
-
 using timed::Word;
 
 /// The loop without clocks. `goal` is the term p of `always possible p`.
-struct Untimed {
+struct LoopWithoutClocks {
     Network network = {};
     Id<Expr> goal = {};
 };
 
-Untimed untimed(const Network& loop, const Property& property) {
-    Untimed made{loop, property.operands[0]};
+namespace {
+
+LoopWithoutClocks clockless(const Network& loop, const Property& property) {
+    LoopWithoutClocks made{loop, property.operands[0]};
     if (property.at_stable) made.goal = made.network.exprs.conjunction(loop.settled, made.goal);
     for (Network::Template& automaton : made.network.templates) {
         for (Network::Location& location : automaton.locations) location.invariant.clear();
@@ -62,12 +63,14 @@ LoopTiming timing_of_loop(const Network& loop) {
     return made;
 }
 
+}  // namespace
+
 /// Finds good states (possible.hpp), beginning with the required states, and explores only the states that are
 /// necessary for them. Rule 4 is applied last, in the order of NoveltySearch: states with a rare signature, and with
 /// few moves of the panel since the signature changed, come first.
 class GoodStates {
 public:
-    GoodStates(const Untimed& loop, const LoopTiming& timing, const std::vector<bool>& is_panel,
+    GoodStates(const LoopWithoutClocks& loop, const LoopTiming& timing, const std::vector<bool>& is_panel,
                const InputAblations& ablations)
         : loop_(loop.network),
           timing_(timing),
@@ -236,8 +239,6 @@ private:
     std::vector<std::int64_t> registers_ = {};
 };
 
-}  // namespace
-
 class PossibleProof::States {
 public:
     States(const Network& loop, const std::vector<AbstractableProcess>& instances, const InputAblations& ablations)
@@ -255,12 +256,12 @@ public:
         if (requests_.size() > most_requests) return false;
         const std::optional<bool> found = abstraction_.run(limits);
         if (!found || !*found) return found;
-        const Untimed loop = untimed(loop_, property);
-        GoodStates good(loop, timing_, is_panel_, ablations_);
-        if (!good.fits()) return false;
-        require_waiting(good);
-        const std::optional<bool> proved = good.run(limits);
-        states_ += good.size();
+        if (!proof_ || proof_->property != property.name) begin(property);
+        if (!proof_->good.fits()) return false;
+        const std::size_t before = proof_->good.size();
+        const std::optional<bool> proved = proof_->good.run(limits);
+        states_ += proof_->good.size() - before;
+        if (proved) proof_.reset();
         return proved;
     }
 
@@ -269,6 +270,26 @@ public:
 
 private:
     static constexpr std::size_t most_requests = 4;  // maximum number of flags that the panel sets
+
+    /// The search for the good states of one property.
+    struct Proof {
+        Proof(const States& of, const Property& about)
+            : property(about.name),
+              loop(clockless(of.loop_, about)),
+              good(loop, of.timing_, of.is_panel_, of.ablations_) {}
+
+        const std::string property;
+        const LoopWithoutClocks loop;
+        GoodStates good;
+    };
+
+    /// Begins the search for `property`. The search for another property, if it is not complete, is given up: its
+    /// memory may be necessary.
+    void begin(const Property& property) {
+        proof_ = std::make_unique<Proof>(*this, property);
+        if (proof_->good.fits()) require_waiting(proof_->good);
+        states_ += proof_->good.size();
+    }
 
     void add_to_panel(const AbstractableProcess& instance) {
         is_panel_[instance.process.index] = true;
@@ -308,6 +329,7 @@ private:
     AbstractStates abstraction_;
     std::vector<bool> is_panel_;                        // per process
     std::vector<Id<Network::Variable>> requests_ = {};  // flags that the panel sets
+    std::unique_ptr<Proof> proof_ = {};                 // a search that a limit ended
     std::size_t states_ = 0;
 };
 

@@ -40,7 +40,7 @@ public:
     /// Returns the levels of the abstraction in which the states that must be good are found.
     const std::vector<InputLevel>& levels() const;
     /// Returns true if `property`, which is `always possible`, holds; false if this method cannot prove it; nullopt if
-    /// a limit is reached.
+    /// a limit is reached. Another call for the same property then continues the search.
     std::optional<bool> proves(const Property& property, const FollowLimits& limits);
     /// Returns the number of states that all calls explored.
     std::size_t states() const;

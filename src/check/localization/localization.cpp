@@ -268,9 +268,11 @@ void LocalizationCheck::search(Task task) {
     TimedOptions options = options_;
     options.properties = {};
     options.timelock = false;
+    options.profile = ProfileFor::None;
     options.many = {};
     options.deadline = local_deadline_;
     options.max_states = std::min(options_.max_states, round_);
+    options.max_transitions = round_ * limits_.transitions;
     const TimedResult found = check_timed(local.network, options);
     result_.states += found.states;
     local_states_ += found.states;
@@ -278,7 +280,8 @@ void LocalizationCheck::search(Task task) {
     result_.bytes = std::max(result_.bytes, found.bytes);
     result_.seconds += found.seconds;
     if (!found.complete) {
-        if (found.states >= round_ || is_over(local_deadline_)) postponed_.push_back(std::move(task));
+        const bool is_bounded = found.states >= round_ || found.transitions >= options.max_transitions;
+        if (is_bounded || is_over(local_deadline_)) postponed_.push_back(std::move(task));
         return;
     }
     if (!found.errors.empty() && !ablations_.break_off) return open(task);
@@ -447,7 +450,7 @@ TimedResult with_time_reported(TimedResult result) {
 }  // namespace
 
 TimedResult LocalizationCheck::result() {
-    if (!options_.profile && !searched_whole_ && std::ranges::any_of(result_.verdicts, is_decided_separately))
+    if (options_.profile != ProfileFor::All && !searched_whole_ && std::ranges::any_of(result_.verdicts, is_decided_separately))
         result_.profile.reset();
     return with_time_reported(std::move(result_));
 }

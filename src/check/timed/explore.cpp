@@ -189,7 +189,7 @@ private:
     /// Assigns numbers, in order, to the new states to which edges and delays lead from the states of a slice.
     UnknownReason number(const SuccessorBatch& slice) {
         for (std::uint32_t state = slice.begin; state != slice.end; ++state) {
-            if (limits_.too_many(graph_.states())) return UnknownReason::Bound;
+            if (limits_.too_many(graph_)) return UnknownReason::Bound;
             if (state == level_end_ || state == 0) {
                 graph_.levels.push_back(state);
                 level_end_ = static_cast<std::uint32_t>(graph_.states());

@@ -57,7 +57,10 @@ public:
     /// Computes a profile of the states found so far, if there are many states and a profile was requested. A profile
     /// is computed at most once.
     void explain(Graph& graph);
-    bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
+    bool too_many(const Graph& graph) const {
+        return graph.states() >= options_.max_states || graph.states() >= Store::most ||
+               graph.transitions >= options_.max_transitions;
+    }
     bool until_decided() const { return options_.until_decided; }
     bool ignores_depth() const { return options_.covering_without.depth; }
     std::uint64_t max_memory() const { return options_.max_memory; }

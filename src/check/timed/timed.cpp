@@ -99,7 +99,8 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     result.complete = ended == UnknownReason::None;
     result.time_passes = graph.time_passes;
     if (options.premises && result.complete) result.premises = premises(graph, settled, limits);
-    const bool explained = options.profile || !result.complete || result.states >= many_states;
+    const bool is_large = !result.complete || result.states >= many_states;
+    const bool explained = options.profile == ProfileFor::All || (options.profile == ProfileFor::IfLarge && is_large);
     if (explained && result.states > (result.complete ? 0 : 1))  // a search that did not begin has no profile
         result.profile =
             measured(graph, options, ended == UnknownReason::Stopped ? timed::Effort::Brief : timed::Effort::Full);

@@ -48,9 +48,14 @@ struct CoveringAblations {
     bool depth = false;  ///< a state is omitted although the run to the state that simulates it may be longer
 };
 
+/// Determines which searches compute TimedResult::profile. IfLarge: those that a limit ended, and those that found
+/// `many_states` states.
+enum class ProfileFor : std::uint8_t { None, IfLarge, All };
+
 struct TimedOptions {
     std::vector<std::string> properties = {};  ///< names of the properties to check; all if empty. See `timelock`
     std::uint64_t max_states = 500'000'000;
+    std::uint64_t max_transitions = ~std::uint64_t{0};   ///< bound on the work; reported like `max_states`
     std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag: return the results so far
@@ -71,8 +76,8 @@ struct TimedOptions {
     bool until_decided = false;  ///< end the search when each property is decided by a state
     bool paths = false;          ///< report TimedResult::paths
     std::function<void(const TimedProgress&)> progress = {};  ///< function that is called a few times per second
-    bool profile = false;                                     ///< always compute TimedResult::profile
-    std::function<void(const StateProfile&)> many = {};       ///< called once when the search has found `many_states`
+    ProfileFor profile = ProfileFor::IfLarge;
+    std::function<void(const StateProfile&)> many = {};  ///< called once when the search has found `many_states`
     /// Function that is called when a profile is computed.
     std::function<std::optional<StateProfile::Finest>()> finest = {};
 };
@@ -106,8 +111,7 @@ struct TimedResult {
     bool complete = true;      ///< true if every reachable state was expanded
     bool time_passes = false;  ///< true if time passes in some reachable state
     bool settles = true;       ///< false if a quiescent state was searched for and not found
-    /// State profile, if it was requested, if the search was stopped, or if the search found `many_states` states. It
-    /// is empty if there is not enough memory.
+    /// State profile, if TimedOptions::profile selects the search. It is empty if there is not enough memory.
     std::optional<StateProfile> profile = {};
     std::optional<Premises> premises = {};
     /// For each verdict with a run to a single state: the states of this run after the initial state.

@@ -266,5 +266,19 @@ TEST(Localization, UnrequestedVerdictDoesNotNeedTheCompleteNetwork) {
     EXPECT_EQ(verdict(found, "no_timelock").outcome, Outcome::Unknown);
 }
 
+TEST(Localization, NumberOfTransitionsOfASearchIsLimited) {
+    const TimedResult limited = check_timed(line(), {.max_transitions = 1000, .timelock = false});
+    EXPECT_FALSE(limited.complete);
+    EXPECT_GE(limited.transitions, 1000U);
+    EXPECT_LT(limited.transitions, 1200U) << "the edges of the last expanded state";
+    const auto scope_of = [](std::uint64_t transitions) {
+        const TimedResult found = check_timed_by_cells(line(), {.properties = {"held_2"}, .max_states = 100'000},
+                                                       {.whole = 10, .local = 100'000, .transitions = transitions});
+        return verdict(found, "held_2").scope.cells;
+    };
+    EXPECT_TRUE(scope_of(8));
+    EXPECT_FALSE(scope_of(0)) << "no fragment is searched";
+}
+
 }  // namespace
 }  // namespace grafverif

@@ -203,5 +203,22 @@ TEST(PossibleProof, EndsAtItsLimitOfStates) {
     EXPECT_EQ(proof.proves(network.properties[Id<Property>{0}], {}), true) << "another call continues the search";
 }
 
+TEST(PossibleProof, ContinuesAfterALimitIsReached) {
+    const Network network = network_of(with_plant("plant Fol = follower(P = Q, S = D);"));
+    const Property& property = network.properties[Id<Property>{0}];
+    PossibleProof uninterrupted(network, abstractable_processes(network));
+    ASSERT_EQ(uninterrupted.proves(property, {}), true);
+    PossibleProof proof(network, abstractable_processes(network));
+    std::size_t limits = 0;
+    std::optional<bool> proved;
+    for (std::size_t states = 2; !proved; ++states, ++limits) {
+        ASSERT_LE(states, 2 * uninterrupted.states());
+        proved = proof.proves(property, {.states = states});
+    }
+    EXPECT_EQ(proved, true);
+    EXPECT_GT(limits, 10U);
+    EXPECT_EQ(proof.states(), uninterrupted.states()) << "no state is explored twice";
+}
+
 }  // namespace
 }  // namespace grafverif

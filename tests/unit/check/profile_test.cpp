@@ -22,7 +22,7 @@ void wheel(Sketch& s, const std::string& name, std::uint32_t locations) {
 }
 
 StateProfile profile_of(const Network& network) {
-    const TimedResult result = check_timed(network, {.profile = true});
+    const TimedResult result = check_timed(network, {.profile = ProfileFor::All});
     EXPECT_TRUE(result.profile);
     return result.profile.value_or(StateProfile{});
 }
@@ -192,6 +192,19 @@ TEST(RandomizedStateProfile, AgreesWithSetsOfCompleteStates) {
         }
     }
     EXPECT_GT(compared, static_cast<std::size_t>(cases));
+}
+
+TEST(StateProfile, IsComputedForTheSelectedSearches) {
+    Sketch s;
+    wheel(s, "small", 3);
+    wheel(s, "large", 7);
+    const auto has_profile = [&](ProfileFor profile, std::uint64_t max_states) {
+        return check_timed(s.network, {.max_states = max_states, .profile = profile}).profile.has_value();
+    };
+    EXPECT_TRUE(has_profile(ProfileFor::All, 100));
+    EXPECT_FALSE(has_profile(ProfileFor::IfLarge, 100));
+    EXPECT_TRUE(has_profile(ProfileFor::IfLarge, 10)) << "the limit ended the search";
+    EXPECT_FALSE(has_profile(ProfileFor::None, 10));
 }
 
 }  // namespace

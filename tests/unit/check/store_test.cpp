@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <vector>
+
+#include "check/inputs/packed_states.hpp"
 
 namespace grafverif::timed {
 namespace {
@@ -89,6 +92,30 @@ TEST(Store, ReturnsEveryStateOfEachSize) {
             }
             ASSERT_EQ(store.find(states[state].data(), now), state);
         }
+    }
+}
+
+TEST(PackedStates, AreNumberedInTheOrderOfInsertionAndFoundAgain) {
+    for (const std::size_t words : {1U, 3U, 8U}) {
+        PackedStates states(words);
+        std::map<std::vector<Word>, std::uint32_t> expected;
+        std::vector<const Word*> addresses;
+        for (std::uint64_t i = 0; i < 30'000; ++i) {
+            std::vector<Word> state(words, 7);
+            state.front() = some(i, 14);
+            state.back() = (state.back() << 32U) ^ some(i, 14);
+            const auto [known, is_new] = expected.emplace(state, static_cast<std::uint32_t>(addresses.size()));
+            const PackedStates::Added added = states.add(state.data());
+            ASSERT_EQ(added.is_new, is_new);
+            ASSERT_EQ(added.state, known->second);
+            if (is_new) addresses.push_back(states.words(added.state));
+        }
+        ASSERT_EQ(states.size(), expected.size());
+        for (const auto& [state, number] : expected) {
+            ASSERT_EQ(std::vector<Word>(states.words(number), states.words(number) + words), state);
+            ASSERT_EQ(states.words(number), addresses[number]) << "states do not move";
+        }
+        ASSERT_GE(states.bytes(), expected.size() * (words + 1) * sizeof(Word));
     }
 }
 
