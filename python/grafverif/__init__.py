@@ -129,12 +129,14 @@ class Trace(_Tabular):
     """A trace of a loop or chart. If it is a lasso, it repeats forever from step `loop_from`."""
 
     def __init__(self, document: dict[str, Any], text: str, svg: str):
-        unit = 1000 if document["run"].get("timed", True) else 1
-        self.steps = [Step(each["time"] / unit, each["kind"], each["component"], tuple(each["fired"]),
-                           tuple(each["situation"]), each["inputs"], each["outputs"], each["time"])
-                      for each in document["steps"]]
+        run = document["run"]
+        times = [run["moments"][each["moment"]]["time"] for each in document["steps"]]
+        unit = 1000 if run["timed"] else 1
+        self.steps = [Step(time / unit, each["kind"], each["component"], tuple(each["fired"]),
+                           tuple(each["situation"]), each["inputs"], each["outputs"], time)
+                      for each, time in zip(document["steps"], times)]
         self.loop_from: int | None = document["loop_from"]
-        self.run: dict[str, Any] = document["run"]  #: all data of the trace, see docs/reference/trace-format.md
+        self.run: dict[str, Any] = run  #: all data of the trace, see docs/reference/trace-format.md
         self.drawing = Drawing(svg)  #: a timing diagram
         self._text = text
 

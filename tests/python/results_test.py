@@ -114,6 +114,14 @@ def test_a_trace_is_drawn_and_tabulated():
     assert list(grafverif.read(station).loop().check().to_dataframe()["name"])[:2] == ["P15", "P16"]
 
 
+def test_times_of_an_untimed_trace_are_numbers_of_steps():
+    trace = grafverif.read(tanks).loop().check_untimed("back_to_rest")["back_to_rest"].trace
+    moments = [moment["time"] for moment in trace.run["moments"]]
+    assert len(trace) > 10 and not trace.run["timed"]
+    assert [step.time_ms for step in trace] == [step.time for step in trace] == moments[:len(trace)]
+    assert "cleared" in trace._repr_html_()
+
+
 def test_automata_and_tests_are_those_of_the_program():
     chart = grafverif.read(tanks).chart()
     assert chart.automaton().document == json.loads(printed("automaton", tanks, "--format", "json"))
