@@ -48,7 +48,10 @@ public:
             const Task task = std::move(tasks_.front());
             tasks_.pop_front();
             switch (task.kind) {
-            case Kind::SingleStates: search(task); break;
+            case Kind::SingleStates:
+                if (task.repeated >= limits_.repeated && round_ < bound_of(task)) postpone(task);
+                else search(task);
+                break;
             case Kind::Evolution:
             case Kind::Passing: search_passing(task); break;
             case Kind::Possible:
@@ -71,7 +74,8 @@ private:
         std::size_t rounds = 0;
         bool coarse = false;  // true if instances that read the loop, and timers, are also abstracted
         Kind kind = Kind::SingleStates;
-        bool rounded = false;  // true if bounds of observers are rounded to the time unit of all others
+        bool rounded = false;      // true if bounds of observers are rounded to the time unit of all others
+        std::size_t repeated = 0;  // number of earlier searches for these properties in the current round
     };
 
     bool has_observer() const { return observed_.processes.size() != loop_.processes.size(); }
@@ -85,6 +89,10 @@ private:
         return round_ < bound_of(task) && !found.complete && found.states >= round_;
     }
 
+    void postpone(Task task) {
+        task.repeated = 0;
+        postponed_.push_back(std::move(task));
+    }
     bool is_open(std::size_t verdict) const { return result_.verdicts[verdict].outcome == Outcome::Unknown; }
 
     void collect();
@@ -97,6 +105,7 @@ private:
     void refine(std::size_t verdict, const Task& task, End end, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
     void search_passing(const Task& task);
+    void note_no_proof(const Task& task);
     void search_progress(const Task& task);
     std::optional<bool> prove_possible(std::size_t verdict, const FollowLimits& limits);
     std::optional<bool> prove_response(std::size_t verdict, const FollowLimits& limits);

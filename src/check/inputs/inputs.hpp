@@ -40,6 +40,9 @@ struct InputLimits {
     std::uint64_t explored = std::uint64_t{1} << 20U;
     /// Maximum number of searches for one property in which only autonomous instances are abstracted.
     std::size_t rounds = 8;
+    /// Maximum number of searches for one property in one round, except for the last round. Many searches of one
+    /// property, usually `reachable all steps`, would use the time of the others.
+    std::size_t repeated = 8;
     /// Maximum number of preceding searches for one property in which instances that read the loop are also abstracted.
     std::size_t coarse_rounds = 32;
     /// Per property: an abstraction that decided the property in a similar loop. The search begins with this

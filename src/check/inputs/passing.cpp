@@ -64,6 +64,7 @@ void InputAbstractionCheck::search_passing(const Task& task) {
     const bool holds = passes != found.verdicts.end() && passes->outcome == Outcome::Holds && found.complete;
     if (!holds && !(by_evolutions && ablations_.ignore_evolutions)) {
         if (by_evolutions) tasks_.push_front({levels_of_resting(), task.verdicts, 0, false, Kind::Passing});
+        else if (found.complete) note_no_proof(task);
         return;
     }
     time_diverges_ = true;
@@ -78,6 +79,16 @@ void InputAbstractionCheck::search_passing(const Task& task) {
             verdict.about.valid() && observed_.properties[verdict.about].pattern == Pattern::NoDeadlock;
         if (!about_deadlock || lively) conclude(k, proof, task.levels);
     }
+}
+
+/// Adds a note to the verdicts of the task. Without a proof that time passes, no property of its kind is proved on an
+/// abstraction, and often the cause is a chart that is unstable for some combination of inputs.
+void InputAbstractionCheck::note_no_proof(const Task& task) {
+    for (const std::size_t k : task.verdicts)
+        if (is_open(k))
+            result_.verdicts[k].notes.emplace_back(
+                "no proof by input abstraction: with freely chosen inputs, time may stop while the situation changes; "
+                "`grafverif analyse` reports whether the chart is unstable for some inputs");
 }
 
 /// Proves `always possible` (possible.hpp), or `inevitable` and `leads to` (response.hpp). The proofs require that an

@@ -418,7 +418,10 @@ void LocalizationCheck::search_complete() {
             verdict.obstacle = UnknownReason::Stopped;
             verdict.reason = "stopped after " + verdict.states + " states";
         } else if (!ended_before) {
+            std::vector<std::string> notes = std::move(verdict.notes);
             verdict = found;
+            // A note of an earlier search states why that search did not decide the property.
+            if (verdict.outcome == Outcome::Unknown) std::ranges::move(notes, std::back_inserter(verdict.notes));
         }
         report_earlier(verdict, "localization", local_states_);
     }
