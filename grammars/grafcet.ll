@@ -112,6 +112,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "ltl"           return lexer.word(Kind::LTL);
 "observer"      return lexer.word(Kind::OBSERVER);
 "schedule"      return lexer.word(Kind::SCHEDULE);
+"fault"         return lexer.word(Kind::FAULT);
 "accept"        return lexer.word(Kind::ACCEPT);
 "within"        return lexer.word(Kind::WITHIN);
 "holds"         return lexer.word(Kind::HOLDS);

@@ -81,24 +81,41 @@ void check_argument(ClosedLoopChecker& checker, const ClosedLoop::Instance& inst
     if (input) read[shared->index] = true;
 }
 
+/// Counts the instances that write each variable, and determines which variables they read.
+void check_instance(ClosedLoopChecker& checker, const ClosedLoop::Instance& instance, std::vector<int>& writers,
+                    std::vector<bool>& read) {
+    checker.check(checker.model.components.contains(instance.component),
+                  "instance " + instance.name + " has no component");
+    if (!checker.model.components.contains(instance.component)) return;
+    const Component& component = checker.model.components[instance.component];
+    checker.check(component.locations.contains(instance.initial),
+                  "instance " + instance.name + " has no initial location");
+    checker.check(instance.arguments.size() == component.parameters.size(),
+                  "instance " + instance.name + " has the wrong number of arguments");
+    if (instance.arguments.size() != component.parameters.size()) return;
+    for (const auto id : component.parameters.ids())
+        check_argument(checker, instance, component.parameters[id], instance.arguments[id.index], writers, read);
+}
+
+/// Checks that each fault writes exactly the variables that its instance writes.
+void check_faults(ClosedLoopChecker& checker, std::vector<bool>& read) {
+    const ClosedLoop& loop = checker.loop;
+    for (const ClosedLoop::Fault& fault : loop.faults) {
+        checker.check(loop.instances.contains(fault.of), "fault " + fault.behaviour.name + " has no instance");
+        if (!loop.instances.contains(fault.of)) continue;
+        std::vector<int> writers(loop.shared.size()), of_instance(loop.shared.size());
+        check_instance(checker, fault.behaviour, writers, read);
+        check_instance(checker, loop.instances[fault.of], of_instance, read);
+        checker.check(writers == of_instance, "fault " + fault.behaviour.name + " writes other variables");
+    }
+}
+
 void check_instances(ClosedLoopChecker& checker) {
     const ClosedLoop& loop = checker.loop;
     std::vector<int> writers(loop.shared.size());
     std::vector<bool> read(loop.shared.size());
-    for (const auto& instance : loop.instances) {
-        checker.check(checker.model.components.contains(instance.component),
-                      "instance " + instance.name + " has no component");
-        if (!checker.model.components.contains(instance.component)) continue;
-        const Component& component = checker.model.components[instance.component];
-        checker.check(component.locations.contains(instance.initial),
-                      "instance " + instance.name + " has no initial location");
-        checker.check(instance.arguments.size() == component.parameters.size(),
-                      "instance " + instance.name + " has the wrong number of arguments");
-        if (instance.arguments.size() != component.parameters.size()) continue;
-        for (const auto id : component.parameters.ids()) {
-            check_argument(checker, instance, component.parameters[id], instance.arguments[id.index], writers, read);
-        }
-    }
+    for (const auto& instance : loop.instances) check_instance(checker, instance, writers, read);
+    check_faults(checker, read);
     for (const auto id : loop.shared.ids()) {
         const auto& shared = loop.shared[id];
         const int drivers = writers[id.index] + (shared.writer.valid() ? 1 : 0);

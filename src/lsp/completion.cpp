@@ -40,6 +40,7 @@ ProposalKind kind_of(DeclarationKind kind) {
     case DeclarationKind::Constant: return ProposalKind::Constant;
     case DeclarationKind::Location: return ProposalKind::EnumMember;
     case DeclarationKind::Property:
+    case DeclarationKind::Fault:
     case DeclarationKind::Observer: return ProposalKind::Property;
     }
     unreachable();
@@ -190,7 +191,7 @@ private:
         const Words& words = half_.words;
         if (words.empty())
             return keywords({"controller", "plant", "environment", "property", "constraint", "constant", "grain",
-                             "time unit", "schedule", "observer"});
+                             "time unit", "schedule", "observer", "fault"});
         const std::string& first = words[0];
         if (first == "controller") {
             if (has("with")) return keywords({"stability_search", "every_cycle"});
@@ -203,17 +204,27 @@ private:
         if (first == "schedule") keywords({"interleaved", "synchronous", "sequenced"});
         if (first == "time") return words.size() == 1 ? keywords({"unit"}) : parts(owner_, {DeclarationKind::Constant});
         if (first == "constraint") term();
-        if (first == "plant" || first == "environment") instance();
+        if (first == "plant" || first == "environment") instance(3);
+        if (first == "fault") fault();
         if (first == "property") property();
     }
 
-    void instance() {
+    /// Handles an incomplete declaration `fault NAME of INSTANCE: COMPONENT(...)`.
+    void fault() {
+        if (half_.words.size() == 2) keywords({"of"});
+        if (half_.words.size() == 3) parts(owner_, {DeclarationKind::Instance});
+        if (half_.words.size() == 5) components();
+        instance(5);
+    }
+
+    /// Handles an instance; `component` is the index of the word that names its component.
+    void instance(std::size_t component) {
         const Words& words = half_.words;
-        if (words.size() < 4) {
+        if (words.size() <= component) {
             if (last() == "=") components();
             return;
         }
-        const std::string key = "component " + words[3];
+        const std::string key = "component " + words[component];
         const Names& where = names_.element(key) != nullptr ? names_ : library_names();
         if (last() == "initially") {
             for (const Declaration* const part : where.parts(key))

@@ -24,6 +24,7 @@ int symbol_kind(DeclarationKind kind) {
     case DeclarationKind::Loop:
     case DeclarationKind::Partial: return 3;    // namespace
     case DeclarationKind::Component: return 5;  // kind: class
+    case DeclarationKind::Fault:
     case DeclarationKind::Property: return 7;
     case DeclarationKind::Observer: return 11;    // kind: interface
     case DeclarationKind::Transition: return 12;  // kind: function

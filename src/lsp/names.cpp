@@ -229,6 +229,7 @@ std::string declaration_text(const Declaration& element) {
     case DeclarationKind::Transition:
     case DeclarationKind::Location:
     case DeclarationKind::Instance:
+    case DeclarationKind::Fault:
     case DeclarationKind::Property: return joined(element.whole);
     }
     unreachable();

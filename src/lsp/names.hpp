@@ -38,6 +38,7 @@ enum class DeclarationKind {
     PlantVariable,
     Property,
     Observer,
+    Fault,
 };
 
 /// An element that a file declares.

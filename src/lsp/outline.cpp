@@ -58,6 +58,7 @@ TokenType type_of(DeclarationKind kind) {
     case DeclarationKind::Constant: return Parameter;
     case DeclarationKind::Location: return EnumMember;
     case DeclarationKind::Property:
+    case DeclarationKind::Fault:
     case DeclarationKind::Observer: return PropertyToken;
     }
     unreachable();

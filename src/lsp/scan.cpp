@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 22> reserved = {
     "grafcet", "component",  "closed_loop", "include",   "input",      "output",  "internal", "step",
     "when",    "transition", "do",          "force",     "and",        "or",      "not",      "true",
     "false",   "always",     "never",       "reachable", "inevitable", "possible"};
-constexpr std::array<std::string_view, 69> contextual = {
+constexpr std::array<std::string_view, 70> contextual = {
     "constraint",   "initial",     "linked",    "entry",    "exit",       "macro",    "expands",  "enclosing",
     "encloses",     "partial",     "expansion", "if",       "after",      "for",      "on",       "activation",
     "deactivation", "event",       "bool",      "int",      "duration",   "variable", "clock",    "location",
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 69> contextual = {
     "leads",        "to",          "no",        "deadlock", "timelock",   "all",      "steps",    "exactly",
     "one",          "of",          "uppaal",    "ctl",      "ltl",        "observer", "schedule", "implies",
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
-    "between",      "until",       "precedes",  "constant", "times"};
+    "between",      "until",       "precedes",  "constant", "times",      "fault"};
 
 /// True if a name may begin with the character that contains `byte`. Characters beyond ASCII are accepted here; the
 /// lexer checks them.

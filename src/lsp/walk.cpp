@@ -54,6 +54,9 @@ public:
                                    part(DeclarationKind::Instance, key, "i ", instance.name, instance.where);
                                names_.components_[own] = "component " + text(instance.component);
                            },
+                           [&](const tree::Fault& fault) {
+                               part(DeclarationKind::Fault, key, "f ", fault.behaviour.name, fault.where);
+                           },
                            [&](const tree::Variables& group) { variables(key, group, DeclarationKind::Constant); },
                            [&](const tree::Property& property) {
                                part(DeclarationKind::Property, key, "q ", property.name, property.where);
@@ -399,7 +402,11 @@ private:
                                term(*owner, "", controller.cycle.least);
                                term(*owner, "", controller.cycle.most);
                            },
-                           [&](const tree::Instance& instance) { this->instance(*owner, instance); },
+                           [&](const tree::Instance& instance) { this->instance(*owner, "/i ", instance); },
+                           [&](const tree::Fault& fault) {
+                               use(key + "/i " + text(fault.of), fault.of.where);
+                               this->instance(*owner, "/f ", fault.behaviour);
+                           },
                            [&](const tree::Property& property) {
                                declared(key + "/q " + text(property.name), property.name.where);
                                for (const Id<tree::Expr> operand : property.operands) term(*owner, "", operand);
@@ -414,8 +421,9 @@ private:
                        item);
     }
 
-    void instance(const Declaration& loop, const tree::Instance& instance) {
-        declared(loop.key + "/i " + text(instance.name), instance.name.where);
+    /// Finds the names of an instance or of the behaviour of a fault; `kind` is part of the key of its declaration.
+    void instance(const Declaration& loop, const char* kind, const tree::Instance& instance) {
+        declared(loop.key + kind + text(instance.name), instance.name.where);
         const std::string component = "component " + text(instance.component);
         use(component, instance.component.where);
         for (const tree::Argument& argument : instance.arguments) {

@@ -5,6 +5,7 @@
 
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
+#include "support/messages_fault.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -194,6 +195,43 @@ Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, 
         fmt::format(
             "`{}` has {} values, but a symbolic model supports at most {}; reduce its range or use a coarser unit",
             clipped(variable), values, most));
+}
+
+Diagnostic fault_lacks_output(Span where, std::string_view fault, std::string_view component, std::string_view variable,
+                              std::string_view instance) {
+    return error(
+        "fault-output", where,
+        fmt::format("the fault `{0}` does not write `{2}`, which `{3}` writes; add an output to `{1}` and bind "
+                    "it to `{2}`",
+                    clipped(fault), clipped(component), clipped(variable), clipped(instance)));
+}
+
+Diagnostic fault_writes_other(Span where, std::string_view fault, std::string_view output, std::string_view instance) {
+    return error("fault-output", where,
+                 fmt::format("the output `{1}` of the fault `{0}` is not bound to an output of `{2}`; bind it to a "
+                             "variable that `{2}` writes",
+                             clipped(fault), clipped(output), clipped(instance)));
+}
+
+Diagnostic fault_type(Span where, std::string_view fault, std::string_view variable, std::string_view type,
+                      std::string_view wanted) {
+    return error("fault-output", where,
+                 fmt::format("`{1}` has the type `{2}` in the fault `{0}`, but `{3}` without the fault; declare the "
+                             "same type",
+                             clipped(fault), clipped(variable), type, wanted));
+}
+
+Diagnostic fault_cannot_start(Span where, std::string_view fault, std::string_view location) {
+    return error("fault-cannot-start", where,
+                 fmt::format("the fault `{}` cannot occur, because the invariant of its initial location `{}` is false "
+                             "when its clocks are 0; correct the invariant, or choose a location with `initially`",
+                             clipped(fault), clipped(location)));
+}
+
+Diagnostic no_faults(Span loop, std::string_view name) {
+    return error("no-faults", loop,
+                 fmt::format("the closed loop `{}` declares no fault; write `fault NAME of INSTANCE: COMPONENT(...);`",
+                             clipped(name)));
 }
 
 }  // namespace grafverif::messages

@@ -7,7 +7,7 @@ syntax on
 filetype plugin on
 
 " Groups of one category have different names if different groups may follow them.
-let s:category = {'AllSteps': 'Pattern', 'AcceptWord': 'Declaration', 'BlockName': 'TypeName', 'PropertyName': 'Label',
+let s:category = {'AllSteps': 'Pattern', 'AcceptWord': 'Declaration', 'BlockName': 'TypeName', 'PropertyName': 'Label', 'FaultName': 'Label', 'FaultOf': 'Pattern',
             \ 'Name': '', 'Accept': '', 'Todo': 'Comment'}
 
 function! s:CategoryAt(line, column) abort

@@ -54,6 +54,13 @@ public:
         for (const ClosedLoop::Instance& one : loop_.instances)
             printed.items.emplace_back(instance(one, std::exchange(first, false)));
         first = true;
+        for (const ClosedLoop::Fault& one : loop_.faults) {
+            tree::Instance behaviour = instance(one.behaviour, std::exchange(first, false));
+            const Span where = behaviour.where;
+            printed.items.emplace_back(
+                tree::Fault{trees_.name(loop_.instances[one.of].name), std::move(behaviour), where});
+        }
+        first = true;
         for (const ClosedLoop::Constraint& constraint : loop_.constraints) {
             if (constraint.controller.valid() || constraint.instance.valid()) continue;
             const Span where = trees_.next(std::exchange(first, false));

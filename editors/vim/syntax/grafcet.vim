@@ -38,6 +38,8 @@ exe 'syn match grafcetDeclaration /' . s:free . 'partial\|expansion\|observer' .
 exe 'syn match grafcetDeclaration /' . s:free . 'controller' . s:term . '/ nextgroup=grafcetTypeName skipwhite'
 exe 'syn match grafcetDeclaration /' . s:free . 'location' . s:named . '/ nextgroup=grafcetStepName skipwhite'
 exe 'syn match grafcetDeclaration /' . s:free . 'property' . s:term . '/ nextgroup=grafcetPropertyName skipwhite'
+exe 'syn match grafcetDeclaration /' . s:free . 'fault' . s:term . '/'
+exe 'syn match grafcetDeclaration /' . s:free . 'fault\)\>\%(\s\+\K\k*\s\+of\>\)\@=/ nextgroup=grafcetFaultName skipwhite'
 exe 'syn match grafcetControl /' . s:free . 'if\|after\|for\|with\|invariant\|initially\|expands\|encloses' . s:term . '/'
 exe 'syn match grafcetLogic /' . s:free . 'implies\|in' . s:term . '/'
 exe 'syn match grafcetPattern /' . s:free . 'precedes\|within\|before\|between\|until\|since' . s:term . '/'
@@ -72,6 +74,8 @@ syn match grafcetBlockName /\<\K\k*\%(\s*\%({\|$\)\)\@=/ contained
 syn match grafcetStepName /\<\%(\%(and\|or\|when\|do\|step\|transition\|input\|output\|internal\)\>\)\@!\k\+/ contained
 syn match grafcetLabel /\<\k\+\%(\s*:\)\@=/ contained
 syn match grafcetPropertyName /\<\K\k*/ contained
+syn match grafcetFaultName /\<\K\k*/ contained nextgroup=grafcetFaultOf skipwhite
+syn match grafcetFaultOf /\<of\>/ contained
 
 " Values, operators, strings and comments.
 syn match grafcetStepVariable /\<X[0-9]\k*\>/
@@ -104,6 +108,8 @@ hi def link grafcetBlockName grafcetTypeName
 hi def link grafcetStepName Identifier
 hi def link grafcetLabel Function
 hi def link grafcetPropertyName grafcetLabel
+hi def link grafcetFaultName grafcetLabel
+hi def link grafcetFaultOf grafcetPattern
 hi def link grafcetStepVariable Special
 hi def link grafcetNumber Number
 hi def link grafcetDuration Float

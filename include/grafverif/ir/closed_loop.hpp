@@ -59,6 +59,15 @@ struct ClosedLoop {
         bool operator==(const Instance&) const = default;
     };
 
+    /// A fault: the instance `of` may behave as another component, permanently, from power-on or from any later time.
+    /// `behaviour` binds the parameters of this component; it writes the variables that the instance writes. Its name is
+    /// that of the fault. Only `faults` reads this table (pipeline/variants/fault_model.hpp).
+    struct Fault {
+        Id<Instance> of = {};
+        Instance behaviour = {};
+        bool operator==(const Fault&) const = default;
+    };
+
     struct ObserverLocation {
         std::string name = {};
         Span origin = {};
@@ -146,6 +155,7 @@ struct ClosedLoop {
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
     Table<Instance> instances = {};
+    Table<Fault> faults = {};
     Exprs exprs = {};  ///< expressions of properties, constraints and observers; Variable leaves index `symbols`
     Table<Symbol> symbols = {};
     Table<Property> properties = {};

@@ -260,14 +260,28 @@ Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::siz
     return {"time unit " + formatted(file, written.duration) + ';'};
 }
 
-Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column) {
-    const std::string head = (written.environment ? "environment " : "plant ") + text(file, written.name) + " = " +
-                             text(file, written.component) + '(';
+namespace {
+
+/// Returns the instance; `head` precedes the name of the component.
+Lines instance_lines(const tree::File& file, std::string head, const tree::Instance& written, std::size_t column) {
+    head += text(file, written.component) + '(';
     std::vector<std::string> parts;
     for (const tree::Argument& argument : written.arguments)
         parts.push_back(text(file, argument.parameter) + " = " + formatted(file, argument.value));
     const std::string tail = written.initial.valid() ? ") initially " + text(file, written.initial) + ';' : ");";
     return filled(head, parts, tail, column);
+}
+
+}  // namespace
+
+Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column) {
+    const std::string head = (written.environment ? "environment " : "plant ") + text(file, written.name) + " = ";
+    return instance_lines(file, head, written, column);
+}
+
+Lines item_lines(const tree::File& file, const tree::Fault& written, std::size_t column) {
+    const std::string head = "fault " + text(file, written.behaviour.name) + " of " + text(file, written.of) + ": ";
+    return instance_lines(file, head, written.behaviour, column);
 }
 
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column) {

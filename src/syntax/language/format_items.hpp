@@ -28,6 +28,7 @@ Lines item_lines(const tree::File& file, const tree::Schedule& written, std::siz
 Lines item_lines(const tree::File& file, const tree::ObserverEdge& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Fault& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Accept& written, std::size_t column);
 

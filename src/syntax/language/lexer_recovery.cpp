@@ -64,6 +64,7 @@ bool declares_in_block(Symbol kind) {
     case Symbols::S_PLANT:
     case Symbols::S_ENVIRONMENT:
     case Symbols::S_PROPERTY:
+    case Symbols::S_FAULT:
     case Symbols::S_OBSERVER:
     case Symbols::S_SCHEDULE:
     case Symbols::S_ACCEPT: return true;

@@ -246,6 +246,12 @@ struct Instance {
     Name initial = {};
     Span where = {};
 };
+/// A declaration `fault NAME of INSTANCE: COMPONENT(...)`; `behaviour` contains the name and the component.
+struct Fault {
+    Name of = {};
+    Instance behaviour = {};
+    Span where = {};
+};
 struct Property {
     Name name = {};
     std::string text = {};
@@ -276,8 +282,8 @@ struct Observer {
     Span where = {};
 };
 
-using LoopItem =
-    std::variant<Controller, Variables, Grain, TimeUnit, Schedule, Instance, Property, Constraint, Observer, Accept>;
+using LoopItem = std::variant<Controller, Variables, Grain, TimeUnit, Schedule, Instance, Fault, Property, Constraint,
+                              Observer, Accept>;
 
 struct ClosedLoop {
     Name name = {};

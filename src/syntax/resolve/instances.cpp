@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Resolves the instances of a closed loop: each binds the parameters of a component. Constants and outputs are resolved
 // first, because outputs declare the variables of the plant. Inputs are resolved afterwards, because they read these
-// variables.
+// variables. Faults are resolved last, because they inherit arguments of instances.
+#include <algorithm>
 #include <string>
 
 #include "support/messages.hpp"
+#include "support/messages_fault.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
@@ -23,6 +25,9 @@ struct Binding {
     const Component* component = nullptr;
     ClosedLoop::Instance instance = {};
     std::vector<const tree::Argument*> given = {};  ///< the argument of each parameter
+    std::vector<bool> bound = {};                   ///< true for parameters that are given or inherited
+    /// For a fault: the instance whose arguments it inherits.
+    const Binding* of = nullptr;
     bool wrong = false;
 };
 
@@ -58,6 +63,20 @@ std::string example(const Parameter& parameter) {
     unreachable();
 }
 
+/// A parameter of a fault without an argument has that of the parameter with the same name and type of its instance.
+bool inherit(Binding& binding, Id<Parameter> id) {
+    if (binding.of == nullptr) return false;
+    const Parameter& parameter = binding.component->parameters[id];
+    const auto& known = binding.of->component->parameters;
+    const auto same = std::ranges::find_if(known, [&](const Parameter& each) {
+        return each.name == parameter.name && each.kind == parameter.kind && each.value == parameter.value;
+    });
+    if (same == known.end()) return false;
+    binding.instance.arguments[id.index] =
+        binding.of->instance.arguments[static_cast<std::size_t>(same - known.begin())];
+    return true;
+}
+
 void match_arguments(LoopScope& scope, Binding& binding) {
     const Component& component = *binding.component;
     std::unordered_map<std::string_view, Id<Parameter>> parameters;
@@ -81,7 +100,8 @@ void match_arguments(LoopScope& scope, Binding& binding) {
     for (const Id<Parameter> id : component.parameters.ids()) {
         const Parameter& parameter = component.parameters[id];
         const bool optional = parameter.kind == Component::ParameterKind::Constant && parameter.initial.has_value();
-        if (binding.given[id.index] == nullptr && !optional)
+        binding.bound.push_back(binding.given[id.index] != nullptr || inherit(binding, id));
+        if (!binding.bound.back() && !optional)
             fail(scope, binding,
                  messages::missing_argument(binding.written->component.where, component.name, parameter.name,
                                             example(parameter)));
@@ -117,8 +137,7 @@ void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
 /// been rejected.
 void bind_defaults(LoopScope& scope, Binding& binding) {
     const Component& component = *binding.component;
-    std::vector<bool> bound(component.parameters.size());
-    for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = binding.given[i] != nullptr;
+    std::vector<bool> bound = binding.bound;
     std::vector<std::uint32_t> work;
     for (const Id<Parameter> id : component.parameters.ids()) {
         if (component.parameters[id].kind != Component::ParameterKind::Constant) continue;
@@ -248,6 +267,26 @@ Binding begin(LoopScope& scope, const tree::Instance& written) {
     binding.instance.environment = written.environment;
     binding.instance.origin = written.name.where;
     binding.instance.component = component_named(scope, written.component);
+    return binding;
+}
+
+/// Matches the arguments, and binds the constants. Returns false after an error.
+bool bind_constants(LoopScope& scope, Binding& binding) {
+    binding.component = &scope.context.model.components[binding.instance.component];
+    binding.instance.arguments.resize(binding.component->parameters.size(), std::int64_t{0});
+    match_arguments(scope, binding);
+    if (binding.wrong) return false;
+    for (const Id<Parameter> id : binding.component->parameters.ids())
+        if (binding.given[id.index] != nullptr &&
+            binding.component->parameters[id].kind == Component::ParameterKind::Constant)
+            bind_given_constant(scope, binding, id);
+    if (binding.wrong) return false;
+    bind_defaults(scope, binding);
+    return true;
+}
+
+Binding bind_instance(LoopScope& scope, const tree::Instance& written) {
+    Binding binding = begin(scope, written);
     const auto [known, fresh] = scope.instances.try_emplace(scope.text(written.name));
     if (!fresh && known->second.valid())
         fail(scope, binding,
@@ -257,20 +296,128 @@ Binding begin(LoopScope& scope, const tree::Instance& written) {
         binding.wrong = true;
         return binding;
     }
-    binding.component = &scope.context.model.components[binding.instance.component];
-    binding.instance.arguments.resize(binding.component->parameters.size(), std::int64_t{0});
-    match_arguments(scope, binding);
-    if (binding.wrong) return binding;
-    for (const Id<Parameter> id : binding.component->parameters.ids())
-        if (binding.given[id.index] != nullptr &&
-            binding.component->parameters[id].kind == Component::ParameterKind::Constant)
-            bind_given_constant(scope, binding, id);
-    if (binding.wrong) return binding;
-    bind_defaults(scope, binding);
+    if (!bind_constants(scope, binding)) return binding;
     for (const Id<Parameter> id : binding.component->parameters.ids())
         if (binding.component->parameters[id].kind == Component::ParameterKind::Output) bind_output(scope, binding, id);
     choose_location(scope, binding);
     return binding;
+}
+
+// -- faults ----------------------------------------------------------------------------------------------------------
+
+std::string type_text(const Type& type) {
+    return type.boolean ? "bool" : "int " + std::to_string(type.low) + ".." + std::to_string(type.high);
+}
+
+/// Returns the output that is bound to a variable; invalid if there is none.
+Id<Parameter> writer_of(const Binding& binding, Id<ClosedLoop::Shared> variable) {
+    for (const Id<Parameter> id : binding.component->parameters.ids()) {
+        const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&binding.instance.arguments[id.index]);
+        if (binding.component->parameters[id].kind == Component::ParameterKind::Output && shared != nullptr &&
+            *shared == variable)
+            return id;
+    }
+    return {};
+}
+
+/// Binds an output of a fault to a variable that its instance writes, with the same range.
+void bind_output_of_fault(LoopScope& scope, Binding& binding, Id<Parameter> id) {
+    const Parameter& parameter = binding.component->parameters[id];
+    const Span where = binding.given[id.index] == nullptr ? binding.written->component.where
+                                                          : scope.file.exprs[binding.given[id.index]->value].where;
+    if (binding.given[id.index] != nullptr) {
+        const auto name = bound_name(scope, binding, id);
+        if (!name) return;
+        const auto known = scope.shared.find(std::string(*name));
+        if (known != scope.shared.end()) binding.instance.arguments[id.index] = known->second;
+    }
+    const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&binding.instance.arguments[id.index]);
+    const Id<Parameter> normal = shared == nullptr ? Id<Parameter>{} : writer_of(*binding.of, *shared);
+    if (!normal.valid())
+        return fail(
+            scope, binding,
+            messages::fault_writes_other(where, binding.instance.name, parameter.name, binding.of->instance.name));
+    Binding of = *binding.of;
+    const auto type = output_type(scope, binding, parameter);
+    const auto wanted = output_type(scope, of, of.component->parameters[normal]);
+    if (type && wanted && *type != *wanted)
+        fail(scope, binding,
+             messages::fault_type(where, binding.instance.name, scope.loop.shared[*shared].name, type_text(*type),
+                                  type_text(*wanted)));
+}
+
+/// Checks that each variable that the instance writes has one output of the fault.
+void check_outputs_of_fault(LoopScope& scope, Binding& binding) {
+    std::vector<int> writers(scope.loop.shared.size());
+    const auto count = [&](const Binding& each, int change) {
+        for (const Id<Parameter> id : each.component->parameters.ids())
+            if (each.component->parameters[id].kind == Component::ParameterKind::Output)
+                writers[std::get<Id<ClosedLoop::Shared>>(each.instance.arguments[id.index]).index] += change;
+    };
+    count(binding, 1);
+    count(*binding.of, -1);
+    for (const Id<ClosedLoop::Shared> id : scope.loop.shared.ids()) {
+        const std::string& variable = scope.loop.shared[id].name;
+        if (writers[id.index] < 0)
+            fail(scope, binding,
+                 messages::fault_lacks_output(binding.written->component.where, binding.instance.name,
+                                              binding.component->name, variable, binding.of->instance.name));
+        if (writers[id.index] > 0)
+            fail(scope, binding,
+                 messages::second_writer(binding.written->component.where, variable, binding.instance.name,
+                                         binding.instance.name));
+    }
+}
+
+/// Checks that the invariant of the initial location holds when all clocks are 0.
+void check_start(LoopScope& scope, Binding& binding) {
+    const Component::Location& location = binding.component->locations[binding.instance.initial];
+    for (const Component::ClockConstraint& bound : location.invariant) {
+        const auto value = value_of(scope, binding, bound.bound);
+        if (value && (*value < 0 || (*value == 0 && bound.relation == Op::Less)))
+            return fail(
+                scope, binding,
+                messages::fault_cannot_start(binding.written->component.where, binding.instance.name, location.name));
+    }
+}
+
+void bind_fault(LoopScope& scope, Binding& binding) {
+    if (!bind_constants(scope, binding)) return;
+    for (const Id<Parameter> id : binding.component->parameters.ids()) {
+        const Component::ParameterKind kind = binding.component->parameters[id].kind;
+        if (kind == Component::ParameterKind::Output) bind_output_of_fault(scope, binding, id);
+        if (kind == Component::ParameterKind::Input && binding.given[id.index] != nullptr)
+            bind_input(scope, binding, id);
+    }
+    choose_location(scope, binding);
+    if (!binding.wrong) check_outputs_of_fault(scope, binding);
+    if (!binding.wrong) check_start(scope, binding);
+}
+
+/// `bindings` are the instances, in the order of the table of the loop.
+void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vector<Binding>& bindings) {
+    Binding binding = begin(scope, written.behaviour);
+    const auto& known = scope.loop.faults;
+    const auto first = std::ranges::find_if(
+        known, [&](const ClosedLoop::Fault& each) { return each.behaviour.name == binding.instance.name; });
+    if (first != known.end())
+        fail(scope, binding,
+             messages::duplicate_name(written.behaviour.name.where, "fault", binding.instance.name,
+                                      first->behaviour.origin));
+    const auto of = scope.instances.find(scope.text(written.of));
+    if (of == scope.instances.end() || !of->second.valid()) {
+        Nearest nearest(scope.text(written.of));
+        for (const Binding& each : bindings) nearest.offer(each.instance.name);
+        scope.diagnostics.add(messages::unknown(written.of.where, "instance", scope.text(written.of), nearest.best()));
+        return;
+    }
+    Binding instance = bindings[of->second.index];
+    if (instance.wrong || !binding.instance.component.valid()) return;
+    instance.instance = scope.loop.instances[of->second];
+    binding.of = &instance;
+    binding.instance.environment = instance.instance.environment;
+    bind_fault(scope, binding);
+    if (!binding.wrong) scope.loop.faults.add({of->second, std::move(binding.instance)});
 }
 
 }  // namespace
@@ -280,7 +427,7 @@ void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written) {
     for (const tree::LoopItem& item : written.items) {
         const auto* instance = std::get_if<tree::Instance>(&item);
         if (instance == nullptr) continue;
-        bindings.push_back(begin(scope, *instance));
+        bindings.push_back(bind_instance(scope, *instance));
         if (bindings.back().wrong) excuse(scope, *instance);
         const Id<ClosedLoop::Instance> id = scope.loop.instances.add(bindings.back().instance);
         Id<ClosedLoop::Instance>& known = scope.instances[bindings.back().instance.name];
@@ -292,8 +439,10 @@ void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written) {
         for (const Id<Parameter> id : binding.component->parameters.ids())
             if (binding.component->parameters[id].kind == Component::ParameterKind::Input)
                 bind_input(scope, binding, id);
-        scope.loop.instances[Id<ClosedLoop::Instance>{index}] = std::move(binding.instance);
+        scope.loop.instances[Id<ClosedLoop::Instance>{index}] = binding.instance;
     }
+    for (const tree::LoopItem& item : written.items)
+        if (const auto* fault = std::get_if<tree::Fault>(&item)) resolve_fault(scope, *fault, bindings);
 }
 
 }  // namespace grafverif

@@ -242,6 +242,7 @@ void resolve_queries(LoopScope& scope, const tree::ClosedLoop& written) {
                        [&](const tree::Controller& controller) { resolve_cycle(scope, controller); },
                        [](const tree::Variables&) {},
                        [](const tree::Instance&) {},
+                       [](const tree::Fault&) {},
                        [&](const tree::Grain& chosen) { resolve_grain(scope, chosen, grain); },
                        [&](const tree::TimeUnit& unit) { resolve_time_unit(scope, unit); },
                        [&](const tree::Property& property) {

@@ -273,6 +273,9 @@ TEST(LspCompletion, OffersValidProposals) {
     EXPECT_TRUE(holds(in_loop("    plant A = lamp(ON = @"), "MOVE"));
     EXPECT_EQ(in_loop("    plant A = position_sensors_2() initially @"),
               (std::vector<std::string>{"between", "in", "out"}));
+    EXPECT_EQ(in_loop("    fault F of @"), (std::vector<std::string>{"Lamp", "Start"}));
+    EXPECT_TRUE(holds(in_loop("    fault F of Start: fr@"), "free"));
+    EXPECT_TRUE(holds(in_loop("    fault F of Lamp: lamp(ON = @"), "MOVE"));
     EXPECT_TRUE(holds(in_loop("    property p: @"), "never"));
     EXPECT_TRUE(holds(in_loop("    property p: never X1 && @"), "START"));
     EXPECT_EQ(in_loop("    property p: never Start.@"),
