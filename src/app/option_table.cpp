@@ -250,6 +250,13 @@ std::vector<Option> options_for_checks() {
         toggle(
             OptionGroup::Tuning, "every-point", [](Options & options) -> auto& { return options.tune.every_point; },
             "check the model of every point, without conclusions from one point about others"),
+        number(
+            OptionGroup::Faults, "order", "N", {}, [](Options & options) -> auto& { return options.faults.order; },
+            "maximum number of faults of a combination (default: 1)"),
+        list(OptionGroup::Faults, "property", "NAME", &Options::properties, "decide only this property; repeatable"),
+        text(OptionGroup::Faults, "openpsa", "FILE", &Options::open_psa,
+             "write the minimal combinations as a fault tree to FILE (Open-PSA Model Exchange Format)"),
+        {OptionGroup::Faults, "jobs", "N", "check N models in parallel (default: one per core)", take_jobs},
         text(OptionGroup::Supervision, "marked", "TERM", &Options::marked,
              "condition that must remain reachable (default: the initial situation)"),
         choice<Held>(OptionGroup::Supervision, "conditions",

@@ -56,6 +56,11 @@ struct TuneOptions {
     bool every_point = false;              ///< true: check each point separately
 };
 
+/// Options of `faults`.
+struct FaultsOptions {
+    std::uint64_t order = 1;  ///< maximum number of faults of a combination
+};
+
 struct Options {
     std::vector<std::string> operands = {};  ///< FILE operands, or NAME for `components`
     std::optional<std::string> output = {};  ///< value of -o
@@ -101,6 +106,7 @@ struct Options {
     bool stats = false;
     bool why = false;  ///< option of `check`
     TuneOptions tune = {};
+    FaultsOptions faults = {};
     bool help = false;
 
     std::vector<std::string> properties = {};       ///< option of `check`: names of properties; all if empty
@@ -137,6 +143,7 @@ struct Options {
     std::optional<std::uint64_t> response_timeout_ms = {};
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
     std::uint64_t max_evolutions = 1000;               ///< option of `st`; at most 32 bits
+    std::optional<std::string> open_psa = {};          ///< option of `faults`
     std::optional<std::string> log = {};               ///< option of `replay`
     std::optional<std::uint64_t> jitter_ms = {};       ///< option of `replay` and `monitor`
     std::optional<std::string> script = {};            ///< option of `simulate`
@@ -168,6 +175,7 @@ inline constexpr std::array path_options = {
     PathOption{"sarif", &Options::sarif, PathUse::Written},
     PathOption{"trace-vcd", &Options::trace_vcd, PathUse::Written},
     PathOption{"trace-svg", &Options::trace_svg, PathUse::Written},
+    PathOption{"openpsa", &Options::open_psa, PathUse::Written},
     PathOption{"depfile", &Options::depfile, PathUse::Written},
     PathOption{"state", &Options::state_file, PathUse::Updated},
     PathOption{"survivors", &Options::survivors, PathUse::WrittenFolder},
@@ -230,6 +238,7 @@ enum class OptionGroup {
     Cover,
     Supervision,
     Tuning,
+    Faults,
     Minimise,
     Limits,
     Date,

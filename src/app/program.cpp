@@ -58,6 +58,7 @@ constexpr std::array entries = {
     Entry{mutate_usage, mutate},
     Entry{supervise_usage, supervise},
     Entry{tune_usage, tune},
+    Entry{faults_usage, faults},
     Entry{automaton_usage, automaton},
     Entry{mealy_usage, mealy},
     Entry{testgen_usage, testgen},

@@ -349,7 +349,7 @@ using Words = std::vector<std::string>;
 const std::string violated =
     chart("c") +
     "closed_loop l {\n    controller c;\n    constant GAP = 1s;\n    environment E = push_button(OUT = x, GAP = GAP);\n"
-    "    property p: never X1;\n}\n";
+    "    fault F of E: free(OUT = x);\n    property p: never X1;\n}\n";
 
 /// Returns a call of the command on `file` that terminates.
 Words call(const CliCommand& verb, const std::string& file, const Folder& folder) {
@@ -409,7 +409,7 @@ TEST(StandardInput, IsReadOnce) {
 
 /// Returns the expected beginning of a document that the option writes. The result is empty if the beginning varies.
 std::string beginning_of(const std::string& option) {
-    if (option == "junit") return "<?xml";
+    if (option == "junit" || option == "openpsa") return "<?xml";
     if (option == "sarif") return "{\n";
     if (option == "trace-svg") return "<svg";
     if (option == "trace-vcd") return "$comment";

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// `faults`: decides which combinations of faults of a closed loop violate its properties.
+#include "pipeline/variants/faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+#include "app/commands.hpp"
+#include "app/outputs.hpp"
+#include "app/stop_text.hpp"
+#include "app/system/watchdog.hpp"
+#include "check/shares.hpp"
+#include "report/charts/faults.hpp"
+#include "support/messages_choice.hpp"
+#include "support/messages_fault.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// Checks that the loop has faults, and not too many combinations. Returns false after an error.
+bool is_feasible(const ClosedLoop& loop, CommandContext& job) {
+    const std::uint64_t order = job.options.faults.order;
+    if (loop.faults.empty()) job.diagnostics.add(messages::no_faults(loop.origin, loop.name));
+    if (order < 1 || order > most_faults)
+        job.diagnostics.add(messages::bad_values({}, fmt::format("`--order {}` is not in 1..{}", order, most_faults),
+                                                 "use a smaller number of faults"));
+    else if (combination_count(loop, order) > most_combinations)
+        job.diagnostics.add(
+            messages::bad_values(loop.origin,
+                                 fmt::format("the faults of `{}` have more than {} combinations of at most {}",
+                                             loop.name, most_combinations, order),
+                                 "reduce `--order`, or declare fewer faults"));
+    return !job.diagnostics.has_errors();
+}
+
+/// Replaces the empty reasons of combinations that were not checked.
+void name_reasons(FaultAnalysis& analysis, const std::string& reason) {
+    for (FaultAnalysis::Row& row : analysis.rows)
+        for (FaultAnalysis::Open& open : row.open)
+            if (open.reason.empty()) open.reason = reason;
+}
+
+ExitCode exit_code(const FaultAnalysis& analysis) {
+    if (!analysis.failures.empty()) return ExitCode::Failure;
+    if (!analysis.errors.empty()) return ExitCode::Verdict;
+    const auto& rows = analysis.rows;
+    if (std::ranges::any_of(rows, [](const auto& row) { return !row.minimal.empty(); })) return ExitCode::Verdict;
+    const bool open = std::ranges::any_of(rows, [](const FaultAnalysis::Row& row) {
+        return row.declared && (row.without_faults == Outcome::Unknown || !row.open.empty());
+    });
+    return open ? ExitCode::Unknown : ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode faults(CommandContext& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
+    if (!loop || !is_feasible(model->loops[*loop], job)) return ExitCode::Input;
+    const Options& options = job.options;
+    FaultsRequest request{.order = options.faults.order,
+                          .properties = options.properties,
+                          .how = model_options(options),
+                          .jobs = options.jobs};
+    const ResourceLimits bounds(options, streams);
+    request.limits = bounds.limits();
+    auto found = analysed_faults(*model, *loop, request, job.diagnostics);
+    if (!found) return ExitCode::Input;
+    name_reasons(*found, with_remedy(with_who_stopped("stopped", bounds.interrupted(), options), options));
+    print_failures(found->failures, streams);
+    work_is_done();
+    std::ostringstream out;
+    if (options.format == Format::Json) out << faults_json(*found, job.sources) << '\n';
+    else print_faults(*found, options.verbose, out);
+    deliver(std::move(out).str(), job, streams);
+    if (options.open_psa && !write_outputs({{*options.open_psa, open_psa_of(*found)}}, job, streams))
+        return ExitCode::Input;
+    return exit_code(*found);
+}
+
+CliCommand faults_usage() {
+    return {"faults",
+            "FILE",
+            1,
+            1,
+            "find combinations of faults that violate the properties",
+            "Decides for each property of a closed loop in FILE which combinations of its declared faults violate it.\n"
+            "A fault makes an instance behave as another component, from power-on or from any later time. Prints the\n"
+            "minimal combinations of at most --order faults, each with a run, the effects of each fault, and\n"
+            "the steps and outputs that show it (docs/how-to/faults.md). Properties that are violated without faults\n"
+            "are not analysed.\n"
+            "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error;\n"
+            "3: some verdicts are unknown (--timeout, Ctrl-C).",
+            {"grafverif faults station.grafcet", "grafverif faults station.grafcet --order 2 --openpsa tree.xml",
+             "grafverif faults station.grafcet --order 2 --property P15 --format json"},
+            {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,
+             OptionGroup::Grain, OptionGroup::Faults, OptionGroup::Verbose, OptionGroup::Format}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// FaultAnalysis: which combinations of faults of a closed loop violate its properties, and what each fault changes.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/report.hpp"
+
+namespace grafverif {
+
+/// A combination: increasing indices in FaultAnalysis::faults.
+using FaultSet = std::vector<std::size_t>;
+
+struct FaultAnalysis {
+    /// Visible elements (steps and Boolean outputs of controllers) that a fault affects, by name.
+    struct Visible {
+        /// Elements that are true in some state if the fault may occur, and in no state without faults.
+        std::vector<std::string> newly_true = {};
+        /// Elements that are true in some state without faults, and in no state if the fault is present from power-on.
+        std::vector<std::string> never_true = {};
+        /// Result of `inevitable` for the elements `newly_true`, if the fault is present from power-on.
+        Outcome always_shown = Outcome::Unknown;
+        bool decided = false;  ///< false: the search was stopped, and the lists are incomplete
+        bool operator==(const Visible&) const = default;
+    };
+    struct Fault {
+        std::string name = {}, instance = {}, component = {};
+        Span origin = {};
+        Visible visible = {};
+    };
+    /// A combination that violates a property, with its run.
+    struct Cut {
+        FaultSet faults = {};
+        FaultSet from_power_on = {};  ///< the faults that are present from power-on; the others occur in the run
+        PropertyResult result = {};
+    };
+    /// A combination for which the verdict is unknown.
+    struct Open {
+        FaultSet faults = {};
+        std::string reason = {};
+    };
+    /// `violating` violates the property, but its superset `holding` does not.
+    struct NonMonotone {
+        FaultSet violating = {}, holding = {};
+    };
+    struct Row {
+        std::string property = {}, text = {};
+        Pattern pattern = Pattern::Always;
+        bool declared = true;  ///< false if the model does not declare the property, or if it was not requested
+        Span origin = {};
+        Outcome without_faults = Outcome::Unknown;
+        std::vector<Cut> minimal = {};
+        std::vector<Open> open = {};
+        std::vector<NonMonotone> non_monotone = {};
+    };
+    /// A model error that a combination causes.
+    struct Error {
+        FaultSet faults = {};
+        ModelErrorTrace trace = {};
+    };
+
+    std::string model = {};  ///< name of the closed loop
+    CheckSettings settings = {};
+    std::size_t order = 1;  ///< maximum number of faults of a combination
+    std::vector<Fault> faults = {};
+    std::vector<Row> rows = {};
+    std::vector<Error> errors = {};
+    std::size_t combinations = 0;            ///< number of combinations of at most `order` faults
+    std::size_t checks = 0;                  ///< number of models that were checked, including the loop without faults
+    std::vector<std::string> failures = {};  ///< internal errors
+};
+
+}  // namespace grafverif

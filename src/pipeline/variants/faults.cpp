@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/variants/faults.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "check/shares.hpp"
+#include "ir/patterns.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "pipeline/staged_search.hpp"
+#include "pipeline/variants/fault_model.hpp"
+#include "pipeline/variants/in_parallel.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+/// Maximum number of states of the first passes of a check, and whether they search the complete network only.
+constexpr std::array<std::pair<std::uint64_t, bool>, 2> passes = {
+    {{std::uint64_t{1} << 17U, false}, {std::uint64_t{1} << 22U, true}}};
+
+bool is_about_existence(Pattern pattern) {
+    return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
+}
+
+/// Returns the name of the property of the model: `S` for the row `S.X7`.
+std::string base_name(const FaultAnalysis::Row& row) {
+    return row.pattern == Pattern::ReachableAllSteps ? row.property.substr(0, row.property.find('.')) : row.property;
+}
+
+/// True if each superset of the combination has the violating run, because its other faults never occur.
+bool is_monotone(const FaultAnalysis::Cut& cut) {
+    const Pattern pattern = cut.result.verdict.pattern;
+    if (!cut.result.trace) return false;
+    return is_about_all_states(pattern) || (is_liveness(pattern) && cut.result.trace->loop_from);
+}
+
+/// A combination to check, with the rows that are open for it, and the results.
+struct CombinationCheck {
+    FaultSet faults = {};
+    Indices rows = {};
+    std::vector<std::pair<std::size_t, FaultAnalysis::Cut>> violated = {};  ///< rows and their runs
+    std::vector<std::pair<std::size_t, std::string>> unknown = {};          ///< rows and reasons
+    std::vector<ModelErrorTrace> errors = {};
+    std::vector<std::string> failures = {};
+    std::size_t checks = 0;
+    bool done = false;
+};
+
+class FaultAnalyzer {
+public:
+    FaultAnalyzer(const Model& model, Id<ClosedLoop> loop, const FaultsRequest& request, Diagnostics& diagnostics)
+        : model_(model), loop_(loop), request_(request), diagnostics_(diagnostics) {}
+
+    std::optional<FaultAnalysis> run() {
+        const auto network = network_of(model_, loop_, request_.how, diagnostics_);
+        if (!network || !all_known(request_.properties, property_names(*network), diagnostics_)) return {};
+        if (!faults_are_valid()) return {};
+        analysis_.model = model_.loops[loop_].name;
+        analysis_.order = request_.order;
+        check_without_faults(*network);
+        for (std::size_t size = 1; size <= request_.order; ++size) check_combinations(size);
+        if (request_.visible) find_visible(*network);
+        return std::move(analysis_);
+    }
+
+private:
+    bool stopped() const { return is_over(request_.limits.deadline, request_.limits.stop); }
+    const Table<ClosedLoop::Fault>& faults() const { return model_.loops[loop_].faults; }
+
+    /// Builds the model of each fault, so that all errors are reported before the search.
+    bool faults_are_valid() {
+        bool valid = true;
+        for (const Id<ClosedLoop::Fault> id : faults().ids()) {
+            const ClosedLoop::Fault& fault = faults()[id];
+            const Model made = with_faults(model_, loop_, {{id, true}});
+            Diagnostics found;
+            valid = network_of(made, loop_, request_.how, found).has_value() && valid;
+            for (const Diagnostic& each : found.all())
+                if (each.severity == Severity::Error) diagnostics_.add(each);
+            analysis_.faults.push_back({fault.behaviour.name, model_.loops[loop_].instances[fault.of].name,
+                                        model_.components[fault.behaviour.component].name, fault.behaviour.origin});
+        }
+        return valid;
+    }
+
+    /// A check uses at most a quarter of the remaining time.
+    CheckOptions options(unsigned jobs) const {
+        CheckOptions options{.properties = request_.properties, .limits = request_.limits, .jobs = jobs};
+        options.limits.deadline = share_of(request_.limits.deadline, 4);
+        options.witnesses = false;
+        options.limits.progress = {};
+        return options;
+    }
+
+    /// Checks the network in passes. A network with faults often has somewhat more states than localization requires,
+    /// but a search of the complete network needs less time than localization.
+    Report report_on(const Model& model, const Network& network, CheckOptions options) const {
+        const LoopToCheck loop = loop_to_check(model, loop_, network);
+        for (const auto& [states, whole] : passes) {
+            options.limits.states = states;
+            options.whole = whole;
+            Report report = check_without_causes(loop, options);
+            const auto& answers = report.answers;
+            if (stopped() || std::ranges::none_of(answers, [](const PropertyResult& each) {
+                    return each.verdict.declared && each.verdict.obstacle == UnknownReason::Bound;
+                }))
+                return report;
+        }
+        options.limits.states = {};
+        options.whole = false;
+        return check_without_causes(loop, options);
+    }
+
+    /// True for all rows except `no timelock`, which every check decides, if only other properties are requested.
+    bool is_requested(const FaultAnalysis::Row& row) const {
+        const std::vector<std::string>& names = request_.properties;
+        return names.empty() || std::ranges::find(names, row.property) != names.end() ||
+               std::ranges::find(names, base_name(row)) != names.end();
+    }
+
+    void check_without_faults(const Network& network) {
+        Report report = report_on(model_, network, options(request_.jobs));
+        ++analysis_.checks;
+        analysis_.settings = report.settings;
+        analysis_.failures = std::move(report.failures);
+        for (ModelErrorTrace& each : report.error_traces) analysis_.errors.push_back({{}, std::move(each)});
+        for (const PropertyResult& result : report.answers) {
+            const Verdict& verdict = result.verdict;
+            FaultAnalysis::Row row{verdict.property, result.text,    verdict.pattern,
+                                   verdict.declared, verdict.origin, verdict.outcome};
+            for (const Property& property : network.properties)
+                if (property.name == base_name(row)) row.pattern = property.pattern;
+            row.declared = row.declared && is_requested(row);
+            analysis_.rows.push_back(std::move(row));
+        }
+    }
+
+    // -- combinations ---------------------------------------------------------------------------------------------
+
+    /// Calls `visit` for each combination of `size` faults of different instances, in lexicographic order.
+    template <class Visit>
+    void each_combination(std::size_t size, FaultSet& chosen, const Visit& visit) const {
+        if (chosen.size() == size) return visit(chosen);
+        for (std::size_t next = chosen.empty() ? 0 : chosen.back() + 1; next < faults().size(); ++next) {
+            if (std::ranges::any_of(chosen, [&](std::size_t each) { return instance(each) == instance(next); }))
+                continue;
+            chosen.push_back(next);
+            each_combination(size, chosen, visit);
+            chosen.pop_back();
+        }
+    }
+
+    Id<ClosedLoop::Instance> instance(std::size_t fault) const {
+        return faults()[Id<ClosedLoop::Fault>{static_cast<std::uint32_t>(fault)}].of;
+    }
+
+    /// True if the combination must be checked for the row.
+    static bool is_open(const FaultAnalysis::Row& row, const FaultSet& faults) {
+        if (row.without_faults != Outcome::Holds) return false;
+        return std::ranges::none_of(row.minimal, [&](const FaultAnalysis::Cut& cut) {
+            return std::ranges::includes(faults, cut.faults) && is_monotone(cut);
+        });
+    }
+
+    void check_combinations(std::size_t size) {
+        std::vector<CombinationCheck> jobs;
+        FaultSet chosen;
+        each_combination(size, chosen, [&](const FaultSet& faults) {
+            ++analysis_.combinations;
+            CombinationCheck job{.faults = faults};
+            for (std::size_t k = 0; k < analysis_.rows.size(); ++k)
+                if (is_open(analysis_.rows[k], faults)) job.rows.push_back(k);
+            const auto declared = [&](std::size_t row) { return analysis_.rows[row].declared; };
+            if (std::ranges::any_of(job.rows, declared)) jobs.push_back(std::move(job));
+        });
+        std::size_t done = 0;
+        std::mutex mutex;  // of `done` and of the callback
+        in_parallel(
+            jobs.size(), request_.jobs, [this] { return stopped(); },
+            [&](std::size_t k) {
+                check(jobs[k], jobs.size() > 1 ? 1 : request_.jobs);
+                const std::lock_guard lock(mutex);
+                ++done;
+                if (!request_.limits.progress) return;
+                request_.limits.progress({[&] {
+                    return std::to_string(done) + " of " + std::to_string(jobs.size()) + " combinations of " +
+                           std::to_string(size) + " faults";
+                }});
+            });
+        for (CombinationCheck& job : jobs) apply(job);
+    }
+
+    /// Checks the models of a combination: with faults that occur at any time, then with faults from power-on. Bit k of
+    /// `present` is set if fault k of the combination is present from power-on.
+    void check(CombinationCheck& job, unsigned jobs) const {
+        const std::size_t all = (std::size_t{1} << job.faults.size()) - 1;
+        for (std::size_t present = 0; present <= all && !stopped(); ++present) {
+            Indices rows;
+            for (const std::size_t row : job.rows)
+                if (needs(analysis_.rows[row].pattern, present, all) && !is_violated(job, row)) rows.push_back(row);
+            if (!rows.empty()) check(job, rows, present, jobs);
+        }
+        job.done = !stopped();
+    }
+
+    /// True if a property with this pattern is checked in the model in which the faults `present` begin at power-on.
+    static bool needs(Pattern pattern, std::size_t present, std::size_t all) {
+        if (is_about_existence(pattern)) return present == all;
+        return present == 0 || pattern == Pattern::Inevitable || pattern == Pattern::Watched;
+    }
+
+    static bool is_violated(const CombinationCheck& job, std::size_t row) {
+        return std::ranges::any_of(job.violated, [&](const auto& each) { return each.first == row; });
+    }
+
+    std::vector<ActiveFault> active(const FaultSet& faults, std::size_t present) const {
+        std::vector<ActiveFault> list;
+        for (std::size_t k = 0; k < faults.size(); ++k)
+            list.push_back({{static_cast<std::uint32_t>(faults[k])}, (present >> k & 1U) != 0});
+        return list;
+    }
+
+    void check(CombinationCheck& job, const Indices& rows, std::size_t present, unsigned jobs) const {
+        const Model made = with_faults(model_, loop_, active(job.faults, present));
+        Diagnostics found;
+        const auto network = network_of(made, loop_, request_.how, found);
+        if (!network) return fail(job, rows, found);
+        CheckOptions how = options(jobs);
+        how.properties.clear();
+        for (const std::size_t row : rows)
+            if (const std::string name = base_name(analysis_.rows[row]);
+                analysis_.rows[row].declared && std::ranges::find(how.properties, name) == how.properties.end())
+                how.properties.push_back(name);
+        if (how.properties.empty()) return;
+        Report report = report_on(made, *network, how);
+        ++job.checks;
+        std::ranges::move(report.failures, std::back_inserter(job.failures));
+        if (job.errors.empty()) job.errors = std::move(report.error_traces);
+        for (PropertyResult& result : report.answers)
+            for (const std::size_t row : rows)
+                if (analysis_.rows[row].property == result.verdict.property) {
+                    note(job, row, present, std::move(result));
+                    break;
+                }
+    }
+
+    /// Each fault alone is valid, but a combination may need another time unit, for example.
+    static void fail(CombinationCheck& job, const Indices& rows, const Diagnostics& found) {
+        const auto error = std::ranges::find(found.all(), Severity::Error, &Diagnostic::severity);
+        for (const std::size_t row : rows)
+            job.unknown.emplace_back(row, error == found.all().end() ? "" : error->message);
+    }
+
+    static void note(CombinationCheck& job, std::size_t row, std::size_t present, PropertyResult result) {
+        if (result.verdict.outcome == Outcome::Unknown)
+            return void(job.unknown.emplace_back(row, result.verdict.reason));
+        if (result.verdict.outcome == Outcome::Holds) return;
+        FaultSet from_power_on;
+        for (std::size_t k = 0; k < job.faults.size(); ++k)
+            if ((present >> k & 1U) != 0) from_power_on.push_back(job.faults[k]);
+        job.violated.push_back({row, {job.faults, std::move(from_power_on), std::move(result)}});
+    }
+
+    void apply(CombinationCheck& job) {
+        analysis_.checks += job.checks;
+        std::ranges::move(job.failures, std::back_inserter(analysis_.failures));
+        for (ModelErrorTrace& each : job.errors)
+            if (!has_error(job.faults, each.code)) analysis_.errors.push_back({job.faults, std::move(each)});
+        for (auto& [index, cut] : job.violated) {
+            FaultAnalysis::Row& row = analysis_.rows[index];
+            if (violating_subset(row, job.faults) == nullptr) row.minimal.push_back(std::move(cut));
+        }
+        for (const std::size_t index : job.rows) apply(job, index);
+    }
+
+    /// True if a subset of the combination causes the same model error.
+    bool has_error(const FaultSet& faults, const std::string& code) const {
+        return std::ranges::any_of(analysis_.errors, [&](const FaultAnalysis::Error& each) {
+            return each.trace.code == code && std::ranges::includes(faults, each.faults);
+        });
+    }
+
+    static const FaultAnalysis::Cut* violating_subset(const FaultAnalysis::Row& row, const FaultSet& faults) {
+        for (const FaultAnalysis::Cut& cut : row.minimal)
+            if (std::ranges::includes(faults, cut.faults)) return &cut;
+        return nullptr;
+    }
+
+    /// Notes that the verdict on a row is unknown, or that the combination satisfies what a subset violates.
+    void apply(const CombinationCheck& job, std::size_t index) {
+        FaultAnalysis::Row& row = analysis_.rows[index];
+        if (is_violated(job, index)) return;
+        const auto unknown = std::ranges::find(job.unknown, index, [](const auto& each) { return each.first; });
+        const FaultAnalysis::Cut* const subset = violating_subset(row, job.faults);
+        if (!job.done || unknown != job.unknown.end()) {
+            if (row.declared && subset == nullptr)
+                row.open.push_back({job.faults, unknown == job.unknown.end() ? "" : unknown->second});
+        } else if (subset != nullptr) {
+            row.non_monotone.push_back({subset->faults, job.faults});
+        }
+    }
+
+    // -- visible effects ------------------------------------------------------------------------------------------
+
+    struct Element {
+        std::string name = {};  ///< `ALARM`, `X2`, `watchdog.X2`; with several controllers, `press.X2`
+        Id<Network::Variable> variable = {};
+    };
+
+    /// Returns the steps and the Boolean outputs of all controllers.
+    static std::vector<Element> elements(const Network& network) {
+        std::vector<Element> found;
+        for (const Network::Controller& controller : network.controllers) {
+            const std::string prefix = network.controllers.size() > 1 ? controller.words.name + "." : "";
+            for (const auto& step : controller.words.steps)
+                found.push_back({prefix + step.name.variable(), step.variable});
+            for (const auto& output : controller.words.outputs)
+                if (network.variables[output.variable].type.boolean) found.push_back({output.name, output.variable});
+        }
+        return found;
+    }
+
+    /// Replaces the properties of a network: each element is true in some reachable state.
+    static void query_visible(Network& network) {
+        network.properties = {};
+        for (const Element& each : elements(network))
+            network.properties.add({.name = each.name,
+                                    .pattern = Pattern::Reachable,
+                                    .operands = {network.exprs.leaf(Op::Variable, each.variable.index)}});
+    }
+
+    /// The elements that are true in some reachable state, and those that are not.
+    struct Reached {
+        std::set<std::string> yes = {}, no = {};
+        bool complete = true;
+    };
+
+    Reached reached(const Model& model, Network network, unsigned jobs) const {
+        query_visible(network);
+        CheckOptions how = options(jobs);
+        how.properties = {};
+        Reached found;
+        for (const PropertyResult& result : report_on(model, network, how).answers) {
+            if (result.verdict.pattern != Pattern::Reachable) continue;
+            if (result.verdict.outcome == Outcome::Holds) found.yes.insert(result.verdict.property);
+            else if (result.verdict.outcome == Outcome::Violated) found.no.insert(result.verdict.property);
+            else found.complete = false;
+        }
+        return found;
+    }
+
+    void find_visible(const Network& network) {
+        if (stopped()) return;
+        const Reached normal = reached(model_, network, request_.jobs);
+        in_parallel(
+            analysis_.faults.size(), request_.jobs, [this] { return stopped(); },
+            [&](std::size_t k) { analysis_.faults[k].visible = visible(k, normal); });
+        analysis_.checks += 1 + 2 * analysis_.faults.size();
+    }
+
+    FaultAnalysis::Visible visible(std::size_t fault, const Reached& normal) const {
+        FaultAnalysis::Visible visible;
+        Diagnostics found;
+        const Model any = with_faults(model_, loop_, active({fault}, 0));
+        const Model begun = with_faults(model_, loop_, active({fault}, 1));
+        const auto any_network = network_of(any, loop_, request_.how, found);
+        auto begun_network = network_of(begun, loop_, request_.how, found);
+        if (!any_network || !begun_network) return visible;
+        const Reached at_any_time = reached(any, *any_network, 1), from_power_on = reached(begun, *begun_network, 1);
+        std::ranges::set_intersection(at_any_time.yes, normal.no, std::back_inserter(visible.newly_true));
+        std::ranges::set_intersection(from_power_on.no, normal.yes, std::back_inserter(visible.never_true));
+        visible.decided = normal.complete && at_any_time.complete && from_power_on.complete;
+        if (!visible.newly_true.empty()) visible.always_shown = shown(begun, *begun_network, visible.newly_true);
+        return visible;
+    }
+
+    /// Decides if one of the elements inevitably becomes true.
+    Outcome shown(const Model& model, Network& network, const std::vector<std::string>& names) const {
+        std::vector<Id<Expr>> terms;
+        for (const Element& each : elements(network))
+            if (std::ranges::find(names, each.name) != names.end())
+                terms.push_back(network.exprs.leaf(Op::Variable, each.variable.index));
+        network.properties = {};
+        network.properties.add(
+            {.name = "shown", .pattern = Pattern::Inevitable, .operands = {network.exprs.disjunction(terms)}});
+        CheckOptions how = options(1);
+        how.properties = {"shown"};
+        for (const PropertyResult& result : report_on(model, network, how).answers)
+            if (result.verdict.property == "shown") return result.verdict.outcome;
+        return Outcome::Unknown;
+    }
+
+    const Model& model_;
+    Id<ClosedLoop> loop_;
+    const FaultsRequest& request_;
+    Diagnostics& diagnostics_;
+    FaultAnalysis analysis_ = {};
+};
+
+}  // namespace
+
+std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order) {
+    std::vector<std::uint64_t> per_instance(loop.instances.size());
+    for (const ClosedLoop::Fault& fault : loop.faults) ++per_instance[fault.of.index];
+    // Entry k: number of combinations of k faults of the instances so far, at most one more than the limit.
+    std::vector<std::uint64_t> counts(std::min<std::size_t>(order, loop.instances.size()) + 1);
+    counts[0] = 1;
+    for (const std::uint64_t faults : per_instance)
+        for (std::size_t k = counts.size(); k-- > 1;)
+            counts[k] = std::min(counts[k] + counts[k - 1] * faults, most_combinations + 1);
+    std::uint64_t sum = 0;
+    for (std::size_t k = 1; k < counts.size(); ++k) sum = std::min(sum + counts[k], most_combinations + 1);
+    return sum;
+}
+
+std::optional<FaultAnalysis> analysed_faults(const Model& model, Id<ClosedLoop> loop, const FaultsRequest& request,
+                                             Diagnostics& diagnostics) {
+    return FaultAnalyzer(model, loop, request, diagnostics).run();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Fault analysis: decides which combinations of faults of a closed loop violate its properties.
+//
+// Each combination is checked in the model of pipeline/variants/fault_model.hpp, in which its faults may occur at any
+// time or never. A property `reachable` holds in this model if it holds without faults; therefore it is checked with
+// all faults of the combination from power-on. Combinations with two faults of one instance are not considered, because
+// only one of them can occur.
+//
+// A combination is minimal if it violates the property and none of its subsets is known to violate it. A superset of a
+// violating combination is not checked if it has the violating run too:
+//
+//   the run leads to a state that violates the property, or is infinite    the other faults never occur in it
+//   any other run, such as one that ends in a deadlock                     another fault may occur at its end
+//
+// In the second case, supersets are checked, and are reported if they satisfy the property. No other conclusion is
+// drawn from one combination about another one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/grafverif.hpp"
+#include "ir/fault_analysis.hpp"
+
+namespace grafverif {
+
+/// Maximum number of combinations that are checked.
+constexpr std::uint64_t most_combinations = 100'000;
+
+/// Maximum number of faults of a combination. Properties about runs from power-on need a check for each subset.
+constexpr std::uint64_t most_faults = 8;
+
+struct FaultsRequest {
+    std::size_t order = 1;                     ///< maximum number of faults of a combination: 1..most_faults
+    std::vector<std::string> properties = {};  ///< names of properties; all if empty
+    bool visible = true;                       ///< also determine which steps and outputs each fault affects
+    ModelOptions how = {};
+    Limits limits = {};
+    unsigned jobs = 0;  ///< threads; 0 selects one per core; the result does not depend on it
+};
+
+/// Returns the number of combinations of at most `order` faults, or more than most_combinations if there are too many.
+std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order);
+
+/// Analyses the faults of `loop`. Requires at most most_combinations. The result is empty after an error: a property
+/// does not exist, or the model with a fault is rejected. At a limit, combinations that were not checked are unknown.
+std::optional<FaultAnalysis> analysed_faults(const Model& model, Id<ClosedLoop> loop, const FaultsRequest& request,
+                                             Diagnostics& diagnostics);
+
+}  // namespace grafverif

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "report/charts/faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "report/json_place.hpp"
+#include "report/json_trace.hpp"
+#include "report/settings_text.hpp"
+#include "report/table.hpp"
+#include "report/terminal.hpp"
+#include "support/json_text.hpp"
+#include "support/printable.hpp"
+#include "support/xml_text.hpp"
+#include "syntax/print/constants.hpp"
+#include "syntax/print/legal_names.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Maximum number of undecided or not monotone combinations of a property that are listed.
+constexpr std::size_t most_listed_sets = 5;
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
+    return text;
+}
+
+/// Returns a combination such as `V_stuck + H_stuck`.
+std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults) {
+    std::string text;
+    for (const std::size_t fault : faults) text += (text.empty() ? "" : " + ") + printable(analysis.faults[fault].name);
+    return text.empty() ? "no fault" : text;
+}
+
+/// True if the row is printed. An undeclared `no timelock` is printed only if a combination violates it.
+bool is_shown(const FaultAnalysis::Row& row) { return row.declared || !row.minimal.empty(); }
+
+void print_table(const FaultAnalysis& analysis, std::ostream& out) {
+    std::size_t width = columns_of("property");
+    for (const FaultAnalysis::Row& row : analysis.rows)
+        if (is_shown(row)) width = std::max(width, columns_of(printable(row.property)));
+    out << '\n' << padded("property", width) << "  minimal combinations of faults that violate it\n";
+    for (const FaultAnalysis::Row& row : analysis.rows) {
+        if (!is_shown(row)) continue;
+        std::string text;
+        if (row.without_faults != Outcome::Holds) text = std::string(word(row.without_faults)) + " without faults";
+        for (const FaultAnalysis::Cut& cut : row.minimal)
+            text += (text.empty() ? "" : "; ") + names_of(analysis, cut.faults);
+        if (text.empty()) text = row.open.empty() ? "none" : "none found";
+        const std::string head = padded(printable(row.property), width) + "  ";
+        bool first = true;
+        for (const std::string& line : wrapped(text, widest_line - std::min(width + 2, widest_line / 2)))
+            out << (std::exchange(first, false) ? head : std::string(width + 2, ' ')) << line << '\n';
+    }
+}
+
+void print_open(const FaultAnalysis& analysis, std::ostream& out) {
+    for (const FaultAnalysis::Row& row : analysis.rows) {
+        if (row.open.empty()) continue;
+        out << fmt::format("\n{}: unknown for {} combinations\n", printable(row.property), row.open.size());
+        for (std::size_t k = 0; k < std::min(row.open.size(), most_listed_sets); ++k)
+            out << fmt::format("    {}: {}\n", names_of(analysis, row.open[k].faults), printable(row.open[k].reason));
+        if (row.open.size() > most_listed_sets) out << "    ...\n";
+    }
+}
+
+void print_non_monotone(const FaultAnalysis& analysis, std::ostream& out) {
+    for (const FaultAnalysis::Row& row : analysis.rows) {
+        if (row.non_monotone.empty()) continue;
+        out << fmt::format("\n{}: further faults can restore the property\n", printable(row.property));
+        for (std::size_t k = 0; k < std::min(row.non_monotone.size(), most_listed_sets); ++k)
+            out << fmt::format("    {} violates it, {} does not\n", names_of(analysis, row.non_monotone[k].violating),
+                               names_of(analysis, row.non_monotone[k].holding));
+        if (row.non_monotone.size() > most_listed_sets)
+            out << fmt::format("    and {} further combinations\n", row.non_monotone.size() - most_listed_sets);
+    }
+}
+
+/// Returns the properties that the fault violates alone.
+std::vector<std::string> violated_by(const FaultAnalysis& analysis, std::size_t fault) {
+    std::vector<std::string> names;
+    for (const FaultAnalysis::Row& row : analysis.rows)
+        if (std::ranges::find(row.minimal, FaultSet{fault}, &FaultAnalysis::Cut::faults) != row.minimal.end())
+            names.push_back(row.property);
+    return names;
+}
+
+/// Returns the properties that the fault violates only together with other faults.
+std::vector<std::string> violated_with_others(const FaultAnalysis& analysis, std::size_t fault) {
+    std::vector<std::string> names;
+    for (const FaultAnalysis::Row& row : analysis.rows)
+        if (std::ranges::any_of(row.minimal, [&](const FaultAnalysis::Cut& cut) {
+                return cut.faults.size() > 1 && std::ranges::find(cut.faults, fault) != cut.faults.end();
+            }))
+            names.push_back(row.property);
+    return names;
+}
+
+void print_effects(const FaultAnalysis& analysis, std::size_t index, std::ostream& out) {
+    const FaultAnalysis::Fault& fault = analysis.faults[index];
+    const auto line = [&](std::string_view head, const std::vector<std::string>& names, std::string_view tail) {
+        if (names.empty()) return;
+        std::string prefix = "    ";
+        for (const std::string& part :
+             wrapped(std::string(head) + joined(names) + std::string(tail), widest_line - 8)) {
+            out << prefix << part << '\n';
+            prefix = "        ";
+        }
+    };
+    out << fmt::format("\n{}: {} behaves as {}\n", printable(fault.name), printable(fault.instance),
+                       printable(fault.component));
+    const std::vector<std::string> alone = violated_by(analysis, index);
+    const std::vector<std::string> with_others = violated_with_others(analysis, index);
+    line("violates ", alone, "");
+    line("violates with other faults ", with_others, "");
+    if (alone.empty() && with_others.empty()) out << "    violates no property\n";
+    if (!fault.visible.decided) return void(out << "    visible effects: unknown\n");
+    const std::string_view shown =
+        fault.visible.always_shown == Outcome::Holds ? "; in every run, if the fault is present from power-on" : "";
+    line("true in some state with this fault, but never without faults: ", fault.visible.newly_true, shown);
+    line("never true if this fault is present from power-on: ", fault.visible.never_true, "");
+    if (fault.visible.newly_true.empty() && fault.visible.never_true.empty())
+        out << "    each step and each output is reachable as without the fault\n";
+}
+
+void print_run(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut,
+               std::ostream& out) {
+    out << fmt::format("\n{}: violated by {}", printable(row.property), names_of(analysis, cut.faults));
+    if (!cut.from_power_on.empty()) out << ", from power-on: " << names_of(analysis, cut.from_power_on);
+    out << '\n';
+    if (!cut.result.trace) return void(out << "    no run reaches such a state\n");
+    print_trace(*cut.result.trace, out);
+    const std::string_view end = end_of(cut.result.verdict);
+    if (!cut.result.trace->loop_from && !end.empty()) out << "    " << end << '\n';
+}
+
+std::string quoted(const std::string& text) { return '"' + attribute_xml(text) + '"'; }
+
+Json sets_json(const FaultAnalysis& analysis, const FaultSet& faults) {
+    Json names = Json::array();
+    for (const std::size_t fault : faults) names.push_back(analysis.faults[fault].name);
+    return names;
+}
+
+Json fault_json(const FaultAnalysis& analysis, std::size_t index, const Sources& sources) {
+    const FaultAnalysis::Fault& fault = analysis.faults[index];
+    Json made = {{"name", fault.name}, {"instance", fault.instance}, {"component", fault.component}};
+    add_place(made, file_place(sources, fault.origin));
+    made["violates"] = violated_by(analysis, index);
+    made["newly_true"] = fault.visible.newly_true;
+    made["never_true"] = fault.visible.never_true;
+    made["always_shown"] = fault.visible.newly_true.empty() ? Json(nullptr) : Json(word(fault.visible.always_shown));
+    made["decided"] = fault.visible.decided;
+    return made;
+}
+
+Json row_json(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const Sources& sources) {
+    Json made = {{"name", row.property}, {"text", text_or_null(row.text)}};
+    add_place(made, file_place(sources, row.origin));
+    made["declared"] = row.declared;
+    made["without_faults"] = word(row.without_faults);
+    made["minimal"] = Json::array();
+    for (const FaultAnalysis::Cut& cut : row.minimal)
+        made["minimal"].push_back({{"faults", sets_json(analysis, cut.faults)},
+                                   {"from_power_on", sets_json(analysis, cut.from_power_on)},
+                                   {"trace", cut.result.trace ? trace_json(*cut.result.trace) : Json(nullptr)}});
+    made["unknown"] = Json::array();
+    for (const FaultAnalysis::Open& open : row.open)
+        made["unknown"].push_back(
+            {{"faults", sets_json(analysis, open.faults)}, {"reason", text_or_null(open.reason)}});
+    made["non_monotone"] = Json::array();
+    for (const FaultAnalysis::NonMonotone& each : row.non_monotone)
+        made["non_monotone"].push_back(
+            {{"violating", sets_json(analysis, each.violating)}, {"holding", sets_json(analysis, each.holding)}});
+    return made;
+}
+
+}  // namespace
+
+void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out) {
+    out << fmt::format("{}: {} faults, {} combinations of at most {}, {} models checked\n{}\n",
+                       printable(analysis.model), analysis.faults.size(), analysis.combinations, analysis.order,
+                       analysis.checks, shared_settings({analysis.model, analysis.settings}, {}).shared);
+    print_table(analysis, out);
+    print_open(analysis, out);
+    print_non_monotone(analysis, out);
+    for (std::size_t fault = 0; fault < analysis.faults.size(); ++fault) print_effects(analysis, fault, out);
+    for (const FaultAnalysis::Error& error : analysis.errors) {
+        out << fmt::format("\nmodel error with {}: {} [{}]\n", names_of(analysis, error.faults),
+                           printable(error.trace.message), error.trace.code);
+        if (!error.trace.trace.steps.empty()) print_trace(error.trace.trace, out);
+    }
+    for (const FaultAnalysis::Row& row : analysis.rows)
+        for (const FaultAnalysis::Cut& cut : row.minimal)
+            if (all_runs || &cut == &row.minimal.front()) print_run(analysis, row, cut, out);
+}
+
+std::string faults_json(const FaultAnalysis& analysis, const Sources& sources) {
+    Json object = {{"model", analysis.model},
+                   {"engine", analysis.settings.engine},
+                   {"mode", analysis.settings.mode},
+                   {"grain", analysis.settings.grain},
+                   {"time_unit", seconds_text(analysis.settings.time_unit_ms)},
+                   {"order", analysis.order},
+                   {"combinations", analysis.combinations},
+                   {"checks", analysis.checks}};
+    object["faults"] = Json::array();
+    for (std::size_t fault = 0; fault < analysis.faults.size(); ++fault)
+        object["faults"].push_back(fault_json(analysis, fault, sources));
+    object["properties"] = Json::array();
+    for (const FaultAnalysis::Row& row : analysis.rows)
+        if (is_shown(row)) object["properties"].push_back(row_json(analysis, row, sources));
+    object["errors"] = Json::array();
+    for (const FaultAnalysis::Error& error : analysis.errors)
+        object["errors"].push_back({{"faults", sets_json(analysis, error.faults)},
+                                    {"code", error.trace.code},
+                                    {"message", error.trace.message},
+                                    {"trace", trace_json(error.trace.trace)}});
+    return json_text(object);
+}
+
+namespace {
+
+/// Returns the formula of a gate: the disjunction of the minimal combinations. `events` are the names of the faults.
+std::string formula_of(const FaultAnalysis::Row& row, std::span<const std::string> events) {
+    if (row.minimal.empty()) return "      <constant value=\"false\"/>\n";
+    const bool several = row.minimal.size() > 1;
+    std::string xml = several ? "      <or>\n" : "";
+    for (const FaultAnalysis::Cut& cut : row.minimal) {
+        std::string text;
+        for (const std::size_t fault : cut.faults) text += "<basic-event name=" + quoted(events[fault]) + "/>";
+        xml += (several ? "        " : "      ") + (cut.faults.size() > 1 ? "<and>" + text + "</and>" : text) + '\n';
+    }
+    return xml + (several ? "      </or>\n" : "");
+}
+
+}  // namespace
+
+std::string open_psa_of(const FaultAnalysis& analysis) {
+    std::vector<const FaultAnalysis::Row*> rows;
+    std::vector<std::string> names{analysis.model};
+    for (const FaultAnalysis::Row& row : analysis.rows)
+        if (is_shown(row) && row.without_faults == Outcome::Holds) rows.push_back(&row);
+    for (const FaultAnalysis::Row* row : rows) names.push_back(row->property);
+    for (const FaultAnalysis::Fault& fault : analysis.faults) names.push_back(fault.name);
+    for (std::string& name : names)
+        if (name.starts_with('_')) name.insert(0, "n");
+    const std::vector<std::string> legal = legal_names(Target::StructuredText, names);
+    const std::span<const std::string> events = std::span(legal).subspan(1 + rows.size());
+    std::string xml =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<opsa-mef>\n  <define-fault-tree name=" + quoted(legal[0]) + ">\n";
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (!rows[k]->open.empty()) {
+            xml += "    <!-- ";
+            comment_xml("incomplete: some combinations are unknown for " + rows[k]->property, xml);
+            xml += " -->\n";
+        }
+        xml += "    <define-gate name=" + quoted(legal[1 + k]) + ">\n" + formula_of(*rows[k], events) +
+               "    </define-gate>\n";
+    }
+    xml += "  </define-fault-tree>\n  <model-data>\n";
+    for (std::size_t fault = 0; fault < analysis.faults.size(); ++fault) {
+        xml += "    <define-basic-event name=" + quoted(events[fault]) + "><label>";
+        escape_xml(analysis.faults[fault].instance + " behaves as " + analysis.faults[fault].component, xml);
+        xml += "</label></define-basic-event>\n";
+    }
+    return xml + "  </model-data>\n</opsa-mef>\n";
+}
+
+}  // namespace grafverif

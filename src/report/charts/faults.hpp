@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Writes results of a fault analysis as text, as JSON, and as a fault tree in the Open-PSA Model Exchange Format.
+//
+// The text contains a table of the minimal combinations for each property, the effects of each fault (FMEA), and runs.
+//
+// JSON: missing values are null. `trace` is that of report/json.hpp.
+//
+//   {"model", "engine", "mode", "grain", "time_unit", "order", "combinations", "checks", "faults":[FAULT],
+//   "properties":[PROPERTY], "errors":[{"faults", "code", "message", "trace"}]}
+//   FAULT     {"name", "instance", "component", "file", "line", "column", "violates", "newly_true", "never_true",
+//             "always_shown":"holds|violated|unknown", "decided"}
+//   PROPERTY  {"name", "text", "file", "line", "column", "declared", "without_faults", "minimal":[CUT],
+//             "unknown":[{"faults", "reason"}], "non_monotone":[{"violating", "holding"}]}
+//   CUT       {"faults", "from_power_on", "trace"}
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "grafverif/support/source.hpp"
+#include "ir/fault_analysis.hpp"
+
+namespace grafverif {
+
+/// If `all_runs`, prints a run for each minimal combination, otherwise only for the first one of each property.
+void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out);
+std::string faults_json(const FaultAnalysis& analysis, const Sources& sources);
+/// Returns a fault tree with a gate per property: the disjunction of its minimal combinations. Its names are changed if
+/// the format does not allow them.
+std::string open_psa_of(const FaultAnalysis& analysis);
+
+}  // namespace grafverif
