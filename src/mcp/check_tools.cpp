@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `check` and `explain`: verdicts, and the counterexample of one property as text and as data. Both convert the output
-// of `grafverif check --format json`.
+// `check` and `explain`: verdicts, and the counterexample of one property as text and as data. `tune` and `faults`:
+// verdicts for variants of a closed loop. All convert the JSON output of a command.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -261,6 +261,42 @@ ToolResult tune(ToolCall& call) {
     return result;
 }
 
+/// Converts an element of `properties` of `faults` without its runs, and adds its text.
+Json property_with_faults(const Json& found, std::string& text) {
+    Json made;
+    copy_members(found, {"name", "without_faults", "unknown", "non_monotone"}, made);
+    made["minimal"] = Json::array();
+    std::string all;
+    for (const Json& cut : found.at("minimal")) {
+        made["minimal"].push_back(cut.at("faults"));
+        std::string names;
+        for (const Json& fault : cut.at("faults")) names += (names.empty() ? "" : " + ") + fault.get<std::string>();
+        all += (all.empty() ? "" : "; ") + names;
+    }
+    const bool decided = found.at("unknown").empty() && found.at("without_faults") != "unknown";
+    text += fmt::format("{}: {}\n", found.at("name").get<std::string>(),
+                        found.at("without_faults") == "violated" ? "violated without faults"
+                        : !all.empty()                           ? "violated by " + all
+                        : decided                                ? "no combination violates it"
+                                                                 : "unknown");
+    return made;
+}
+
+ToolResult faults(ToolCall& call) {
+    std::vector<std::string> command = {"faults", call.operand(), "--format=json",
+                                        fmt::format("--order={}", call.number("order", 1))};
+    call.add_options(command, {"loop", "mode", "grain", "set", "property"});
+    const Json found = call.execute_json(std::move(command));
+    ToolResult result;
+    copy_members(found, {"model", "order", "combinations", "checks", "faults"}, result.data);
+    result.text = fmt::format("{}: {} combinations of at most {} faults\n", found.at("model").get<std::string>(),
+                              found.at("combinations").dump(), found.at("order").dump());
+    result.data["properties"] = Json::array();
+    for (const Json& each : found.at("properties"))
+        result.data["properties"].push_back(property_with_faults(each, result.text));
+    return result;
+}
+
 }  // namespace
 
 Tool check_tool() {
@@ -329,6 +365,33 @@ Tool tune_tool() {
                             {"properties", {{"type", "array"}, {"items", {{"type", "object"}}}}}}},
                           {"required", Json::array({"model", "constants", "points", "properties"})}};
     tool.run = tune;
+    return tool;
+}
+
+Tool faults_tool() {
+    Tool tool{"faults", "Find combinations of faults that violate properties",
+              "Decides for each property of a closed loop which minimal combinations of its declared faults "
+              "(`fault NAME of INSTANCE: COMPONENT(...)`) violate it, and which steps and outputs show each fault.",
+              input_arguments()};
+    for (Argument& each : model_arguments())
+        if (each.name != "chart") tool.arguments.push_back(std::move(each));
+    for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
+    tool.arguments.push_back({.name = "order",
+                              .kind = Kind::Number,
+                              .description = "maximum number of faults of a combination (default: 1)",
+                              .least = 1,
+                              .most = 8});
+    tool.arguments.push_back({"property", Kind::Names, "names of the properties to decide (default: all)"});
+    tool.output_schema = {{"type", "object"},
+                          {"properties",
+                           {{"model", {{"type", "string"}}},
+                            {"order", {{"type", "integer"}}},
+                            {"combinations", {{"type", "integer"}}},
+                            {"checks", {{"type", "integer"}, {"description", "number of models that were checked"}}},
+                            {"faults", {{"type", "array"}, {"items", {{"type", "object"}}}}},
+                            {"properties", {{"type", "array"}, {"items", {{"type", "object"}}}}}}},
+                          {"required", Json::array({"model", "order", "combinations", "faults", "properties"})}};
+    tool.run = faults;
     return tool;
 }
 

@@ -44,7 +44,7 @@ std::vector<Argument> loop_arguments() {
 
 std::vector<Tool> tools(const ServerEnvironment& environment) {
     std::vector<Tool> all = {read_tool(),    draw_tool(),    check_tool(), explain_tool(), simulate_tool(),
-                             analyse_tool(), compare_tool(), tune_tool(),  complete_tool()};
+                             analyse_tool(), compare_tool(), tune_tool(),  faults_tool(),  complete_tool()};
     for (Tool& tool : all) {
         tool.arguments.push_back({.name = "timeout",
                                   .kind = Kind::Number,

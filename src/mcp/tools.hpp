@@ -37,6 +37,7 @@ Tool compare_tool();
 Tool check_tool();
 Tool explain_tool();
 Tool tune_tool();
+Tool faults_tool();
 Tool complete_tool();
 
 Argument file_argument(bool required = false);

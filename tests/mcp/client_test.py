@@ -23,6 +23,11 @@ TUNED = ("grafcet g { input A; output B; initial step 0; step 1 { B; } transitio
          "closed_loop l { controller g; constant WAIT = 1s; environment E = push_button(OUT = A, GAP = WAIT);\n"
          "property p: reachable B; }")
 
+FAULTY = ("component held(output OUT) { initial location held with OUT := true; }\n"
+          "grafcet g { input A; output B; initial step 0; step 1 { B; } transition t: 0 -> 1 when A; }\n"
+          "closed_loop l { controller g; environment E = push_button(OUT = A); fault stuck of E: held();\n"
+          "property p: reachable B; }")
+
 
 class Mcp(unittest.TestCase):
     def setUp(self):
@@ -47,12 +52,13 @@ class Mcp(unittest.TestCase):
     def test_results_conform_to_their_schemas(self):
         client = self.begin()
         tools = {tool["name"]: tool for tool in client.result("tools/list")["tools"]}
-        self.assertEqual(sorted(tools), ["analyse", "check", "compare", "complete", "draw", "explain", "read", "simulate",
-                                         "tune"])
+        self.assertEqual(sorted(tools), ["analyse", "check", "compare", "complete", "draw", "explain", "faults", "read",
+                                         "simulate", "tune"])
         door = {"file": "oven_door.grafcet"}
         calls = {"read": door, "draw": door, "check": door, "analyse": door, "explain": {**door, "property": "warned"},
                  "simulate": {**door, "commands": "wait 3s"}, "compare": {**door, "other": "oven_door.grafcet"},
-                 "tune": {"text": TUNED, "over": ["WAIT=1s..2s"]}, "complete": {**door, "line": 20, "column": 1}}
+                 "tune": {"text": TUNED, "over": ["WAIT=1s..2s"]}, "faults": {"text": FAULTY, "order": 1},
+                 "complete": {**door, "line": 20, "column": 1}}
         requests = {name: client.begin_call(name, **arguments) for name, arguments in calls.items()}
         for name, request in requests.items():
             result = client.response(request)["result"]

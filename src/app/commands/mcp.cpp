@@ -95,7 +95,7 @@ CliCommand mcp_usage() {
         "[FOLDER...]",
         0,
         any_number - 1,
-        "run a server for assistants: read, draw, check, explain, simulate, analyse, compare, tune, complete",
+        "run a server for assistants: read, draw, check, explain, simulate, analyse, compare, tune, faults, complete",
         "Implements the Model Context Protocol (2024-11-05, 2025-03-26, 2025-06-18) on standard input and output,\n"
         "for programs that start it (docs/how-to/mcp.md has the configuration). Only files below the FOLDERs are\n"
         "read (default: the current directory), and nothing is written. Each call of a tool is executed by a\n"

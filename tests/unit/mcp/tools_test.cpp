@@ -219,6 +219,21 @@ TEST(McpTools, TuneReturnsBoxesAndMargins) {
     EXPECT_TRUE(has(server.failure("tune", {{"text", text}, {"over", {"U=1s..6s"}}}), "no constant"));
 }
 
+TEST(McpTools, FaultsReturnsMinimalCombinations) {
+    const Server server;
+    const std::string text =
+        "component held(output OUT) { initial location held with OUT := true; }\n"
+        "grafcet g { input A; output LIGHT; initial step 0; step 1 { LIGHT; } transition a: 0 -> 1 when ↑A; }\n"
+        "closed_loop l { controller g; environment S = push_button(OUT = A); fault stuck of S: held();\n"
+        "property works: reachable X1; property dark: never X0 && LIGHT at stable; }\n";
+    const Json found = server.call("faults", {{"text", text}, {"order", 2}});
+    const Json& data = found["structuredContent"];
+    EXPECT_EQ(data["combinations"], 1);
+    EXPECT_EQ(data["faults"][0]["never_true"], Json::array({"LIGHT", "X1"}));
+    EXPECT_EQ(data["properties"][0]["minimal"], Json::array({Json::array({"stuck"})}));
+    EXPECT_TRUE(has(text_of(found), "works: violated by stuck\ndark: no combination violates it\n")) << text_of(found);
+}
+
 TEST(McpTools, CompleteProposesNamesAtThePosition) {
     const Server server;
     const std::string text =
