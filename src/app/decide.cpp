@@ -18,6 +18,7 @@
 #include "report/settings_text.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
+#include "support/messages_program.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
@@ -113,6 +114,16 @@ void try_remedies(const Model& model, CommandContext& job, const ResourceLimits&
     keep_memory_back();  // a trial may have used the reserve
 }
 
+/// Reports controllers that are PLC programs, because `--why` removes transitions, actions and terms of charts.
+bool consists_of_charts(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
+    for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
+        if (model.charts[controller.chart].program)
+            job.diagnostics.add(messages::only_for_charts(controller.origin, controller.name,
+                                                          "`--why` examines transitions and actions of charts",
+                                                          "omit `--why`"));
+    return !job.diagnostics.has_errors();
+}
+
 }  // namespace
 
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
@@ -150,6 +161,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options);
     } else if (const auto loop = chosen_loop(model, job)) {
+        if (job.options.why && !consists_of_charts(model, *loop, job)) return {};
         decided.loop = *loop;
         decided.timed = !job.options.check_untimed;
         found = decided.timed ? timed_report(model, *loop, job, of_check) : untimed_report(model, *loop, job, of_check);

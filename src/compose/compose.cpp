@@ -7,6 +7,7 @@
 #include "compose/controller.hpp"
 #include "compose/procedures.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 
 namespace grafverif {
 
@@ -24,6 +25,7 @@ ControllerParts parts_of(const ClosedLoop& loop, Id<ClosedLoop::Controller> id, 
     ControllerParts parts{.equations = &equations, .name = controller.name, .origin = controller.origin};
     if (loop.controllers.size() > 1) parts.prefix = controller.name + "_";
     parts.mode = options.mode.value_or(controller.mode);
+    if (equations.is_program) parts.mode = ExecutionMode::EveryCycle;
     if (options.ablations.cycle_unless_stable) parts.mode = ExecutionMode::EveryCycle;
     parts.cycle = controller.cycle;
     parts.starts = parts.cycle || starts(equations, parts.mode);
@@ -45,6 +47,15 @@ void check_writers(const Composition& composition, const ClosedLoop& loop, Diagn
             writer = &parts;
         }
     }
+}
+
+/// Reports an option that selects a mode that programs do not have.
+void check_mode(const ClosedLoop& loop, std::span<const Equations> equations, const ComposeOptions& options,
+                Diagnostics& diagnostics) {
+    for (const Id<ClosedLoop::Controller> id : loop.controllers.ids())
+        if (equations[id.index].is_program && options.mode == ExecutionMode::StabilitySearch)
+            diagnostics.add(messages::only_for_charts(loop.controllers[id].origin, loop.controllers[id].name,
+                                                      "only charts have the mode stability-search", "omit `--mode`"));
 }
 
 /// Finds the controllers whose scans are requested by changes of their inputs.
@@ -78,6 +89,7 @@ std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std
     }
     const std::size_t errors = diagnostics.errors();
     check_writers(composition, loop, diagnostics);
+    check_mode(loop, equations, options, diagnostics);
     if (diagnostics.errors() != errors) return {};
 
     if (std::ranges::any_of(equations, [](const Equations& of) { return !faults(of).empty(); }))

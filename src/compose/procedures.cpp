@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "compose/simultaneous.hpp"
 #include "ir/literal.hpp"
 #include "ir/reads.hpp"
 
@@ -106,6 +107,7 @@ private:
     /// Updates step activities, stored actions, `stable` and timer requests. All new values are computed from the
     /// values before the cycle.
     Assignments evolve() {
+        if (equations_.is_program) return scan(false);
         TermCopier before = reading(true);
         Assignments list = pending(before);
         list.push_back({leaf_of(parts_.stable), before(equations_.stable)});
@@ -130,8 +132,27 @@ private:
         if (!phased_) return list;
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], exprs().constant(false)});
+        forget_samples(list);
+        return list;
+    }
+
+    /// Resets the samples that only evolve() reads.
+    void forget_samples(Assignments& list) {
         for (const VariableId input : parts_.sampled)
             if (!parts_.sample_written[input.index] && !parts_.is_held(input)) list.push_back(forgotten(input));
+    }
+
+    /// Returns one scan of a program: the first one, or a later one in evolve().
+    Assignments scan(bool first) {
+        TermCopier before = reading(!first);
+        Assignments updates;
+        if (!first) updates.push_back({leaf_of(parts_.stable), before(equations_.stable)});
+        note_race(first ? &Fault::first : &Fault::condition, before, updates);
+        for (const Kept& each : kept_)
+            if (const Id<Expr> next = first ? each.first : each.next; next.valid())
+                updates.push_back({stored_[each.variable.index], before(next)});
+        Assignments list = simultaneous(composition_, updates, parts_.prefix);
+        if (phased_ && !first) forget_samples(list);
         return list;
     }
 
@@ -249,6 +270,7 @@ private:
     /// Returns the updates of the first evolution: actions on activation of the initial steps (Stored::first), previous
     /// values and observed levels. Also requests that the timers of the initial steps start.
     Assignments start() {
+        if (equations_.is_program) return scan(true);
         Assignments list = sample();
         TermCopier now = reading(false);
         note_race(&Fault::first, now, list);

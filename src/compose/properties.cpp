@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Translates the properties of a loop, and `settled`, to terms of its network.
+#include <algorithm>
+#include <string>
+
 #include "compose/controller.hpp"
 #include "ir/slots.hpp"
 #include "support/overloaded.hpp"
@@ -99,8 +102,11 @@ void add_properties(Composition& composition, const ClosedLoop& loop) {
         if (!reads_observer(loop, property)) add(property);
     for (Property& constraint : constraints_to_prove(loop)) add(std::move(constraint));
     if (!composition.race.valid()) return;
+    const bool programs = std::ranges::any_of(composition.controllers,
+                                              [](const ControllerParts& parts) { return parts.equations->is_program; });
     network.properties.add({.name = taken.fresh("no_race"),
-                            .text = "no two stored actions assign different values to one variable",
+                            .text = std::string("no two stored actions assign different values to one variable") +
+                                    (programs ? ", and no program has a run-time fault" : ""),
                             .pattern = Pattern::Never,
                             .operands = {leaf(network, composition.race)}});
 }

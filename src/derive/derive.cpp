@@ -12,6 +12,7 @@
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 
 namespace grafverif {
 
@@ -186,6 +187,12 @@ void derive_assumptions(Derivation& derivation) {
 std::string qualifier(const StepName& step) { return step.partial.empty() ? "" : step.partial + "_"; }
 
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics) {
+    if (chart.program) {
+        diagnostics.add(messages::only_for_charts(
+            chart.origin, chart.name, "only a GRAFCET can be used in this way",
+            "check the program in a closed loop, or pass its file and `--properties` to `check`"));
+        return {};
+    }
     if (misplaced_edges(chart, diagnostics)) return {};
     Derivation derivation{chart, diagnostics};
     derivation.errors_before = diagnostics.errors();

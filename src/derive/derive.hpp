@@ -25,7 +25,8 @@
 
 namespace grafverif {
 
-/// Returns the equations of `chart`, or nullopt after at least one error. Requires verify(chart).empty().
+/// Returns the equations of `chart`, or nullopt after at least one error. The chart of a PLC program is an error, because
+/// controller_equations returns its equations. Requires verify(chart).empty().
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -4,9 +4,14 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "ir/program/program.hpp"
 #include "ir/sorts.hpp"
 
 namespace grafverif {
+
+bool ProgramReference::operator==(const ProgramReference& other) const {
+    return shared == other.shared || (shared && other.shared && *shared == *other.shared);
+}
 
 StepName name_of(const Chart& chart, Id<Chart::Step> step) {
     const Chart::Step& named = chart.steps[step];

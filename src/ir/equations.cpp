@@ -89,9 +89,11 @@ struct EquationsCheck {
             role(step.variable, Role::Step);
             condition(step.activated, Sort::Boolean, "the activation of `" + step.step.text() + "`");
             condition(step.deactivated, Sort::Boolean, "the deactivation of `" + step.step.text() + "`");
+            if (step.first.valid()) condition(step.first, Sort::Boolean, "the first activity of a step");
         }
         for (const Equations::Conflict& of : equations.conflicts)
-            condition(of.condition, Sort::Boolean, "the condition of a conflict");
+            for (const Id<Expr> term : {of.condition, of.first})
+                if (term.valid()) condition(term, Sort::Boolean, "the condition of a conflict");
         for (const Equations::Stored& stored : equations.stored) store(stored);
         for (const Equations::Previous& previous : equations.previous) {
             define(previous.variable, previous.value, "the present value");
@@ -140,7 +142,8 @@ struct EquationsCheck {
         define(stored.variable, stored.next, "the stored value");
         if (!known(stored.variable)) return;
         const Equations::Variable& variable = equations.variables[stored.variable];
-        if (variable.role != Role::Internal && variable.role != Role::Output)
+        const bool is_time = equations.is_program && variable.role == Role::Previous;  // hidden from results
+        if (variable.role != Role::Internal && variable.role != Role::Output && !is_time)
             fault(name(stored.variable) + " has an equation that does not match its role");
         condition(stored.race, Sort::Boolean, "the race condition of " + name(stored.variable));
         condition(stored.first, sort_of(variable.type), "the first value of " + name(stored.variable));
@@ -185,7 +188,7 @@ std::vector<Kept> kept(const Equations& equations) {
     }
     for (const Equations::Previous& previous : equations.previous)
         all.push_back({previous.variable, previous.value, previous.value});
-    for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable, step.next});
+    for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable, step.next, step.first});
     for (const Equations::ObservedTerm& watch : equations.watches)
         all.push_back({watch.variable, watch.value, watch.value, true});
     return all;
@@ -206,7 +209,8 @@ std::vector<Fault> faults(const Equations& equations) {
     for (const Equations::Stored& stored : equations.stored)
         if (!is_false(exprs, stored.race) || !is_false(exprs, stored.first_race))
             all.push_back({stored.variable, stored.race, stored.first_race});
-    for (const Equations::Conflict& conflict : equations.conflicts) all.push_back({{}, conflict.condition, {}});
+    for (const Equations::Conflict& conflict : equations.conflicts)
+        all.push_back({{}, conflict.condition, conflict.first});
     return all;
 }
 

@@ -85,20 +85,26 @@ Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     return interval_of(exprs, term, type_of, [&](Id<Expr> operand) { return interval(exprs, operand, type_of); });
 }
 
+std::vector<Interval> intervals(const Exprs& exprs, const TypeOf& type_of) {
+    std::vector<Interval> all;  // the operands of a term precede it
+    for (std::uint32_t index = 0; index < exprs.size(); ++index)
+        all.push_back(interval_of(exprs, {index}, type_of, [&](Id<Expr> operand) { return all[operand.index]; }));
+    return all;
+}
+
+bool is_clipped(const Interval& interval) { return interval.low == least || interval.high == greatest; }
+
 bool is_wide(std::int64_t low, std::int64_t high) {
     return low < std::numeric_limits<std::int32_t>::min() || high > std::numeric_limits<std::int32_t>::max();
 }
 
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of) {
-    std::vector<Interval> intervals;  // intervals of all terms; the operands of a term precede it
     std::vector<bool> wide;
-    for (std::uint32_t index = 0; index < exprs.size(); ++index) {
-        const Interval own =
-            interval_of(exprs, {index}, type_of, [&](Id<Expr> operand) { return intervals[operand.index]; });
-        wide.push_back(is_wide(own.low, own.high) ||
-                       std::ranges::any_of(exprs.operands(Id<Expr>{index}),
-                                           [&](Id<Expr> operand) { return wide[operand.index]; }));
-        intervals.push_back(own);
+    for (const Interval& own : intervals(exprs, type_of)) {
+        const Id<Expr> term{static_cast<std::uint32_t>(wide.size())};
+        wide.push_back(is_wide(own.low, own.high) || std::ranges::any_of(exprs.operands(term), [&](Id<Expr> operand) {
+                           return wide[operand.index];
+                       }));
     }
     return wide;
 }

@@ -21,6 +21,12 @@ struct Interval {
 /// Returns an interval that contains every value of `term`; its bounds are clipped to 64 bits.
 Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
+/// Returns the interval of each term of the table.
+std::vector<Interval> intervals(const Exprs& exprs, const TypeOf& type_of);
+
+/// True if a bound of the interval was clipped.
+bool is_clipped(const Interval& interval);
+
 /// True if the range does not fit into 32-bit integers.
 bool is_wide(std::int64_t low, std::int64_t high);
 

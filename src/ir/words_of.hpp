@@ -38,7 +38,11 @@ ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mod
         const Equations::Variable& variable = equations.variables[id];
         if (variable.role == Equations::Role::Input) words.inputs.push_back({variable.name, place(id)});
         if (variable.role == Equations::Role::Output) words.outputs.push_back({variable.name, place(id)});
-        if (variable.role == Equations::Role::Internal) words.internals.push_back({variable.name, place(id)});
+        // A program has no equations of internal variables on which nothing depends.
+        const bool known =
+            !equations.is_program ||
+            std::ranges::find(equations.stored, id, &Equations::Stored::variable) != equations.stored.end();
+        if (variable.role == Equations::Role::Internal && known) words.internals.push_back({variable.name, place(id)});
     }
     for (const Equations::Timer& timer : equations.timers)
         words.timers.push_back({place(timer.end), watched_step(equations, timer), timer.rise_ms, timer.fall_ms,

@@ -136,7 +136,7 @@ Diagnostics BackgroundChecker::refused_models(const Task& task) const {
         const bool controls = std::ranges::any_of(model.loops, [&](const ClosedLoop& loop) {
             return std::ranges::any_of(loop.controllers, [&](const auto& each) { return each.chart == chart; });
         });
-        if (!controls) equations_of(model, chart, diagnostics);
+        if (!controls && !model.charts[chart].program) equations_of(model, chart, diagnostics);
     }
     return diagnostics;
 }
@@ -169,8 +169,9 @@ void BackgroundChecker::prove(const Task& task) {
         each(model.loops[loop].name, model.loops[loop].origin, "loop ",
              [&](Found& outcome) { prove_loop(root, loop, outcome); });
     for (const Id<Chart> chart : model.charts.ids())
-        each(model.charts[chart].name, model.charts[chart].origin, "chart ",
-             [&](Found& outcome) { look_into(root, chart, outcome); });
+        if (!model.charts[chart].program)
+            each(model.charts[chart].name, model.charts[chart].origin, "chart ",
+                 [&](Found& outcome) { look_into(root, chart, outcome); });
 }
 
 void BackgroundChecker::prove_loop(const Root& root, Id<ClosedLoop> loop, Found& outcome) {

@@ -172,6 +172,8 @@ Json Session::draw(const std::string& path, const std::string& chart) {
     const Model& model = *root->reading.model;
     for (const Id<Chart> id : model.charts.ids()) {
         if (!chart.empty() && model.charts[id].name != chart) continue;
+        if (model.charts[id].program)
+            throw RequestError{request_failed, "a PLC program cannot be drawn; select a chart"};
         if (model.charts[id].steps.size() > 5000)
             throw RequestError{request_failed, "the chart has more than 5,000 steps; use `grafverif draw`"};
         const std::string svg = svg_of(drawing_of(model, id));

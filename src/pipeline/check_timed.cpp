@@ -21,6 +21,7 @@
 #include "compose/observe.hpp"
 #include "explain/violation.hpp"
 #include "ir/probes.hpp"
+#include "ir/program/fault_text.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/explain.hpp"
 #include "pipeline/models.hpp"
@@ -147,6 +148,11 @@ private:
     void name_race(ModelErrorTrace& breakdown, const Run& run) const {
         const std::optional<ContradictoryActions> found = clash(project(network_, run), loop_.charts);
         if (!found) return;
+        if (found->fault) {
+            breakdown.code = "no-value";
+            breakdown.message = fmt::format("{}, in a scan of `{}`", text_of(*found->fault), found->controller);
+            return;
+        }
         const std::string what =
             found->variable.empty()
                 ? "contradictory forcing orders"

@@ -6,23 +6,37 @@
 #include "check/vacuity.hpp"
 #include "compose/observe.hpp"
 #include "derive/derive.hpp"
+#include "derive/program/controller.hpp"
 #include "emit/nusmv/nusmv.hpp"
 #include "plant/plant.hpp"
 #include "schedule/controller.hpp"
 #include "schedule/network.hpp"
 #include "schedule/together.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 
 namespace grafverif {
 
 namespace {
 
+std::optional<Equations> equations_of(const Model& model, const ClosedLoop& loop, Id<ClosedLoop::Controller> id,
+                                      Diagnostics& diagnostics) {
+    const ClosedLoop::Controller& controller = loop.controllers[id];
+    const Chart& chart = model.charts[controller.chart];
+    if (!chart.program) return derive(chart, diagnostics);
+    ProgramController program{chart.name, controller.cycle, {}, controller.origin};
+    for (const ClosedLoop::Symbol& symbol : loop.symbols)
+        if (const auto* internal = std::get_if<ClosedLoop::InternalSymbol>(&symbol))
+            if (internal->controller == id) program.observed.push_back({internal->variable.index});
+    return controller_equations(*chart.program, program, diagnostics);
+}
+
 /// Returns the equations of every controller of the loop, in order.
 std::optional<std::vector<Equations>> equations_of_controllers(const Model& model, const ClosedLoop& loop,
                                                                Diagnostics& diagnostics) {
     std::vector<Equations> all;
-    for (const ClosedLoop::Controller& controller : loop.controllers)
-        if (auto equations = derive(model.charts[controller.chart], diagnostics)) all.push_back(std::move(*equations));
+    for (const Id<ClosedLoop::Controller> id : loop.controllers.ids())
+        if (auto equations = equations_of(model, loop, id, diagnostics)) all.push_back(std::move(*equations));
     if (all.size() != loop.controllers.size()) return {};
     return all;
 }
@@ -55,11 +69,26 @@ bool cycles_are_zero(const ClosedLoop& loop, Diagnostics& diagnostics) {
     return zero;
 }
 
+/// Reports controllers that are programs, for a model that is built from the steps and transitions of charts.
+bool are_charts(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
+    bool all = true;
+    for (const ClosedLoop::Controller& controller : loop.controllers) {
+        if (!model.charts[controller.chart].program) continue;
+        diagnostics.add(messages::only_for_charts(controller.origin, controller.name,
+                                                  "this untimed model requires charts",
+                                                  "use plant automata with the schedule `interleaved`, or the timed "
+                                                  "engine"));
+        all = false;
+    }
+    return all;
+}
+
 std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& loop, const ModelOptions& how,
                                           Vacuity vacuity, Diagnostics& diagnostics) {
     ScheduleOptions options = how.untimed;
     options.mode = how.mode;
-    if (!interleave(loop, how) && !cycles_are_zero(loop, diagnostics)) return {};
+    if (!interleave(loop, how) && (!are_charts(model, loop, diagnostics) || !cycles_are_zero(loop, diagnostics)))
+        return {};
     const auto equations = equations_of_controllers(model, loop, diagnostics);
     if (!equations) return {};
     if (options.plant != PlantApproach::Automata) {

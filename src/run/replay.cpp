@@ -2,9 +2,11 @@
 #include "run/replay.hpp"
 
 #include <algorithm>
+#include <variant>
 #include <vector>
 
 #include "run/interpreter.hpp"
+#include "run/program/controller_replay.hpp"
 #include "run/scan_replay.hpp"
 
 namespace grafverif {
@@ -228,25 +230,36 @@ private:
     std::string racing_ = {};  ///< the variable of the race
 };
 
+using Replay = std::variant<ControllerReplay, ProgramControllerReplay>;
+
+Replay replay_of(const ChartRun& run, const ChartRun::Controller& controller, const Chart& chart) {
+    if (chart.program) return ProgramControllerReplay(run, controller, *chart.program);
+    return ControllerReplay(run, controller, chart);
+}
+
 /// Replays the run with `replays`, one per controller, up to the first disagreement or race.
 std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* const> charts,
-                                   std::vector<ControllerReplay>& replays) {
+                                   std::vector<Replay>& replays) {
+    replays.reserve(run.controllers.size());
     for (const Id<ChartRun::Controller> id : run.controllers.ids())
-        replays.emplace_back(run, run.controllers[id], *charts[id.index]);
+        replays.push_back(replay_of(run, run.controllers[id], *charts[id.index]));
+    const auto name = [](const Replay& replay) { return std::visit([](const auto& of) { return of.name(); }, replay); };
     const ChartRun::State* before = &run.moments.front().after;
     for (const ChartRun::Event& moment : run.moments) {
         const std::int64_t passed = moment.after.time_ms - before->time_ms;
         if (run.timed && passed > 0)
-            for (ControllerReplay& replay : replays)
-                if (std::string what = replay.pass(passed); !what.empty())
-                    return Disagreement{moment.move, "controller " + replay.name(), std::move(what)};
+            for (Replay& replay : replays)
+                if (std::string what = std::visit([&](auto& of) { return of.pass(passed); }, replay); !what.empty())
+                    return Disagreement{moment.move, "controller " + name(replay), std::move(what)};
         for (const ChartRun::Act& act : moment.acts) {
-            ControllerReplay& replay = replays[act.controller.index];
-            if (std::string what = replay.does(act, *before, moment.after); !what.empty())
-                return Disagreement{
-                    moment.move, "controller " + replay.name() + ", evolution " + std::to_string(replay.evolutions()),
-                    std::move(what)};
-            if (replay.raced()) return {};
+            Replay& replay = replays[act.controller.index];
+            if (std::string what = std::visit([&](auto& of) { return of.does(act, *before, moment.after); }, replay);
+                !what.empty()) {
+                const auto count = std::visit([](const auto& of) { return of.evolutions(); }, replay);
+                return Disagreement{moment.move, "controller " + name(replay) + ", evolution " + std::to_string(count),
+                                    std::move(what)};
+            }
+            if (std::visit([](const auto& of) { return of.raced(); }, replay)) return {};
         }
         before = &moment.after;
     }
@@ -257,16 +270,20 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
 }  // namespace
 
 std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Chart* const> charts) {
-    std::vector<ControllerReplay> replays;
+    std::vector<Replay> replays;
     return replay(run, charts, replays);
 }
 
 std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts) {
-    std::vector<ControllerReplay> replays;
+    std::vector<Replay> replays;
     if (replay(run, charts, replays)) return {};
-    const auto raced = std::ranges::find_if(replays, &ControllerReplay::raced);
-    if (raced == replays.end()) return {};
-    return ContradictoryActions{raced->name(), raced->racing()};
+    for (const Replay& one : replays) {
+        const auto* const chart = std::get_if<ControllerReplay>(&one);
+        const auto* const program = std::get_if<ProgramControllerReplay>(&one);
+        if (chart != nullptr && chart->raced()) return ContradictoryActions{chart->name(), chart->racing(), {}};
+        if (program != nullptr && program->raced()) return ContradictoryActions{program->name(), "", program->fault()};
+    }
+    return {};
 }
 
 namespace {

@@ -8,6 +8,8 @@
 //   samples     the age of the observed term agrees with its timer, if timers are exact
 //   evolves     transitions cleared, situation, stored variables agree; stable and races, if the model includes them
 //   writes      outputs agree; otherwise no output changes
+//
+// A PLC program is executed on its memory cells (run/program/controller_replay.hpp).
 #pragma once
 
 #include <cstddef>
@@ -18,6 +20,7 @@
 
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/chart_run.hpp"
+#include "ir/program/program.hpp"
 
 namespace grafverif {
 
@@ -38,6 +41,7 @@ struct ContradictoryActions {
     std::string controller = {};
     /// The variable to which two stored actions assign different values; empty if forcing orders contradict each other.
     std::string variable = {};
+    std::optional<ProgramFault> fault = {};  ///< the run-time fault, if the controller is a program
 };
 /// Returns the contradiction at the end of a run that ends in a race, or nothing if there is none according to the
 /// rules.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ir/program/fault_text.hpp"
 #include "report/report.hpp"
 #include "run/interpreter.hpp"
 #include "run/manual_situation.hpp"
@@ -155,7 +156,7 @@ bool LoopSimulation::move(const Move& move, std::string& problem) {
     if (!network_.race.valid() || state_.variables[network_.race.index] == 0) return true;
     broken_ = true;
     const std::optional<ContradictoryActions> found = clash(recorded_run_, charts_);
-    problem = race_text(found ? found->variable : "");
+    problem = found && found->fault ? text_of(*found->fault) : race_text(found ? found->variable : "");
     return false;
 }
 
@@ -378,6 +379,8 @@ std::string LoopSimulation::force(std::string_view step, bool active) {
     std::string problem;
     const std::optional<WhatIfRun> trial = what_if_of(recorded_run_, step, active, problem);
     if (!trial) return problem;
+    if (charts_[trial->controller.index]->program)
+        return "a step of a PLC program cannot be forced; set an input or let an instance move";
     const Network::Controller& controller = network_.controllers[{trial->controller.index}];
     if (state_.locations[controller.process.index] != controller.waiting)
         return "a step cannot be forced during a PLC cycle; force it between two cycles";

@@ -156,6 +156,18 @@ Diagnostic unbounded_loop(Span where, std::uint64_t limit) {
         fmt::format("constants do not limit this loop to {} iterations; use a FOR loop with constant bounds", limit));
 }
 
+Diagnostic program_without_cycle(Span where, std::string_view name) {
+    return error(
+        "program-without-cycle", where,
+        fmt::format("the program `{0}` has timers, so its scans require a fixed interval; write `controller {0} "
+                    "every 10ms;` with the interval of its task",
+                    clipped(name)));
+}
+
+Diagnostic only_for_charts(Span where, std::string_view name, std::string_view what, std::string_view hint) {
+    return error("only-for-charts", where, fmt::format("`{}` is a PLC program, but {}; {}", clipped(name), what, hint));
+}
+
 Diagnostic no_program(Span where) {
     return error("no-program", where, "the file declares no PROGRAM; add one, or an instance in a CONFIGURATION");
 }

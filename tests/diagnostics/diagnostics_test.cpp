@@ -20,6 +20,7 @@
 #include "conform/mealy.hpp"
 #include "conform/test_sequence.hpp"
 #include "derive/derive.hpp"
+#include "derive/program/controller.hpp"
 #include "plant/plant.hpp"
 #include "read/exclusions.hpp"
 #include "read/text.hpp"
@@ -81,11 +82,26 @@ void test(const Equations& equations, Diagnostics& diagnostics) {
     }
 }
 
+/// Returns the controller that executes the program of a chart, or null if the chart has no program or no controller.
+const ClosedLoop::Controller* program_controller(const Model& model, Id<Chart> chart) {
+    if (!model.charts[chart].program) return nullptr;
+    for (const ClosedLoop& loop : model.loops)
+        for (const ClosedLoop::Controller& controller : loop.controllers)
+            if (controller.chart == chart) return &controller;
+    return nullptr;
+}
+
 /// Runs the stages of `build`: translates every chart to equations, and every loop to a network and to a transition
 /// system with the constraints of the loop. If `tested`, every chart is also translated to a test sequence.
 void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     std::vector<std::optional<Equations>> equations;
-    for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));
+    for (const Id<Chart> id : model.charts.ids()) {
+        const ClosedLoop::Controller* const program = program_controller(model, id);
+        equations.push_back(
+            program != nullptr ? controller_equations(*model.charts[id].program,
+                                                      {program->name, program->cycle, {}, program->origin}, diagnostics)
+                               : derive(model.charts[id], diagnostics));
+    }
     for (const std::optional<Equations>& one : equations)
         if (tested && one) test(*one, diagnostics);
     for (const ClosedLoop& loop : model.loops) {

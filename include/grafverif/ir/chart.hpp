@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,18 @@
 #include "grafverif/support/table.hpp"
 
 namespace grafverif {
+
+struct Program;
+
+/// A PLC program (ir/program/program.hpp), or none. Copies share the program; two references are equal if their
+/// programs are equal.
+struct ProgramReference {
+    std::shared_ptr<const Program> shared = {};
+
+    explicit operator bool() const { return shared != nullptr; }
+    const Program& operator*() const { return *shared; }
+    bool operator==(const ProgramReference& other) const;
+};
 
 struct Chart {
     enum class VariableKind { Input, Output, Internal };
@@ -140,6 +153,9 @@ struct Chart {
     Table<ForcingOrder> forcing = {};
     std::vector<Constraint> constraints = {};
     std::vector<Acceptance> accepted = {};
+    /// The PLC program that a controller executes instead of the rules of IEC 60848. Such a chart declares only the
+    /// variables and steps of its program (ir/program/interface.hpp), and only closed loops can use it.
+    ProgramReference program = {};
     Span origin = {};
 
     bool operator==(const Chart&) const = default;

@@ -64,6 +64,7 @@ struct Equations {
         Id<Expr> deactivated = {};  ///< X_s and not X_s'
         StepName step = {};
         Span origin = {};
+        Id<Expr> first = {};  ///< value after the first evolution; the value at power-on if invalid
         bool operator==(const StepActivity&) const = default;
     };
 
@@ -96,10 +97,11 @@ struct Equations {
         bool operator==(const Stored&) const = default;
     };
 
-    /// A fault: two contradictory forcing orders are active after the cycle.
+    /// A fault: two contradictory forcing orders are active after the cycle, or a program has a run-time fault.
     struct Conflict {
         Id<Expr> condition = {};  ///< term over firing conditions and values before the cycle
-        Span origin = {};         ///< position of one of the orders
+        Span origin = {};         ///< position of one of the orders, or of the statement
+        Id<Expr> first = {};      ///< condition of this fault in the first evolution; impossible if invalid
         bool operator==(const Conflict&) const = default;
     };
 
@@ -155,6 +157,8 @@ struct Equations {
     /// changed, no previous value differs from the current one. The term reads firing conditions and values before the
     /// cycle.
     Id<Expr> stable = {};
+    /// True for a PLC program: a cycle, also the first evolution, is one scan, and terms share many subterms.
+    bool is_program = false;
     Span origin = {};
 
     bool operator==(const Equations&) const = default;

@@ -195,7 +195,8 @@ private:
                 network_of(model, loop, ModelOptions{options_.mode, options_.grain, {}}, piece.reading.diagnostics));
         for (const Id<Chart> chart : model.charts.ids()) {
             Diagnostics already_reported;
-            Diagnostics& diagnostics = is_in_a_loop(model, chart) ? already_reported : piece.reading.diagnostics;
+            const bool is_silent = is_in_a_loop(model, chart) || model.charts[chart].program;
+            Diagnostics& diagnostics = is_silent ? already_reported : piece.reading.diagnostics;
             piece.runs.push_back(equations_of(model, chart, diagnostics).has_value());
         }
     }

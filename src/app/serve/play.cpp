@@ -273,7 +273,7 @@ std::string drawings(const CheckedFile& piece) {
     if (piece.reading.model)
         for (const Id<Chart> id : piece.reading.model->charts.ids()) {
             const Chart& chart = piece.reading.model->charts[id];
-            const bool is_drawn = chart.steps.size() <= most_steps;
+            const bool is_drawn = chart.steps.size() <= most_steps && !chart.program;
             const DrawOptions options{.prefix = drawing_prefix(id)};
             marks.push_back(is_drawn ? marks_of(chart, element_ids(chart, options.prefix)) : Json(nullptr));
             list.push_back(is_drawn ? Json(svg_of(drawing_of(*piece.reading.model, id, options, piece.reading.sources)))

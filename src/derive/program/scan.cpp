@@ -2,7 +2,6 @@
 #include "derive/program/scan.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 #include "derive/program/execution.hpp"
@@ -18,10 +17,6 @@ using Role = Equations::Role;
 
 /// Maximum depth of terms, because some engines traverse terms recursively.
 constexpr std::uint32_t deepest_term = 5000;
-
-Type type_of(const Program::Type& type) {
-    return type.kind == Program::Type::Kind::Boolean ? Type{} : integer_type(type.low, type.high);
-}
 
 class ScanDerivation {
 public:
@@ -52,25 +47,17 @@ public:
 private:
     Exprs& exprs() { return scan_.equations.exprs; }
 
-    std::string unused_name(std::string name) {
-        while (!names_.insert(name).second) name = "GLOBAL." + name;
-        return name;
-    }
-
     void add_variables(std::vector<Id<Expr>>& memory) {
         const std::vector<ProgramCell>& cells = scan_.layout.cells;
         scan_.variables.resize(cells.size());
-        // In reverse order, so that the names of the program's variables remain unchanged.
+        const std::vector<std::string> names = unique_names(scan_.layout);
         for (std::size_t i = cells.size(); i-- > 0;) {
             const ProgramCell& cell = cells[i];
-            Type type = type_of(program_.types[cell.type]);
+            const Type type = type_of_cell(program_, scan_.layout, i);
             memory[i] = literal(exprs(), type, cell.initial);
             if (cell.constant || cell.temporary) continue;
-            for (const ProgramTimer& timer : scan_.layout.timers)
-                if (timer.elapsed == i) type.high = timer.longest;
             const Role role = cell.input ? Role::Input : cell.output ? Role::Output : Role::Internal;
-            scan_.variables[i] =
-                scan_.equations.variables.add({unused_name(cell.name), role, type, cell.initial, cell.origin});
+            scan_.variables[i] = scan_.equations.variables.add({names[i], role, type, cell.initial, cell.origin});
             memory[i] = exprs().leaf(Op::Variable, scan_.variables[i].index);
         }
     }
@@ -81,8 +68,11 @@ private:
         if (program_.interval_ms) {
             step = exprs().integer(*program_.interval_ms);
         } else {
+            std::string name = "elapsed_ms";
+            const auto names = unique_names(scan_.layout);
+            while (std::ranges::find(names, name) != names.end()) name = "GLOBAL." + name;
             scan_.elapsed = scan_.equations.variables.add(
-                {unused_name("elapsed_ms"), Equations::Role::Input,
+                {std::move(name), Equations::Role::Input,
                  integer_type(0, std::max<std::int64_t>(scan_.layout.longest, 1)), 0, scan_.equations.origin});
             step = exprs().leaf(Op::Variable, scan_.elapsed.index);
         }
@@ -123,7 +113,6 @@ private:
     const Program& program_;
     Diagnostics& diagnostics_;
     Scan scan_ = {};
-    std::unordered_set<std::string> names_ = {};
 };
 
 }  // namespace

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "ir/program/program.hpp"
-
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "ir/program/fault_text.hpp"
 
 namespace grafverif {
 
 namespace {
+
+/// The unit of the steps of Sequential Function Charts. The name is a keyword, so that no other unit has it. The first
+/// cell is true while the step is active.
+constexpr std::string_view step_unit = "STEP";
 
 struct Walk {
     const Program& program;
@@ -35,12 +41,16 @@ struct Walk {
         if (type.kind == Program::Type::Kind::Unsupported) return;
         if (type.kind != Program::Type::Kind::Block) {
             layout.cells.push_back({name, of, variable.initial, owner.input, owner.output, owner.temporary,
-                                    owner.constant, variable.origin});
+                                    owner.constant, false, variable.origin});
             return;
         }
         const auto begin = static_cast<std::uint32_t>(layout.cells.size());
         const Program::Unit& block = program.units[type.unit];
         frame(type.unit, name + ".", block.kind == Program::Unit::Kind::Structure ? owner : Owner{});
+        if (block.name == step_unit) {
+            layout.cells[begin].step = true;
+            layout.cells[begin].origin = variable.origin;
+        }
         if (!block.elapsed) return;
         layout.timers.push_back({begin + *block.running, begin + *block.elapsed, variable.longest});
         layout.longest = std::max(layout.longest, variable.longest);
@@ -71,6 +81,26 @@ ProgramLayout layout_of(const Program& program) {
     return std::move(traversal.layout);
 }
 
+std::vector<std::string> unique_names(const ProgramLayout& layout) {
+    std::unordered_set<std::string> known;
+    std::vector<std::string> names(layout.cells.size());
+    // In reverse order, so that the names of the program's variables remain unchanged.
+    for (std::size_t i = names.size(); i-- > 0;) {
+        names[i] = layout.cells[i].name;
+        while (!known.insert(names[i]).second) names[i] = "GLOBAL." + names[i];
+    }
+    return names;
+}
+
+Type type_of_cell(const Program& program, const ProgramLayout& layout, std::size_t cell) {
+    const Program::Type& from = program.types[layout.cells[cell].type];
+    if (from.kind == Program::Type::Kind::Boolean) return {};
+    Type type = integer_type(from.low, from.high);
+    for (const ProgramTimer& timer : layout.timers)
+        if (timer.elapsed == cell) type.high = timer.longest;
+    return type;
+}
+
 std::uint32_t size_of(const Program& program, Id<Program::Type> type) {
     const Program::Type& of = program.types[type];
     if (of.kind == Program::Type::Kind::Unsupported) return 0;
@@ -90,6 +120,16 @@ std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit
     for (const Program::Variable& variable : program.units[unit].variables)
         initialise(program, variable.type, variable.initial, cells);
     return cells;
+}
+
+std::string text_of(ProgramFault fault) {
+    switch (fault) {
+    case ProgramFault::DivisionByZero: return "the program divides by zero";
+    case ProgramFault::ArrayBounds: return "the program uses an index outside of its array";
+    case ProgramFault::Chart: return "a chart activates an active step, or an action has two durations";
+    case ProgramFault::Range: break;
+    }
+    return "the program computes a value outside of the range of its type";
 }
 
 std::int64_t wrapped(const Program::Type& type, std::int64_t value) {

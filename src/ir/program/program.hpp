@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "grafverif/ir/type.hpp"
 #include "grafverif/support/source.hpp"
 #include "grafverif/support/table.hpp"
 
@@ -189,6 +190,7 @@ struct ProgramCell {
     Id<Program::Type> type = {};
     std::int64_t initial = 0;
     bool input = false, output = false, temporary = false, constant = false;
+    bool step = false;  ///< true while a step of a Sequential Function Chart is active, such as `Filling.X`
     Span origin = {};
 };
 struct ProgramTimer {
@@ -202,6 +204,11 @@ struct ProgramLayout {
     std::int64_t longest = 0;  ///< maximum over all timers; a longer time between two scans has the same effect
 };
 ProgramLayout layout_of(const Program& program);
+
+/// Returns a unique name for each cell: the name of the cell, after `GLOBAL.` if it is the name of a later cell.
+std::vector<std::string> unique_names(const ProgramLayout& layout);
+/// Returns the type of the values of a cell. The elapsed time of a timer is at most its maximum preset time.
+Type type_of_cell(const Program& program, const ProgramLayout& layout, std::size_t cell);
 
 /// Returns the number of cells of a variable of this type.
 std::uint32_t size_of(const Program& program, Id<Program::Type> type);

@@ -32,4 +32,7 @@ struct Scan {
     std::vector<Event> overflows = {};  ///< results that wrap around
 };
 
+/// For each variable of the equations: true if `roots` depend on it, directly or through next values.
+std::vector<bool> variables_read(const Scan& scan, std::vector<Id<Expr>> roots);
+
 }  // namespace grafverif

@@ -8,6 +8,7 @@
 
 #include "check/portfolio.hpp"
 #include "derive/program/scan.hpp"
+#include "ir/program/fault_text.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/program/replay.hpp"
@@ -165,16 +166,6 @@ private:
 };
 
 }  // namespace
-
-std::string text_of(ProgramFault fault) {
-    switch (fault) {
-    case ProgramFault::DivisionByZero: return "the program divides by zero";
-    case ProgramFault::ArrayBounds: return "the program uses an index outside of its array";
-    case ProgramFault::Chart: return "a chart activates an active step, or an action has two durations";
-    case ProgramFault::Range: break;
-    }
-    return "the program computes a value outside of the range of its type";
-}
 
 std::optional<Report> check_program(Id<Source> source, Id<Source> property_source, Sources& sources,
                                     const CheckOptions& options, Diagnostics& diagnostics) {

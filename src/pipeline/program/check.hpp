@@ -11,9 +11,6 @@
 
 namespace grafverif {
 
-/// Returns a sentence about a run-time fault, without a full stop.
-std::string text_of(ProgramFault fault);
-
 /// `program` is Structured Text; `properties` is a property file (docs/reference/programs.md). The result is empty
 /// after an error.
 std::optional<Report> check_program(Id<Source> program, Id<Source> properties, Sources& sources,

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "derive/program/scan.hpp"
-#include "pipeline/program/check.hpp"
+#include "ir/program/fault_text.hpp"
 #include "read/formats.hpp"
 #include "read/xml.hpp"
 #include "schedule/program/scan_module.hpp"

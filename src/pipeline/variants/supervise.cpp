@@ -18,6 +18,7 @@
 #include "run/project.hpp"
 #include "support/element_of.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {
@@ -383,7 +384,11 @@ std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id
     // The permissions would be held for a scan, but the supervisor chooses them for each evolution.
     const std::size_t errors = diagnostics.errors();
     for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
-        if (controller.cycle)
+        if (model.charts[controller.chart].program)
+            diagnostics.add(messages::only_for_charts(controller.origin, controller.name,
+                                                      "`supervise` restricts the transitions of charts",
+                                                      "use a chart as the controller"));
+        else if (controller.cycle)
             diagnostics.add(messages::not_yet(controller.cycle->origin, "a task cycle in `supervise`"));
     if (diagnostics.errors() != errors) return {};
     return Supervising(model, loop, main, sources, request, diagnostics).run();

@@ -36,7 +36,4 @@ struct ProgramSystem {
 
 ProgramSystem schedule_program(const Scan& scan, const std::vector<ScanProperty>& properties);
 
-/// For each variable of the equations: true if `roots` depend on it, directly or through next values.
-std::vector<bool> variables_read(const Scan& scan, std::vector<Id<Expr>> roots);
-
 }  // namespace grafverif

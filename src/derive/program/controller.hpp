@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// controller_equations: the equations of a PLC program as a controller of a closed loop.
+//
+// Time: the scans of a task cycle with one possible value T begin at the times 0, T, 2T, ... A timer reads its elapsed
+// time only in a scan, and the time between two scans is exactly T. Therefore the elapsed time at each scan is the sum
+// of T over the scans since its start, an integer that the scan computes (`advance` in derive/program/scan.cpp). No
+// clock is needed, and the output of a timer changes in exactly the scan in which it changes in the PLC. The clock of
+// the task cycle relates these times to the plant. If the time between two scans varies, the elapsed time is a real
+// number that the equations cannot represent; then a program with timers is rejected.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/execution.hpp"
+#include "grafverif/support/diagnostic.hpp"
+#include "ir/program/program.hpp"
+
+namespace grafverif {
+
+/// A program as a controller of a loop.
+struct ProgramController {
+    std::string name = {};
+    std::optional<TaskCycle> cycle = {};  ///< without a cycle, the cycle time is zero
+    /// The internal variables that properties read. Other internal variables on which neither outputs, steps and faults
+    /// nor these variables depend have no equation.
+    std::vector<Id<Equations::Variable>> observed = {};
+    Span origin = {};
+};
+
+/// Returns the equations of `program`, whose variables are those of `interface_of`. The first evolution is the first
+/// scan, at power-on, in which no time has elapsed. Each condition of a run-time fault is a conflict. Empty after an
+/// error.
+std::optional<Equations> controller_equations(const Program& program, const ProgramController& controller,
+                                              Diagnostics& diagnostics);
+
+}  // namespace grafverif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "run/program/controller_replay.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "ir/program/interface.hpp"
+
+namespace grafverif {
+
+ProgramControllerReplay::ProgramControllerReplay(const ChartRun& run, const ChartRun::Controller& controller,
+                                                 const Program& program)
+    : run_(&run), controller_(&controller), interpreter_(program), scans_(run, controller) {
+    const std::vector<std::string> names = unique_names(interpreter_.layout());
+    const std::string prefix = run.controllers.size() > 1 ? controller.name + "." : "";
+    std::map<std::string, Id<ChartRun::Signal>> internals;  // the run omits variables on which nothing depends
+    for (const Id<ChartRun::Signal> signal : controller.internals) internals[run.signals[signal].name] = signal;
+    for (const std::size_t i : variable_cells(interpreter_.layout())) {
+        const ProgramCell& cell = interpreter_.layout().cells[i];
+        if (cell.input) cells_.inputs.push_back(i);
+        else if (cell.output) cells_.outputs.push_back(i);
+        else if (const auto known = internals.find(prefix + names[i]); known != internals.end() && !cell.step) {
+            cells_.internals.push_back(i);
+            internals_.push_back(known->second);
+        }
+    }
+    cells_.steps = step_cells(interpreter_.layout());
+}
+
+std::optional<ProgramFault> ProgramControllerReplay::fault() const {
+    return interpreter_.fault() ? std::optional(interpreter_.fault()->kind) : std::nullopt;
+}
+
+std::string ProgramControllerReplay::pass(std::int64_t milliseconds) { return over_ ? "" : scans_.pass(milliseconds); }
+
+std::string ProgramControllerReplay::does(const ChartRun::Act& act, const ChartRun::State& before,
+                                          const ChartRun::State& after) {
+    if (over_) return {};
+    if (std::string fault = scans_.act(act, before); !fault.empty()) return fault;
+    if (act.starts || act.samples) inputs_ = act.inputs;
+    std::optional<bool> stable;
+    if (act.starts || act.evolves) {
+        const std::vector<std::int64_t> earlier = kept(), unseen = hidden();
+        if (std::string fault = scan(act, after); !fault.empty() || over_) return fault;
+        // The run does not show the variables of timers and charts that a program cannot read.
+        const bool changes = kept() != earlier, changes_hidden = hidden() != unseen;
+        if (act.stable && changes && *act.stable)
+            return "the scan changes nothing, but according to the program it does";
+        if (act.stable && !changes && !changes_hidden && !*act.stable)
+            return "the scan changes a variable, but according to the program it changes nothing";
+        if (act.evolves) stable = act.stable.value_or(!changes);
+    }
+    const bool writes = act.writes == ChartRun::Act::Writes::Yes;
+    scans_.done(stable, writes);
+    if (writes) return difference(cells_.outputs, controller_->outputs, after);
+    for (const Id<ChartRun::Signal> output : controller_->outputs)
+        if (before.values[output.index] != after.values[output.index] && !act.starts)
+            return "output " + run_->signals[output].name + " changes, but no scan writes it";
+    return {};
+}
+
+std::string ProgramControllerReplay::scan(const ChartRun::Act& act, const ChartRun::State& after) {
+    // The interpreter expects the inputs in the order of the cells.
+    std::vector<std::pair<std::size_t, std::int64_t>> sampled;
+    for (std::size_t k = 0; k < cells_.inputs.size(); ++k) sampled.emplace_back(cells_.inputs[k], inputs_[k]);
+    std::ranges::sort(sampled);
+    std::vector<std::int64_t> values;
+    for (const auto& [cell, value] : sampled) values.push_back(value);
+    const bool advances = act.evolves && controller_->cycle;
+    interpreter_.scan(values, advances ? controller_->cycle->least_ms : 0);
+    if (act.evolves) ++evolutions_;
+    if (std::string fault = fault_difference(act); !fault.empty() || over_) return fault;
+    if (std::string found = situation_difference(after); !found.empty()) return found;
+    if (std::string found = difference(cells_.internals, internals_, after); !found.empty()) return found;
+    return difference(cells_.outputs, controller_->images, after);
+}
+
+std::string ProgramControllerReplay::fault_difference(const ChartRun::Act& act) {
+    const bool faulty = interpreter_.fault().has_value();
+    over_ = faulty && act.race.value_or(true);
+    raced_ = over_ && act.race.has_value();
+    if (over_ || faulty == act.race.value_or(false)) return {};
+    return faulty ? "no fault, but according to the program the scan has a run-time fault"
+                  : "a run-time fault, but according to the program there is none";
+}
+
+std::string ProgramControllerReplay::difference(const std::vector<std::size_t>& cells,
+                                                const std::vector<Id<ChartRun::Signal>>& signals,
+                                                const ChartRun::State& now) const {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        if (!signals[k].valid()) continue;
+        const std::int64_t value = now.values[signals[k].index], expected = interpreter_.cells()[cells[k]];
+        if (value != expected)
+            return interpreter_.layout().cells[cells[k]].name + " is " + std::to_string(value) +
+                   ", but according to the program " + std::to_string(expected);
+    }
+    return {};
+}
+
+std::string ProgramControllerReplay::situation_difference(const ChartRun::State& now) const {
+    for (std::size_t k = 0; k < cells_.steps.size(); ++k) {
+        const bool active = std::ranges::binary_search(now.situation, controller_->steps[k]);
+        if (active == (interpreter_.cells()[cells_.steps[k]] != 0)) continue;
+        return "step " + run_->steps[controller_->steps[k]].name.text() + " is " + (active ? "active" : "not active") +
+               ", but according to the program it is " + (active ? "not active" : "active");
+    }
+    return {};
+}
+
+std::vector<std::int64_t> ProgramControllerReplay::hidden() const {
+    std::vector<std::int64_t> values;
+    for (const std::size_t cell : variable_cells(interpreter_.layout()))
+        if (const ProgramCell& of = interpreter_.layout().cells[cell]; !of.input && !of.output && !of.step)
+            values.push_back(interpreter_.cells()[cell]);
+    return values;
+}
+
+std::vector<std::int64_t> ProgramControllerReplay::kept() const {
+    std::vector<std::int64_t> values;
+    for (const std::vector<std::size_t>* const cells : {&cells_.outputs, &cells_.internals, &cells_.steps})
+        for (const std::size_t cell : *cells) values.push_back(interpreter_.cells()[cell]);
+    return values;
+}
+
+}  // namespace grafverif
