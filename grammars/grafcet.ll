@@ -124,6 +124,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "between"       return lexer.word(Kind::BETWEEN);
 "until"         return lexer.word(Kind::UNTIL);
 "precedes"      return lexer.word(Kind::PRECEDES);
+"program"       return lexer.word(Kind::PROGRAM);
 "times"         return lexer.word(Kind::TIMES_WORD);
 "rise"          return lexer.word(Kind::RISE);
 "fall"          return lexer.word(Kind::FALL);

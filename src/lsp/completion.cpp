@@ -107,7 +107,7 @@ private:
     }
 
     void in_file() {
-        if (half_.words.empty()) return keywords({"grafcet", "component", "closed_loop", "include"});
+        if (half_.words.empty()) return keywords({"grafcet", "component", "closed_loop", "program", "include"});
         if (half_.words[0] != "component" || !has("(")) return;
         if (last() == "(" || last() == ";") return keywords({"input", "output"});
         if (last() == ":") keywords({"bool", "int", "duration"});

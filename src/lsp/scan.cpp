@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 22> reserved = {
     "grafcet", "component",  "closed_loop", "include",   "input",      "output",  "internal", "step",
     "when",    "transition", "do",          "force",     "and",        "or",      "not",      "true",
     "false",   "always",     "never",       "reachable", "inevitable", "possible"};
-constexpr std::array<std::string_view, 70> contextual = {
+constexpr std::array<std::string_view, 71> contextual = {
     "constraint",   "initial",     "linked",    "entry",    "exit",       "macro",    "expands",  "enclosing",
     "encloses",     "partial",     "expansion", "if",       "after",      "for",      "on",       "activation",
     "deactivation", "event",       "bool",      "int",      "duration",   "variable", "clock",    "location",
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 70> contextual = {
     "leads",        "to",          "no",        "deadlock", "timelock",   "all",      "steps",    "exactly",
     "one",          "of",          "uppaal",    "ctl",      "ltl",        "observer", "schedule", "implies",
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
-    "between",      "until",       "precedes",  "constant", "times",      "fault"};
+    "between",      "until",       "precedes",  "constant", "times",      "fault",    "program"};
 
 /// True if a name may begin with the character that contains `byte`. Characters beyond ASCII are accepted here; the
 /// lexer checks them.
@@ -124,7 +124,8 @@ IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
         const bool at_cursor = word.end == cursor && word.kind != Word::Kind::Sign;
         if (at_cursor) break;
         if (begins_line(text, word.begin)) {
-            if (seen == "grafcet" || seen == "component" || seen == "closed_loop" || seen == "include")
+            if (seen == "grafcet" || seen == "component" || seen == "closed_loop" || seen == "include" ||
+                (seen == "program" && half.blocks.empty()))
                 half.blocks.clear(), half.words.clear(), brackets = 0;
             const bool in_chart = seen == "input" || seen == "output" || seen == "internal" || seen == "transition" ||
                                   (seen == "step" && !half.words.empty() && !is_keyword(half.words.back()));

@@ -75,6 +75,10 @@ public:
 
     void declare(const tree::Include&) {}
 
+    void declare(const tree::PlcProgram& program) {
+        top(DeclarationKind::Chart, "chart ", program.name, program.where);
+    }
+
     /// Declares the plant variables of the loop: an output of an instance is bound to the variable, and no controller
     /// declares it.
     void declare_plant(const tree::ClosedLoop& loop) {
@@ -283,6 +287,8 @@ private:
     // Charts.
 
     void find(const tree::Include&) {}
+
+    void find(const tree::PlcProgram& program) { declared("chart " + text(program.name), program.name.where); }
 
     void find(const tree::Chart& chart) {
         const std::string key = "chart " + text(chart.name);

@@ -90,6 +90,15 @@ std::string_view without_comments(std::string_view text) {
     }
 }
 
+/// True if the text begins with `program NAME =`. In IEC 61131-3, `=` cannot follow the name of a program.
+bool declares_program(std::string_view text) {
+    constexpr std::string_view keyword = "program";
+    if (!text.starts_with(keyword)) return false;
+    text = without_comments(text.substr(keyword.size()));
+    text.remove_prefix(std::min(text.find_first_of(" \t\r\n\f\v=/("), text.size()));
+    return without_comments(text).starts_with('=');
+}
+
 /// Returns `station` for `charts/station.xml`.
 std::string stem_of(std::string_view path) {
     path.remove_prefix(std::min(path.find_last_of('/') + 1, path.size()));
@@ -131,7 +140,8 @@ FileFormat format_of(std::string_view text) {
            (first[length] == '_' || std::isalpha(static_cast<unsigned char>(first[length])) != 0))
         ++length;
     const std::string_view word = first.substr(0, length);
-    if (std::ranges::find(our_first_words, word) != our_first_words.end()) return FileFormat::Grafcet;
+    if (std::ranges::find(our_first_words, word) != our_first_words.end() || declares_program(first))
+        return FileFormat::Grafcet;
     const bool structured = std::ranges::find(first_text, st::capitals(word)) != first_text.end();
     return structured ? FileFormat::StructuredText : FileFormat::Unknown;
 }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "ir/program/interface.hpp"
 #include "read/formats.hpp"
+#include "read/program/program.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
 #include "support/overloaded.hpp"
@@ -117,6 +120,23 @@ void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& w
     else reading.charts_in_error.insert(name);
 }
 
+/// Reads the file of a PLC program, and adds the chart that represents the program in closed loops.
+void read_plc_program(ReadState& reading, const tree::File& file, const tree::PlcProgram& written) {
+    const std::string name(file.text(written.name));
+    if (!is_new(reading, reading.charts, "chart", name, written.name.where)) return;
+    reading.charts_in_error.insert(name);
+    const std::string path = path_of_include(reading.sources[file.source].name, written.path, reading.context);
+    std::string why = "other files are not available here";
+    auto text = reading.context.load ? reading.context.load(path, why) : std::nullopt;
+    if (!text) return reading.diagnostics.add(messages::cannot_include(written.path_where, written.path, why));
+    const Id<Source> source = reading.sources.add({path, std::move(*text)});
+    const auto program = read_program(source, reading.sources, reading.diagnostics);
+    if (!program) return;
+    reading.charts_in_error.erase(name);
+    reading.model.charts.add(
+        interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where));
+}
+
 /// Returns the component of this name in the library, or null if there is none.
 const LibraryEntry* library_entry(const ReadState& reading, std::string_view name) {
     const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
@@ -141,6 +161,7 @@ void read_parts(ReadState& reading, const tree::File& file) {
                        [](const tree::ClosedLoop&) {},
                        [&](const tree::Chart& chart) { read_chart(reading, file, chart); },
                        [&](const tree::Component& component) { read_component(reading, file, component); },
+                       [&](const tree::PlcProgram& program) { read_plc_program(reading, file, program); },
                    },
                    declaration);
     }

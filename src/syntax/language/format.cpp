@@ -148,9 +148,11 @@ public:
         for (std::size_t i = 0; i < file_.declarations.size(); ++i) {
             const tree::Declaration& declaration = file_.declarations[i];
             const Span where = tree::where(declaration);
-            const bool include = std::holds_alternative<tree::Include>(declaration);
-            const bool after_include = i > 0 && std::holds_alternative<tree::Include>(file_.declarations[i - 1]);
-            page_.before(where.begin, i > 0 && !(include && after_include));
+            // Successive includes form a group, and so do successive programs.
+            const bool in_group = i > 0 && declaration.index() == file_.declarations[i - 1].index() &&
+                                  (std::holds_alternative<tree::Include>(declaration) ||
+                                   std::holds_alternative<tree::PlcProgram>(declaration));
+            page_.before(where.begin, i > 0 && !in_group);
             const std::uint32_t limit =
                 i + 1 < file_.declarations.size() ? tree::where(file_.declarations[i + 1]).begin : end_of_file;
             std::visit(
@@ -161,6 +163,9 @@ public:
                         block(component_head(file_, component), component.items, where);
                     },
                     [&](const tree::ClosedLoop& loop) { block("closed_loop " + text(loop.name), loop.items, where); },
+                    [&](const tree::PlcProgram& written) {
+                        one_line(written.where, "program " + text(written.name) + " = \"" + written.path + "\";");
+                    },
                 },
                 declaration);
             page_.trailing_comments(limit);

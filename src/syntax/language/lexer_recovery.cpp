@@ -23,7 +23,8 @@ bool declares_in_file(Symbol kind) {
     case Symbols::S_GRAFCET:
     case Symbols::S_COMPONENT:
     case Symbols::S_CLOSED_LOOP:
-    case Symbols::S_INCLUDE: return true;
+    case Symbols::S_INCLUDE:
+    case Symbols::S_PROGRAM: return true;
     default: return false;
     }
 }

@@ -298,7 +298,14 @@ struct Include {
     std::string path = {};
     Span where = {};
 };
-using Declaration = std::variant<Include, Chart, Component, ClosedLoop>;
+/// `program NAME = "FILE";` declares a PLC program.
+struct PlcProgram {
+    Name name = {};
+    std::string path = {};
+    Span path_where = {};  ///< position including the quotes
+    Span where = {};
+};
+using Declaration = std::variant<Include, Chart, Component, ClosedLoop, PlcProgram>;
 
 struct File {
     Id<Source> source = {};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Resolves a closed loop. The controllers declare the shared variables, the instances bind them, and the properties
 // read them.
+#include "ir/program/program.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/formula.hpp"
 #include "syntax/resolve/loop_scope.hpp"
@@ -63,6 +65,14 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
         if (mode) controller.mode = *mode;
     }
     if (!controller.chart.valid()) return;
+    if (const Chart& chart = scope.context.model.charts[controller.chart]; chart.program) {
+        controller.mode = ExecutionMode::EveryCycle;
+        for (const tree::Name& option : written.options)
+            if (scope.text(option) == "stability_search")
+                scope.diagnostics.add(messages::only_for_charts(option.where, controller.name,
+                                                                "only charts have the mode `stability_search`",
+                                                                "remove the option"));
+    }
     const auto [known, fresh] = scope.controllers.try_emplace(scope.text(written.chart));
     if (!fresh) {
         scope.diagnostics.add(messages::duplicate_name(written.chart.where, "controller", controller.name,
@@ -72,9 +82,18 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
     known->second = scope.loop.controllers.add(std::move(controller));
 }
 
+/// Sets the cycle of a program without `every` to the interval of its task, if it has one.
+void take_interval(LoopScope& scope, const tree::Controller& written) {
+    const auto known = scope.controllers.find(scope.text(written.chart));
+    if (known == scope.controllers.end() || !scope.chart(known->second).program) return;
+    ClosedLoop::Controller& controller = scope.loop.controllers[known->second];
+    if (const auto interval = (*scope.chart(known->second).program).interval_ms)
+        controller.cycle = TaskCycle{*interval, *interval, controller.origin};
+}
+
 /// Resolves `every LEAST..MOST`. The controller does not exist if its declaration has an error.
 void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
-    if (!written.cycle.least.valid()) return;
+    if (!written.cycle.least.valid()) return take_interval(scope, written);
     constexpr std::string_view user = "a task cycle";
     const auto bound = [&](Id<tree::Expr> term) {
         return constant_terms(scope, user).constant(term, TermKind::Duration, user);

@@ -8,6 +8,7 @@
 #include "support/overloaded.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif {
 
@@ -73,12 +74,23 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
     return {};
 }
 
+/// Returns the internal variable `name` of a controller, if any. Names of programs are compared without regard to case.
+std::optional<Id<Chart::Variable>> internal_named(const LoopScope& scope, Id<Controller> controller,
+                                                  std::string_view name) {
+    const auto& internals = scope.inside[controller.index].internals;
+    if (const auto known = internals.find(name); known != internals.end()) return known->second;
+    if (!scope.chart(controller).program) return {};
+    for (const auto& [known, variable] : internals)
+        if (known.size() == name.size() && st::capitals(known) == st::capitals(name)) return variable;
+    return {};
+}
+
 /// Resolves a step `X2` or an internal variable of one controller, optionally in one of its partial charts.
 std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::string_view name,
                            std::optional<Id<Chart::PartialChart>> partial, Span where) {
     const LoopScope::Inside& known = scope.inside[controller.index];
-    const auto internal = known.internals.find(name);
-    if (!partial && internal != known.internals.end()) return internal_term(scope, controller, internal->second);
+    const auto internal = internal_named(scope, controller, name);
+    if (!partial && internal) return internal_term(scope, controller, *internal);
     const auto steps = name.size() > 1 && name[0] == 'X' ? known.steps.find(name.substr(1)) : known.steps.end();
     if (steps == known.steps.end()) return {};
     const Chart& chart = scope.chart(controller);
@@ -212,6 +224,44 @@ bool report_step_member(LoopScope& scope, std::string_view owner, std::string_vi
     return false;
 }
 
+/// Returns the name of a cell, such as `T1.Q`, for a node that consists of names only, otherwise an empty string.
+std::string cell_path(const LoopScope& scope, const tree::Expr& node) {
+    if (node.op == tree::Op::Name) return std::string(scope.file.text(node.word));
+    if (node.op != tree::Op::Member) return {};
+    const std::string owner = cell_path(scope, scope.file.exprs[node.first]);
+    return owner.empty() ? "" : owner + '.' + std::string(scope.file.text(node.word));
+}
+
+/// Resolves a member of a block or a structure of a program, `T1.Q` or `drive.T1.Q`; empty if no program has it.
+std::optional<Term> cell_term(LoopScope& scope, const tree::Expr& node) {
+    const std::string path = cell_path(scope, node);
+    std::optional<Term> found;
+    Id<Controller> owner;
+    for (const Id<Controller> controller : scope.loop.controllers.ids()) {
+        if (!scope.chart(controller).program) continue;
+        const std::string prefix = scope.loop.controllers[controller].name + '.';
+        std::optional<Term> term;
+        for (const std::string& name : {path, path.starts_with(prefix) ? path.substr(prefix.size()) : path}) {
+            const auto shared = scope.shared.find(name);
+            if (const auto cell = internal_named(scope, controller, name))
+                term = internal_term(scope, controller, *cell);
+            else if (shared != scope.shared.end() && name.find('.') != std::string::npos)
+                term = symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
+                                   scope.loop.shared[shared->second].type.boolean);
+            if (term) break;
+        }
+        if (!term) continue;
+        if (found) {
+            scope.diagnostics.add(messages::ambiguous(node.where, path, qualified(scope, owner, path),
+                                                      qualified(scope, controller, path)));
+            return Term{};
+        }
+        found = term;
+        owner = controller;
+    }
+    return found;
+}
+
 /// Resolves `G2.X2` if one controller has a partial chart `G2`.
 Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_view name, Span where) {
     const std::string_view partial = scope.file.text(owner.word);
@@ -265,8 +315,10 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
                 return inside_or_unknown(scope, controller->second, name, Id<Chart::PartialChart>{0}, node.where);
             return inside_or_unknown(scope, controller->second, name, {}, node.where);
         }
+        if (const auto cell = cell_term(scope, node)) return *cell;
         return in_partial_chart(scope, owner, name, node.where);
     }
+    if (const auto cell = node.op == tree::Op::Member ? cell_term(scope, node) : std::nullopt) return *cell;
     if (node.op == tree::Op::In) return no_such_instance(scope, owner);
     const tree::Expr& outer = scope.file.exprs[owner.first];
     const auto controller =
