@@ -250,6 +250,7 @@ TEST(Documents, ShowEachSampleAsItIsDrawn) {
     std::size_t charts = 0;
     for (const auto& entry : fs::recursive_directory_iterator(root / "samples")) {
         if (entry.path().extension() != ".grafcet") continue;
+        if (text_of(entry.path()).find("\ngrafcet ") == std::string::npos) continue;  // a loop of a PLC program
         const fs::path drawing = fs::path(entry.path()).replace_extension(".svg");
         EXPECT_EQ(text_of(drawing), Workplace().output_of("grafverif draw " + entry.path().string()))
             << "docs/pictures.sh updates " << drawing;

@@ -52,6 +52,10 @@ TEST(Import, RecognizesFormatsByTheirContent) {
     EXPECT_EQ(format_of("(* x *) program p"), FileFormat::StructuredText);
     EXPECT_EQ(format_of("/* x */ Function_Block f"), FileFormat::StructuredText);
     EXPECT_EQ(format_of("/* x */ closed_loop w {"), FileFormat::Grafcet);
+    EXPECT_EQ(format_of("program drive = \"drive.st\";"), FileFormat::Grafcet);
+    EXPECT_EQ(format_of("program // x\n drive= \"drive.st\";"), FileFormat::Grafcet);
+    EXPECT_EQ(format_of("program drive\nVAR x : BOOL := TRUE; END_VAR"), FileFormat::StructuredText);
+    EXPECT_EQ(format_of("program"), FileFormat::StructuredText);
     EXPECT_EQ(format_of("programme"), FileFormat::Unknown);
     EXPECT_EQ(format_of(""), FileFormat::Unknown);
 }

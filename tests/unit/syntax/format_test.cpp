@@ -153,6 +153,19 @@ TEST(Format, ArrangesDeclarations) {
         "}\n");
 }
 
+TEST(Format, GroupsSuccessivePrograms) {
+    EXPECT_EQ(formatted_text("include \"a.grafcet\";program p=\"p.st\";program program=\"q.st\"; // the second one\n"
+                             "grafcet g{initial step 0;}"),
+              "include \"a.grafcet\";\n"
+              "\n"
+              "program p = \"p.st\";\n"
+              "program program = \"q.st\";  // the second one\n"
+              "\n"
+              "grafcet g {\n"
+              "    initial step 0;\n"
+              "}\n");
+}
+
 TEST(Format, KeepsCommentsAndSingleBlankLines) {
     EXPECT_EQ(formatted_text("// head\n"
                              "\n"
