@@ -142,15 +142,22 @@ private:
             if (!parts_.sample_written[input.index] && !parts_.is_held(input)) list.push_back(forgotten(input));
     }
 
-    /// Returns one scan of a program: the first one, or a later one in evolve().
+    /// Returns one scan of a program: the first one, or a later one in evolve(). A scan with a run-time fault changes no
+    /// variable of the program, because its results are unspecified and no property must read them.
     Assignments scan(bool first) {
         TermCopier before = reading(!first);
         Assignments updates;
         if (!first) updates.push_back({leaf_of(parts_.stable), before(equations_.stable)});
-        note_race(first ? &Fault::first : &Fault::condition, before, updates);
-        for (const Kept& each : kept_)
-            if (const Id<Expr> next = first ? each.first : each.next; next.valid())
-                updates.push_back({stored_[each.variable.index], before(next)});
+        Id<Expr> Fault::*const condition = first ? &Fault::first : &Fault::condition;
+        note_race(condition, before, updates);
+        std::vector<Id<Expr>> conditions;
+        for (const Fault& fault : faults(equations_))
+            if ((fault.*condition).valid()) conditions.push_back(before(fault.*condition));
+        const Id<Expr> faulty = exprs().disjunction(conditions);
+        for (const Kept& each : kept_) {
+            const Id<Expr> next = first ? each.first : each.next, target = stored_[each.variable.index];
+            if (next.valid()) updates.push_back({target, exprs().conditional(faulty, target, before(next))});
+        }
         Assignments list = simultaneous(composition_, updates, parts_.prefix);
         if (phased_ && !first) forget_samples(list);
         return list;
