@@ -2,6 +2,7 @@
 #include "derive/program/controller.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "derive/program/scan.hpp"
@@ -19,7 +20,8 @@ class ControllerEquations {
 public:
     explicit ControllerEquations(Scan scan) : scan_(std::move(scan)) {}
 
-    /// True if every operation has a value of 64 bits. Terms can then be evaluated at any place.
+    /// True if every operation has a value of 64 bits. Terms can then be evaluated at any place. The reader of programs
+    /// guarantees this.
     bool is_total() const {
         const auto type_of = [&](const Expr& leaf) {
             return equations().variables[{static_cast<std::uint32_t>(leaf.value)}].type;
@@ -135,10 +137,7 @@ std::optional<Equations> controller_equations(const Program& program, const Prog
     const auto first = scan_of(timed, diagnostics);
     if (!first) return {};
     ControllerEquations equations(std::move(*scan));
-    if (!equations.is_total()) {
-        diagnostics.add(messages::program_too_large(program.units[program.main].origin, "bits in a product", 63));
-        return {};
-    }
+    assert(equations.is_total());
     return std::move(equations).build(*first, controller);
 }
 

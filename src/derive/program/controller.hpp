@@ -3,7 +3,7 @@
 //
 // Time: the scans of a task cycle with one possible value T begin at the times 0, T, 2T, ... A timer reads its elapsed
 // time only in a scan, and the time between two scans is exactly T. Therefore the elapsed time at each scan is the sum
-// of T over the scans since its start, an integer that the scan computes (`advance` in derive/program/scan.cpp). No
+// of T over the scans since its start, an integer that the scan computes (`advance_timers` in derive/program/scan.cpp). No
 // clock is needed, and the output of a timer changes in exactly the scan in which it changes in the PLC. The clock of
 // the task cycle relates these times to the plant. If the time between two scans varies, the elapsed time is a real
 // number that the equations cannot represent; then a program with timers is rejected.
