@@ -17,7 +17,7 @@ namespace grafverif::analysis {
 
 class TerminalRegions {
 public:
-    /// Requires that the search is complete. Both arguments must outlive the object.
+    /// Requires that the search is complete. `machine` and `search` must outlive the object.
     TerminalRegions(const Machine& machine, ExecutionMode mode, const PathSearch& search);
 
     const Bdd& reached() const { return reached_; }

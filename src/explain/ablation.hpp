@@ -41,8 +41,8 @@ struct TermPlace {
     bool operator==(const TermPlace&) const = default;
 };
 /// Returns the terms of a chart in the order of transitions, continuous actions and events. Outer terms precede inner
-/// terms. A term is an operand of an `and` or `or`, at any depth below these operators and `not`, or a condition that
-/// is neither of them nor a constant. In events, only operands without an edge are included, because an event must keep
+/// terms. A term is an operand of an `and` or `or`, at any depth below `and`, `or` and `not`. A complete condition is
+/// also a term, unless it is an `and`, an `or` or a constant. In events, only operands without an edge are included, because an event must keep
 /// an edge.
 std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);

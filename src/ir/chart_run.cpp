@@ -102,11 +102,11 @@ std::vector<std::string> verify(const ChartRun& run) {
             faults.emplace_back("a cause refers to an unknown element");
     }
     if (!run.left_out.empty() && run.left_out.back() >= run.moments.size())
-        faults.emplace_back("an unknown event is omitted");
+        faults.emplace_back("`left_out` refers to an unknown event");
     for (const ChartRun::Counterfactual& each : run.counterfactual_values)
         if (each.moment >= run.moments.size() ||
             !(each.signal.valid() ? run.signals.contains(each.signal) : run.timers.contains(each.timer)))
-            faults.emplace_back("a value of an unknown element is omitted");
+            faults.emplace_back("a value in `counterfactual_values` refers to an unknown element");
     return faults;
 }
 

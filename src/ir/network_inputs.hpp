@@ -102,8 +102,8 @@ struct InputChoice {
     Id<Network::Process> plc = {};
     std::vector<Id<Network::Variable>> variables = {};
     std::vector<std::vector<std::int64_t>> valuations = {};
-    bool kept = false;         ///< true if the set is part of the state, because edges after the first one read it
-    bool until_delay = false;  ///< true if cycles do not change the set (see ChoiceLifetime)
+    bool kept = false;                   ///< true if the set of possible valuations is part of the state
+    bool until_delay = false;            ///< true if cycles do not change the set (see ChoiceLifetime)
     Id<Network::Variable> stable = {};   ///< if valid: all valuations are possible again as soon as the PLC is stable
     Id<Network::Location> waiting = {};  ///< location in which `stable` is read
     std::vector<Id<Network::Edge>> widened = {};  ///< edges of the PLC after which all valuations are possible again

@@ -27,7 +27,8 @@ public:
     pugi::xml_node root() const { return root_; }
     Id<Source> source() const { return source_; }
 
-    /// Returns the span of the name in the start tag of an element; for other nodes, the span of their text.
+    /// Returns the span of the name in the start tag of an element; for other nodes, the span of the first
+    /// byte of their text.
     Span where(pugi::xml_node node) const;
     /// Returns the span of the attribute's value, or where(node) if it is missing.
     Span where(pugi::xml_node node, std::string_view attribute) const;

@@ -177,7 +177,8 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
     else if (charts.open.empty()) sentences.emplace_back("no single transition, step or term of the charts is needed");
     if (ground.about_states && ground.open.empty()) sentences.push_back(parts_text(ground));
     if (!ground.open.empty() && !ground.parts.empty())
-        sentences.push_back("depends, among other elements of the plant and the timers, on " + listed(ground.parts));
+        sentences.push_back("of the plant and the timers, it depends on " + listed(ground.parts) +
+                            ", and possibly on undecided elements");
     if (ground.open.size() > most) charts.open.push_back(fmt::format("{} instances and timers", ground.open.size()));
     else charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
     if (!charts.open.empty()) sentences.push_back("undecided: " + listed(charts.open));

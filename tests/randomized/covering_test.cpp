@@ -169,7 +169,8 @@ TEST(RandomizedCovering, UpperBoundsAreNeeded) {
 
 TEST(RandomizedCovering, DepthIsNeeded) {
     // In one level, a delay reaches l2 with c0 == 2 and c1 == 2, and an edge reaches l2 with c0 == 0 and c1 == 2. The
-    // second state simulates the first one, but its delay is an additional move.
+    // second state simulates the first one. A delay from the first state continues the move that reached it; a delay
+    // from the second state is a further move, so the run is longer.
     Sketch sketch;
     const auto process = sketch.process("p", 5, 2);
     sketch.invariant(process, 0, {1, Op::LessEqual, 1});

@@ -2,8 +2,8 @@
 // Guided search for a run of the complete network along a run of its input abstraction (ir/network_inputs.hpp).
 //
 // The abstract run is divided into stages, one per valuation of the steps and internal variables of the controllers.
-// The search is best-first: by the last stage that a run has shown, then by the number of variables that differ from
-// the next stage, then breadth-first. An autonomous Chosen instance moves only if its outputs are not among those that
+// The search is best-first. It prefers states whose run has reached the latest stage, then those with the fewest
+// variables that differ from the next stage; among equals, it is breadth-first. An autonomous Chosen instance moves only if its outputs are not among those that
 // the abstract run samples before the next stage. All moves are moves of the complete network; therefore each run that
 // is found is a real run. A run is found quickly if the abstract run becomes possible with longer delays. If no run is
 // found, nothing is proved.

@@ -16,7 +16,7 @@ namespace {
 
 using Variable = Id<Network::Variable>;
 
-constexpr std::int64_t most_combinations = 4096;  // maximum number of values that are enumerated
+constexpr std::int64_t most_combinations = 4096;  // maximum number of combinations of values that are enumerated
 
 class Faults {
 public:

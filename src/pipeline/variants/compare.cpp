@@ -248,8 +248,9 @@ private:
         return one;
     }
 
-    /// Returns Equal if some scan ends without a stop. Otherwise no outputs are compared: the option `--stop-output` may
-    /// name an output that is not zero in normal operation.
+    /// Returns Equal if some scan ends without a stop. Returns Unknown if both stop in the first scan for all inputs,
+    /// because no outputs are compared. A possible cause is that `--stop-output` names an output that is not zero in
+    /// normal operation.
     Answered ask_stopping() {
         Answered one = check_properties({"continues"}, {});
         if (one.outcome != Comparison::Outcome::Different) return one;

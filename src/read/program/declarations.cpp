@@ -84,7 +84,8 @@ void Reader::read_body(std::size_t index) {
     }
 }
 
-/// Returns the only function block that no other unit instantiates, if the file has neither programs nor instances.
+/// Returns the function block that no unit instantiates, if there is exactly one, and if the file has neither programs
+/// nor program instances.
 std::optional<std::size_t> Reader::main_block(std::size_t user) const {
     if (!file_->instances.empty()) return {};
     std::set<std::uint32_t> instantiated;

@@ -146,8 +146,8 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
                 "later scans are not compared\n",
                 k == 0 ? "a" : "b", printable(comparison.stop_outputs[k]));
     if (!comparison.restricted.empty())
-        out << "  these inputs have only the values of the chart: " << printable(names_text(comparison.restricted))
-            << '\n';
+        out << "  these inputs of the program are compared only for the values of the chart's inputs: "
+            << printable(names_text(comparison.restricted)) << '\n';
     if (!comparison.ignored.empty())
         out << "  these outputs are not compared: " << printable(names_text(comparison.ignored)) << '\n';
 }

@@ -39,7 +39,8 @@ Score of_specification(const Mutation& mutation) {
     return {noticed, noticed + count_of(mutation, ResultKind::Unnoticed)};
 }
 
-/// Returns the score of the test sequence. Only mutants that are known to differ from the original count.
+/// Returns the score of the test sequence. The score includes only mutants that are known to differ from
+/// the original.
 Score of_tests(const Mutation& mutation) {
     Score score;
     for (const auto& mutant_result : mutation.results) {

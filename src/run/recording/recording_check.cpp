@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t last = 1;                      ///< variable of the last instant in the zone of a hypothesis
 constexpr std::uint64_t most_reactions = 1'000'000;  ///< maximum number of reactions for one sample
-constexpr std::size_t most_successors = 40'000;      ///< maximum number before equal hypotheses are removed
+constexpr std::size_t most_successors = 40'000;      ///< maximum number of successors of an instant
 constexpr std::uint64_t poll_interval = 1'024;       ///< reactions between two calls of `stopped`
 constexpr std::uint64_t instants_shown = 16;         ///< minimum number of stored instants of a long timing
 

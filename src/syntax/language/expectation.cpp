@@ -53,8 +53,8 @@ std::string shown(Symbol symbol) {
 
 struct Group {
     std::string name = {};
-    Symbol marks = Symbols::S_YYEMPTY;  ///< the group is expected if this token is expected
-    Symbol marks_too = Symbols::S_YYEMPTY;
+    /// The group is expected if both tokens are expected.
+    Symbol marks = Symbols::S_YYEMPTY, marks_too = Symbols::S_YYEMPTY;
 };
 
 /// The declarations of each type of block. Each type is identified by two tokens that are allowed only in this type of

@@ -76,7 +76,7 @@ TEST(CompareOptions, TheMapAssignsEachNameOnce) {
         EXPECT_NE(result.err.find(one.message), std::string::npos) << result.err;
         EXPECT_EQ(result.err.find("exists only in"), std::string::npos) << result.err;
     }
-    // Names of charts depend on case.
+    // Names in charts are case-sensitive: `on` and `ON` are two inputs.
     const std::string both = with(lamp, "on, off", "on, off, ON");
     const Result charts = compared(both, both, {"--map", "on=ON", "--map", "ON=on"});
     EXPECT_EQ(charts.code, ExitCode::Verdict) << charts.err;

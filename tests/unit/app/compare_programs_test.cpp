@@ -272,7 +272,9 @@ TEST(ComparePrograms, AnInputOfAProgramTakesTheValuesOfTheChart) {
     for (const bool turned : {false, true}) {
         const Result same = turned ? compared(program, chart) : compared(chart, program);
         EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
-        EXPECT_NE(same.out.find("  these inputs have only the values of the chart: `n`\n"), std::string::npos)
+        EXPECT_NE(same.out.find(
+                      "  these inputs of the program are compared only for the values of the chart's inputs: `n`\n"),
+                  std::string::npos)
             << same.out;
     }
     EXPECT_EQ(compared(chart, with(program, "n : INT", "n : USINT(1..3)")).code, ExitCode::Input);
