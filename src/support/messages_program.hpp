@@ -21,7 +21,7 @@ Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t li
 Diagnostic unbounded_loop(Span where, std::uint64_t limit);
 /// A controller with timers, but without an exact time between its scans.
 Diagnostic program_without_cycle(Span where, std::string_view name);
-/// A program in a loop that is used in a way that is possible only for charts. `what` is the subject and the verb.
+/// A program in a loop that is used in a way that is possible only for charts. `what` begins the message.
 Diagnostic only_for_charts(Span where, std::string_view name, std::string_view what, std::string_view hint);
 Diagnostic no_program(Span where);
 Diagnostic several_programs(Span where, std::string_view name);

@@ -220,7 +220,7 @@ const Premise premises[] = {
 };
 
 /// Compares the verdict of each part with that of the complete network. For each premise, counts in `tried` the verdicts
-/// that carry over if only this premise is granted without a check, and in `failed` those that are wrong.
+/// that are preserved if only this premise is assumed without a check, and in `failed` those that are wrong.
 void leave_out(const Network& network, const TimedResult& whole, std::map<std::string, int>& tried,
                std::map<std::string, int>& failed) {
     const NetworkSubsystems parts = parts_of(network);

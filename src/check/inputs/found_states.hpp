@@ -24,7 +24,7 @@ public:
     std::size_t size() const { return states_.size(); }
     /// Returns the approximate memory in bytes.
     std::uint64_t bytes() const { return nodes_.capacity() * sizeof(Node) + states_.bytes(); }
-    /// Copies the words of a state to `words`, which then has the size of the layout.
+    /// Copies a state to `words`, which then has the size of the layout.
     void load(std::size_t state, std::vector<timed::Word>& words) const;
     std::size_t mark(std::size_t state) const { return states_.words(state)[layout_.stored]; }
     Run run_to(std::size_t state) const;

@@ -24,7 +24,7 @@ public:
     Added add(const timed::Word* words);
 
     std::size_t size() const { return size_; }
-    /// Returns the words of a state. They remain at this address.
+    /// Returns a state as packed words. It remains at this address.
     const timed::Word* words(std::size_t state) const { return chunks_[state / chunk].get() + state % chunk * words_; }
     /// Returns the memory in bytes.
     std::uint64_t bytes() const {

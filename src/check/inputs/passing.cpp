@@ -81,8 +81,8 @@ void InputAbstractionCheck::search_passing(const Task& task) {
     }
 }
 
-/// Adds a note to the verdicts of the task. Without a proof that time passes, no property of its kind is proved on an
-/// abstraction, and often the cause is a chart that is unstable for some combination of inputs.
+/// Adds a note to the verdicts of the task. Often the cause of a failed proof is a chart that is unstable for some
+/// inputs.
 void InputAbstractionCheck::note_no_proof(const Task& task) {
     for (const std::size_t k : task.verdicts)
         if (is_open(k))

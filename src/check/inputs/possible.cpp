@@ -283,8 +283,7 @@ private:
         GoodStates good;
     };
 
-    /// Begins the search for `property`. The search for another property, if it is not complete, is given up: its
-    /// memory may be necessary.
+    /// Begins the search for `property`. A search for another property ends, because its memory may be necessary.
     void begin(const Property& property) {
         proof_ = std::make_unique<Proof>(*this, property);
         if (proof_->good.fits()) require_waiting(proof_->good);

@@ -287,9 +287,9 @@ CliCommand supervise_usage() {
         "transitions and outputs of these charts. Under these conditions, the properties of states (always, never,\n"
         "exactly one of) hold for all behaviour of the plant, and a marked situation remains reachable. The\n"
         "conditions are computed on the untimed model with interleaved plant automata and grain atomic. -o writes the\n"
-        "file with the conditions, after two engines have proved its properties. If no such conditions exist, a trace shows\n"
-        "behaviour that no controller can prevent. Conditions that disable a transition or an output completely are\n"
-        "not written. Exit code 1: no such conditions exist, or they disable parts of a chart.\n"
+        "file with the conditions, after two engines have proved its properties. If no such conditions exist, a trace\n"
+        "shows behaviour that no controller can prevent. Conditions that disable a transition or an output\n"
+        "completely are not written. Exit code 1: no such conditions exist, or they disable parts of a chart.\n"
         "docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
