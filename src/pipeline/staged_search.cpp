@@ -57,8 +57,10 @@ StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, cons
       network_(network),
       options_(timed_options(loop, options)) {
     options_.timelock = timelock && !is_watched_;
-    if (is_watched_)
-        options_.profile = ProfileFor::None;  // a report contains the profile of the loop without observers
+    if (!is_watched_) return;
+    // A report contains the profile of the loop without observers.
+    options_.profile = ProfileFor::None;
+    options_.many = {};
 }
 
 void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, const InputLimits& inputs) {
@@ -96,6 +98,7 @@ bool StagedSearch::needs_whole() {
 
 void StagedSearch::search_complete(const Deadline& deadline) {
     options_.deadline = deadline;
+    inputs_.reset();  // frees its memory
     complete_->search_complete();
 }
 

@@ -16,6 +16,7 @@ namespace grafverif {
 class FoundStates {
 public:
     explicit FoundStates(const timed::Layout& layout) : layout_(layout), states_(layout.stored + 1) {}
+    FoundStates(FoundStates&&) = delete;
 
     /// Adds a state and returns its number; empty if the state is already known with this `mark`. `parent` is the state
     /// before `move`. The first state is the initial state.

@@ -43,13 +43,15 @@ public:
     bool run(std::uint64_t states, const Deadline& deadline) {
         round_ = states;
         deadline_ = deadline;
+        for (Task& task : tasks_) task.searches = 0;
         const bool explores = explore();
         while (!tasks_.empty() && !stopped()) {
             const Task task = std::move(tasks_.front());
             tasks_.pop_front();
             switch (task.kind) {
             case Kind::SingleStates:
-                if (task.repeated >= limits_.repeated && round_ < bound_of(task)) postpone(task);
+                if (has_open(task) && task.searches >= limits_.searches_per_round && round_ < bound_of(task))
+                    postpone(task);
                 else search(task);
                 break;
             case Kind::Evolution:
@@ -75,7 +77,7 @@ private:
         bool coarse = false;  // true if instances that read the loop, and timers, are also abstracted
         Kind kind = Kind::SingleStates;
         bool rounded = false;      // true if bounds of observers are rounded to the time unit of all others
-        std::size_t repeated = 0;  // number of earlier searches for these properties in the current round
+        std::size_t searches = 0;  // number of earlier searches for these properties in the current round
     };
 
     bool has_observer() const { return observed_.processes.size() != loop_.processes.size(); }
@@ -89,8 +91,11 @@ private:
         return round_ < bound_of(task) && !found.complete && found.states >= round_;
     }
 
+    bool has_open(const Task& task) const {
+        return std::ranges::any_of(task.verdicts, [&](std::size_t k) { return is_open(k); });
+    }
     void postpone(Task task) {
-        task.repeated = 0;
+        task.searches = 0;
         postponed_.push_back(std::move(task));
     }
     bool is_open(std::size_t verdict) const { return result_.verdicts[verdict].outcome == Outcome::Unknown; }

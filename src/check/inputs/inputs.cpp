@@ -172,7 +172,7 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End end, const Levels& levels,
                                    std::vector<Task>& tasks) const {
     const Property& property = observed_.properties[result_.verdicts[verdict].about];
-    Task next{levels, {verdict}, task.rounds + 1, task.coarse, Kind::SingleStates, task.rounded, task.repeated + 1};
+    Task next{levels, {verdict}, task.rounds + 1, task.coarse, Kind::SingleStates, task.rounded, task.searches + 1};
     const bool is_repeated = levels == task.levels;
     const bool ends = next.rounds == (task.coarse ? limits_.coarse_rounds : limits_.rounds);
     if (end == End::RoundedRun && (is_repeated || (ends && !task.coarse))) {
@@ -180,7 +180,7 @@ void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End en
         next.rounded = false;
     } else if (is_repeated || ends) {
         if (!task.coarse) return;
-        next = {first_levels(property, false), {verdict}, 0, false, Kind::SingleStates, task.rounded, next.repeated};
+        next = {first_levels(property, false), {verdict}, 0, false, Kind::SingleStates, task.rounded, next.searches};
     }
     const auto joins = [&](const Task& other) {
         if (other.coarse != next.coarse || other.rounded != next.rounded) return false;
@@ -191,7 +191,7 @@ void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End en
     const auto joined = std::ranges::find_if(tasks, joins);
     if (joined == tasks.end()) return tasks.push_back(std::move(next));
     joined->verdicts.push_back(verdict);
-    joined->repeated = std::max(joined->repeated, next.repeated);
+    joined->searches = std::max(joined->searches, next.searches);
     for (std::size_t i = 0; i < next.levels.size(); ++i)
         joined->levels[i] = std::max(joined->levels[i], next.levels[i]);
     if (!ablations_.ignore_readers) store_what_is_read(instances_, joined->levels);

@@ -42,7 +42,7 @@ struct InputLimits {
     std::size_t rounds = 8;
     /// Maximum number of searches for one property in one round, except for the last round. Many searches of one
     /// property, usually `reachable all steps`, would use the time of the others.
-    std::size_t repeated = 8;
+    std::size_t searches_per_round = 8;
     /// Maximum number of preceding searches for one property in which instances that read the loop are also abstracted.
     std::size_t coarse_rounds = 32;
     /// Per property: an abstraction that decided the property in a similar loop. The search begins with this

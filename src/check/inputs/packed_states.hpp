@@ -15,6 +15,7 @@ class PackedStates {
 public:
     /// `words`: the number of words of each state.
     explicit PackedStates(std::size_t words) : words_(words) {}
+    PackedStates(PackedStates&&) = delete;
 
     struct Added {
         std::uint32_t state = 0;
@@ -26,7 +27,7 @@ public:
     std::size_t size() const { return size_; }
     /// Returns a state as packed words. It remains at this address.
     const timed::Word* words(std::size_t state) const { return chunks_[state / chunk].get() + state % chunk * words_; }
-    /// Returns the memory in bytes.
+    /// Returns the approximate memory in bytes.
     std::uint64_t bytes() const {
         return (chunks_.size() * chunk * words_ + slots_.capacity()) * sizeof(std::uint64_t);
     }

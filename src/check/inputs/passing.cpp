@@ -64,7 +64,7 @@ void InputAbstractionCheck::search_passing(const Task& task) {
     const bool holds = passes != found.verdicts.end() && passes->outcome == Outcome::Holds && found.complete;
     if (!holds && !(by_evolutions && ablations_.ignore_evolutions)) {
         if (by_evolutions) tasks_.push_front({levels_of_resting(), task.verdicts, 0, false, Kind::Passing});
-        else if (found.complete) note_no_proof(task);
+        else if (passes != found.verdicts.end() && passes->reason == timed::endless_instants) note_no_proof(task);
         return;
     }
     time_diverges_ = true;
@@ -84,6 +84,10 @@ void InputAbstractionCheck::search_passing(const Task& task) {
 /// Adds a note to the verdicts of the task. Often the cause of a failed proof is a chart that is unstable for some
 /// inputs.
 void InputAbstractionCheck::note_no_proof(const Task& task) {
+    const auto searches_stability = [](const Network::Controller& controller) {
+        return controller.words.mode == ExecutionMode::StabilitySearch;
+    };
+    if (!std::ranges::all_of(loop_.controllers, searches_stability)) return;
     for (const std::size_t k : task.verdicts)
         if (is_open(k))
             result_.verdicts[k].notes.emplace_back(
@@ -112,8 +116,9 @@ void InputAbstractionCheck::search_progress(const Task& task) {
         const auto proved = task.kind == Kind::Possible ? prove_possible(k, limits) : prove_response(k, limits);
         if (!proved) open.push_back(k);
     }
-    if (open.empty()) return;
-    postponed_.push_back(task);
+    // In the last round, a limit of the proof, and not of the round, has ended it.
+    if (open.empty() || (!stopped() && round_ >= limits_.states)) return;
+    postpone(task);
     postponed_.back().verdicts = std::move(open);
 }
 

@@ -285,9 +285,11 @@ private:
 
     /// Begins the search for `property`. A search for another property ends, because its memory may be necessary.
     void begin(const Property& property) {
-        proof_ = std::make_unique<Proof>(*this, property);
-        if (proof_->good.fits()) require_waiting(proof_->good);
-        states_ += proof_->good.size();
+        proof_.reset();
+        auto proof = std::make_unique<Proof>(*this, property);
+        if (proof->good.fits()) require_waiting(proof->good);
+        states_ += proof->good.size();
+        proof_ = std::move(proof);
     }
 
     void add_to_panel(const AbstractableProcess& instance) {

@@ -40,7 +40,8 @@ public:
     /// Returns the levels of the abstraction in which the states that must be good are found.
     const std::vector<InputLevel>& levels() const;
     /// Returns true if `property`, which is `always possible`, holds; false if this method cannot prove it; nullopt if
-    /// a limit is reached. Another call for the same property then continues the search.
+    /// a limit is reached. The next call continues the search if it
+    /// is for the same property.
     std::optional<bool> proves(const Property& property, const FollowLimits& limits);
     /// Returns the number of states that all calls explored.
     std::size_t states() const;

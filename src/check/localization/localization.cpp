@@ -272,7 +272,7 @@ void LocalizationCheck::search(Task task) {
     options.many = {};
     options.deadline = local_deadline_;
     options.max_states = std::min(options_.max_states, round_);
-    options.max_transitions = round_ * limits_.transitions;
+    if (round_ < limits_.local) options.max_transitions = round_ * limits_.transitions;
     const TimedResult found = check_timed(local.network, options);
     result_.states += found.states;
     local_states_ += found.states;
@@ -420,8 +420,11 @@ void LocalizationCheck::search_complete() {
         } else if (!ended_before) {
             std::vector<std::string> notes = std::move(verdict.notes);
             verdict = found;
-            // A note of an earlier search states why that search did not decide the property.
-            if (verdict.outcome == Outcome::Unknown) std::ranges::move(notes, std::back_inserter(verdict.notes));
+            // A note of an input abstraction states why it did not decide the property.
+            for (std::string& note : notes)
+                if (verdict.outcome == Outcome::Unknown &&
+                    std::ranges::find(verdict.notes, note) == verdict.notes.end())
+                    verdict.notes.push_back(std::move(note));
         }
         report_earlier(verdict, "localization", local_states_);
     }
@@ -453,7 +456,8 @@ TimedResult with_time_reported(TimedResult result) {
 }  // namespace
 
 TimedResult LocalizationCheck::result() {
-    if (options_.profile != ProfileFor::All && !searched_whole_ && std::ranges::any_of(result_.verdicts, is_decided_separately))
+    if (options_.profile != ProfileFor::All && !searched_whole_ &&
+        std::ranges::any_of(result_.verdicts, is_decided_separately))
         result_.profile.reset();
     return with_time_reported(std::move(result_));
 }

@@ -27,7 +27,7 @@ struct LocalizationLimits {
     std::uint64_t whole = std::uint64_t{1} << 17U;
     /// Maximum number of states of an abstraction; 0 disables localization.
     std::uint64_t local = std::uint64_t{1} << 22U;
-    /// Maximum number of transitions of an abstraction, per state of its bound. In an abstraction in which many
+    /// Maximum number of transitions of an abstraction, per state of its bound, except in the last round. In an abstraction in which many
     /// omitted variables can change at any time, states have hundreds of transitions.
     std::uint64_t transitions = 8;
 };

@@ -203,9 +203,7 @@ void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& question, Gr
         for (const std::uint32_t next : successors) take(next);
     });
     for (std::uint32_t state = 0; state < graph.states(); ++state) components.visit(state);
-    if (components.any_cycle())
-        set_unknown(question.verdict, UnknownReason::Inexact,
-                    "in the abstraction, urgent edges may follow each other without end");
+    if (components.any_cycle()) set_unknown(question.verdict, UnknownReason::Inexact, endless_instants);
 }
 
 void PropertyQueries::decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits) {

@@ -17,6 +17,9 @@ namespace grafverif::timed {
 Property undeclared_timelock(const Network& network);
 /// True if `property` is `no timelock` without `at stable`.
 bool about_time(const Property& property);
+
+/// Reason: in an input abstraction, `no timelock` is unknown because of a cycle of urgent edges.
+inline constexpr const char* endless_instants = "in the abstraction, urgent edges may follow each other without end";
 /// True if `options` select `property`.
 bool is_selected(const TimedOptions& options, const Property& property);
 

@@ -63,20 +63,20 @@ TEST(InputAbstraction, PropertyWithManySearchesWaitsForTheNextRound) {
                                   "initial step 0; step 1 { L; } step 2; transition t0: 0 -> 1 when A; "
                                   "transition t1: 1 -> 2 when !A;",
                                   "environment EA = push_button(OUT = A, GAP = 2s);", "X1 holds for 2s");
-    const auto rounds_until_decided = [&](std::size_t repeated) {
+    const auto rounds_until_decided = [&](std::size_t searches) {
         const Network network = expand(read_loop(text).network);
         const Observe observe = [](const Network& of) { return observed(of, watched(of)); };
         TimedOptions options{.max_states = 10, .timelock = false};
         TimedResult result = check_timed(observe(network), options);
         result.time_passes = true;
         options.max_states = 100'000;
-        InputSearch search(network, observe, options, result, {.explored = 0, .repeated = repeated});
+        InputSearch search(network, observe, options, result, {.explored = 0, .searches_per_round = searches});
         std::size_t rounds = 0;
         while (result.verdicts.front().outcome == Outcome::Unknown && rounds < 20) {
             ++rounds;
             if (!search.run(1000, {})) break;
         }
-        EXPECT_EQ(result.verdicts.front().outcome, Outcome::Holds) << repeated;
+        EXPECT_EQ(result.verdicts.front().outcome, Outcome::Holds) << searches;
         return rounds;
     };
     EXPECT_EQ(rounds_until_decided(8), 1U);
