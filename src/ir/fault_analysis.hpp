@@ -36,13 +36,15 @@ struct FaultAnalysis {
         FaultSet faults = {};
         FaultSet from_power_on = {};  ///< the faults that are present from power-on; the others occur in the run
         PropertyResult result = {};
+        /// Subsets for which the verdict is unknown. If there are any, the combination may not be minimal.
+        std::vector<FaultSet> unknown_subsets = {};
     };
     /// A combination for which the verdict is unknown.
     struct Open {
         FaultSet faults = {};
         std::string reason = {};
     };
-    /// `violating` violates the property, but its superset `holding` does not.
+    /// `violating` violates a property of existence (`reachable`), but its superset `holding` does not.
     struct NonMonotone {
         FaultSet violating = {}, holding = {};
     };
@@ -52,6 +54,8 @@ struct FaultAnalysis {
         bool declared = true;  ///< false if the model does not declare the property, or if it was not requested
         Span origin = {};
         Outcome without_faults = Outcome::Unknown;
+        bool expected_violated =
+            false;  ///< true: the model declares that the loop without faults violates the property
         std::vector<Cut> minimal = {};
         std::vector<Open> open = {};
         std::vector<NonMonotone> non_monotone = {};
@@ -69,7 +73,7 @@ struct FaultAnalysis {
     std::vector<Row> rows = {};
     std::vector<Error> errors = {};
     std::size_t combinations = 0;            ///< number of combinations of at most `order` faults
-    std::size_t checks = 0;                  ///< number of models that were checked, including the loop without faults
+    std::size_t checks = 0;                  ///< number of checks of a model, including the loop without faults
     std::vector<std::string> failures = {};  ///< internal errors
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <iterator>
 #include <mutex>
@@ -23,24 +24,57 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Maximum number of states of the first passes of a check, and whether they search the complete network only.
-constexpr std::array<std::pair<std::uint64_t, bool>, 2> passes = {
-    {{std::uint64_t{1} << 17U, false}, {std::uint64_t{1} << 22U, true}}};
+/// Maximum number of states of each pass of a check, and whether the pass searches the complete network only.
+constexpr std::array<std::pair<std::optional<std::uint64_t>, bool>, 3> passes = {
+    {{std::uint64_t{1} << 17U, false}, {std::uint64_t{1} << 22U, true}, {{}, false}}};
 
 bool is_about_existence(Pattern pattern) {
     return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
 }
 
-/// Returns the name of the property of the model: `S` for the row `S.X7`.
-std::string base_name(const FaultAnalysis::Row& row) {
-    return row.pattern == Pattern::ReachableAllSteps ? row.property.substr(0, row.property.find('.')) : row.property;
+/// True if a combination satisfies a property with this pattern only if its subsets are known to satisfy it: a state or
+/// run that violates the property without a fault can satisfy it in the model in which this fault may still occur.
+bool needs_subsets(Pattern pattern) { return !is_about_existence(pattern) && !is_about_all_states(pattern); }
+
+/// Returns the name of the property of the model: `S` for the row or verdict `S.X7`.
+std::string base_name(const std::string& property, Pattern pattern) {
+    return pattern == Pattern::ReachableAllSteps ? property.substr(0, property.find('.')) : property;
+}
+std::string base_name(const FaultAnalysis::Row& row) { return base_name(row.property, row.pattern); }
+
+void add_errors(std::vector<ModelErrorTrace>&& found, std::vector<ModelErrorTrace>& errors) {
+    for (ModelErrorTrace& error : found)
+        if (std::ranges::none_of(errors, [&](const ModelErrorTrace& each) {
+                return each.code == error.code && each.message == error.message;
+            }))
+            errors.push_back(std::move(error));
 }
 
-/// True if each superset of the combination has the violating run, because its other faults never occur.
-bool is_monotone(const FaultAnalysis::Cut& cut) {
-    const Pattern pattern = cut.result.verdict.pattern;
-    if (!cut.result.trace) return false;
-    return is_about_all_states(pattern) || (is_liveness(pattern) && cut.result.trace->loop_from);
+/// Adds the results of a later pass. Decided verdicts are kept.
+void merge(Report&& later, Report& report) {
+    if (report.answers.empty()) return void(report = std::move(later));
+    for (PropertyResult& result : later.answers) {
+        const auto known = std::ranges::find(report.answers, result.verdict.property,
+                                             [](const PropertyResult& each) { return each.verdict.property; });
+        if (known == report.answers.end()) report.answers.push_back(std::move(result));
+        else if (known->verdict.outcome == Outcome::Unknown) *known = std::move(result);
+    }
+    add_errors(std::move(later.error_traces), report.error_traces);
+    std::ranges::move(later.failures, std::back_inserter(report.failures));
+}
+
+/// Returns the names of the undecided properties, if a limit on the number of states is a reason. `no timelock`, which
+/// every check decides, is relevant only if `timelock`.
+std::vector<std::string> to_check_again(const Report& report, bool timelock) {
+    std::set<std::string> names;
+    bool limited = false;
+    for (const PropertyResult& result : report.answers) {
+        if (result.verdict.outcome != Outcome::Unknown) continue;
+        if (result.verdict.pattern == Pattern::NoTimelock && !timelock) continue;
+        names.insert(base_name(result.verdict.property, result.verdict.pattern));
+        limited = limited || result.verdict.obstacle == UnknownReason::Bound;
+    }
+    return limited ? std::vector(names.begin(), names.end()) : std::vector<std::string>{};
 }
 
 /// A combination to check, with the rows that are open for it, and the results.
@@ -51,7 +85,6 @@ struct CombinationCheck {
     std::vector<std::pair<std::size_t, std::string>> unknown = {};          ///< rows and reasons
     std::vector<ModelErrorTrace> errors = {};
     std::vector<std::string> failures = {};
-    std::size_t checks = 0;
     bool done = false;
 };
 
@@ -69,6 +102,7 @@ public:
         check_without_faults(*network);
         for (std::size_t size = 1; size <= request_.order; ++size) check_combinations(size);
         if (request_.visible) find_visible(*network);
+        analysis_.checks = checks_;
         return std::move(analysis_);
     }
 
@@ -101,23 +135,21 @@ private:
         return options;
     }
 
-    /// Checks the network in passes. A network with faults often has somewhat more states than localization requires,
-    /// but a search of the complete network needs less time than localization.
-    Report report_on(const Model& model, const Network& network, CheckOptions options) const {
+    /// Checks the network in passes, each for the properties that are still undecided. A network with faults often has
+    /// somewhat more states than localization requires, but a search of the complete network needs less time than
+    /// localization.
+    Report report_on(const Model& model, const Network& network, CheckOptions options, bool timelock) const {
+        ++checks_;
         const LoopToCheck loop = loop_to_check(model, loop_, network);
+        Report report;
         for (const auto& [states, whole] : passes) {
             options.limits.states = states;
             options.whole = whole;
-            Report report = check_without_causes(loop, options);
-            const auto& answers = report.answers;
-            if (stopped() || std::ranges::none_of(answers, [](const PropertyResult& each) {
-                    return each.verdict.declared && each.verdict.obstacle == UnknownReason::Bound;
-                }))
-                return report;
+            merge(check_without_causes(loop, options), report);
+            options.properties = to_check_again(report, timelock);
+            if (options.properties.empty() || stopped()) break;
         }
-        options.limits.states = {};
-        options.whole = false;
-        return check_without_causes(loop, options);
+        return report;
     }
 
     /// True for all rows except `no timelock`, which every check decides, if only other properties are requested.
@@ -128,15 +160,14 @@ private:
     }
 
     void check_without_faults(const Network& network) {
-        Report report = report_on(model_, network, options(request_.jobs));
-        ++analysis_.checks;
+        Report report = report_on(model_, network, options(request_.jobs), true);
         analysis_.settings = report.settings;
         analysis_.failures = std::move(report.failures);
         for (ModelErrorTrace& each : report.error_traces) analysis_.errors.push_back({{}, std::move(each)});
         for (const PropertyResult& result : report.answers) {
             const Verdict& verdict = result.verdict;
-            FaultAnalysis::Row row{verdict.property, result.text,    verdict.pattern,
-                                   verdict.declared, verdict.origin, verdict.outcome};
+            FaultAnalysis::Row row{verdict.property, result.text,     verdict.pattern,          verdict.declared,
+                                   verdict.origin,   verdict.outcome, verdict.expected_violated};
             for (const Property& property : network.properties)
                 if (property.name == base_name(row)) row.pattern = property.pattern;
             row.declared = row.declared && is_requested(row);
@@ -166,9 +197,7 @@ private:
     /// True if the combination must be checked for the row.
     static bool is_open(const FaultAnalysis::Row& row, const FaultSet& faults) {
         if (row.without_faults != Outcome::Holds) return false;
-        return std::ranges::none_of(row.minimal, [&](const FaultAnalysis::Cut& cut) {
-            return std::ranges::includes(faults, cut.faults) && is_monotone(cut);
-        });
+        return is_about_existence(row.pattern) || violating_subset(row, faults) == nullptr;
     }
 
     void check_combinations(std::size_t size) {
@@ -179,8 +208,7 @@ private:
             CombinationCheck job{.faults = faults};
             for (std::size_t k = 0; k < analysis_.rows.size(); ++k)
                 if (is_open(analysis_.rows[k], faults)) job.rows.push_back(k);
-            const auto declared = [&](std::size_t row) { return analysis_.rows[row].declared; };
-            if (std::ranges::any_of(job.rows, declared)) jobs.push_back(std::move(job));
+            if (!job.rows.empty()) jobs.push_back(std::move(job));
         });
         std::size_t done = 0;
         std::mutex mutex;  // of `done` and of the callback
@@ -238,13 +266,13 @@ private:
         how.properties.clear();
         for (const std::size_t row : rows)
             if (const std::string name = base_name(analysis_.rows[row]);
-                analysis_.rows[row].declared && std::ranges::find(how.properties, name) == how.properties.end())
+                std::ranges::find(how.properties, name) == how.properties.end())
                 how.properties.push_back(name);
-        if (how.properties.empty()) return;
-        Report report = report_on(made, *network, how);
-        ++job.checks;
+        const bool timelock = std::ranges::any_of(
+            rows, [&](std::size_t row) { return analysis_.rows[row].pattern == Pattern::NoTimelock; });
+        Report report = report_on(made, *network, how, timelock);
         std::ranges::move(report.failures, std::back_inserter(job.failures));
-        if (job.errors.empty()) job.errors = std::move(report.error_traces);
+        add_errors(std::move(report.error_traces), job.errors);
         for (PropertyResult& result : report.answers)
             for (const std::size_t row : rows)
                 if (analysis_.rows[row].property == result.verdict.property) {
@@ -271,21 +299,23 @@ private:
     }
 
     void apply(CombinationCheck& job) {
-        analysis_.checks += job.checks;
         std::ranges::move(job.failures, std::back_inserter(analysis_.failures));
         for (ModelErrorTrace& each : job.errors)
-            if (!has_error(job.faults, each.code)) analysis_.errors.push_back({job.faults, std::move(each)});
+            if (!has_error(job.faults, each)) analysis_.errors.push_back({job.faults, std::move(each)});
         for (auto& [index, cut] : job.violated) {
             FaultAnalysis::Row& row = analysis_.rows[index];
-            if (violating_subset(row, job.faults) == nullptr) row.minimal.push_back(std::move(cut));
+            if (violating_subset(row, job.faults) != nullptr) continue;
+            cut.unknown_subsets = unknown_subsets(row, job.faults);
+            row.minimal.push_back(std::move(cut));
         }
         for (const std::size_t index : job.rows) apply(job, index);
     }
 
     /// True if a subset of the combination causes the same model error.
-    bool has_error(const FaultSet& faults, const std::string& code) const {
+    bool has_error(const FaultSet& faults, const ModelErrorTrace& error) const {
         return std::ranges::any_of(analysis_.errors, [&](const FaultAnalysis::Error& each) {
-            return each.trace.code == code && std::ranges::includes(faults, each.faults);
+            return each.trace.code == error.code && each.trace.message == error.message &&
+                   std::ranges::includes(faults, each.faults);
         });
     }
 
@@ -295,6 +325,13 @@ private:
         return nullptr;
     }
 
+    static std::vector<FaultSet> unknown_subsets(const FaultAnalysis::Row& row, const FaultSet& faults) {
+        std::vector<FaultSet> subsets;
+        for (const FaultAnalysis::Open& open : row.open)
+            if (std::ranges::includes(faults, open.faults)) subsets.push_back(open.faults);
+        return subsets;
+    }
+
     /// Notes that the verdict on a row is unknown, or that the combination satisfies what a subset violates.
     void apply(const CombinationCheck& job, std::size_t index) {
         FaultAnalysis::Row& row = analysis_.rows[index];
@@ -302,10 +339,12 @@ private:
         const auto unknown = std::ranges::find(job.unknown, index, [](const auto& each) { return each.first; });
         const FaultAnalysis::Cut* const subset = violating_subset(row, job.faults);
         if (!job.done || unknown != job.unknown.end()) {
-            if (row.declared && subset == nullptr)
+            if (subset == nullptr)
                 row.open.push_back({job.faults, unknown == job.unknown.end() ? "" : unknown->second});
         } else if (subset != nullptr) {
             row.non_monotone.push_back({subset->faults, job.faults});
+        } else if (needs_subsets(row.pattern) && !unknown_subsets(row, job.faults).empty()) {
+            row.open.push_back({job.faults, "the verdict for some of these faults is unknown"});
         }
     }
 
@@ -349,7 +388,7 @@ private:
         CheckOptions how = options(jobs);
         how.properties = {};
         Reached found;
-        for (const PropertyResult& result : report_on(model, network, how).answers) {
+        for (const PropertyResult& result : report_on(model, network, how, false).answers) {
             if (result.verdict.pattern != Pattern::Reachable) continue;
             if (result.verdict.outcome == Outcome::Holds) found.yes.insert(result.verdict.property);
             else if (result.verdict.outcome == Outcome::Violated) found.no.insert(result.verdict.property);
@@ -364,7 +403,6 @@ private:
         in_parallel(
             analysis_.faults.size(), request_.jobs, [this] { return stopped(); },
             [&](std::size_t k) { analysis_.faults[k].visible = visible(k, normal); });
-        analysis_.checks += 1 + 2 * analysis_.faults.size();
     }
 
     FaultAnalysis::Visible visible(std::size_t fault, const Reached& normal) const {
@@ -394,7 +432,7 @@ private:
             {.name = "shown", .pattern = Pattern::Inevitable, .operands = {network.exprs.disjunction(terms)}});
         CheckOptions how = options(1);
         how.properties = {"shown"};
-        for (const PropertyResult& result : report_on(model, network, how).answers)
+        for (const PropertyResult& result : report_on(model, network, how, false).answers)
             if (result.verdict.property == "shown") return result.verdict.outcome;
         return Outcome::Unknown;
     }
@@ -404,6 +442,7 @@ private:
     const FaultsRequest& request_;
     Diagnostics& diagnostics_;
     FaultAnalysis analysis_ = {};
+    mutable std::atomic<std::size_t> checks_ = 0;
 };
 
 }  // namespace

@@ -6,14 +6,14 @@
 // all faults of the combination from power-on. Combinations with two faults of one instance are not considered, because
 // only one of them can occur.
 //
-// A combination is minimal if it violates the property and none of its subsets is known to violate it. A superset of a
-// violating combination is not checked if it has the violating run too:
+// A combination is minimal if it violates the property and none of its subsets does. If the verdict for a subset is
+// unknown, this is noted with the combination.
 //
-//   the run leads to a state that violates the property, or is infinite    the other faults never occur in it
-//   any other run, such as one that ends in a deadlock                     another fault may occur at its end
-//
-// In the second case, supersets are checked, and are reported if they satisfy the property. No other conclusion is
-// drawn from one combination about another one.
+// Each fault may also never occur. Therefore every run with the faults F alone is a run of each superset of F. If F
+// violates a property about all runs, each superset violates it too, and is not checked. The model of the superset does
+// not always show this violation: a fault that can still occur can end a deadlock, for example. Therefore, a combination
+// satisfies such a property only if all its subsets satisfy it. Only `reachable` and `reachable all steps` can be
+// violated by a combination and satisfied by a superset.
 #pragma once
 
 #include <cstdint>

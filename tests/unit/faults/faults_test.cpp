@@ -7,6 +7,7 @@
 #include <atomic>
 #include <set>
 
+#include "pipeline/check.hpp"
 #include "pipeline/variants/fault_model.hpp"
 
 namespace grafverif {
@@ -190,6 +191,91 @@ TEST(Faults, ADeadlockBelongsToTheFaultsThatHaveOccurred) {
     EXPECT_EQ(found.row("alive").non_monotone.size(), 0u);
 }
 
+// A button that is held stops the loop in X0. The sensors can still begin to chatter, and then the loop never stops.
+// However, in the run of `held` alone they never do.
+TEST(Faults, AFaultThatNeverOccursCannotEndADeadlock) {
+    const std::string chatter =
+        "component chatter(output AT_TOP, AT_BOTTOM) {\n    clock t;\n\n    initial location chatter;\n\n"
+        "    timed chatter -> chatter when t >= 1s do t := 0;\n}\n";
+    const std::string faults = "    fault held of Start: held();\n    fault chatter of Sensors: chatter();\n";
+    for (const char* const pattern : {"no deadlock", "always possible X1"}) {
+        const Analysed found =
+            analysed(chatter + loop_with(faults, "    property p: " + std::string(pattern) + ";\n"), {.order = 2});
+        const FaultAnalysis::Row& row = found.row("p");
+        if (row.without_faults != Outcome::Holds) continue;  // `always possible` can be unknown
+        EXPECT_TRUE(found.minimal("p").contains("held")) << pattern;
+        EXPECT_FALSE(found.minimal("p").contains("held+chatter")) << pattern;
+        EXPECT_TRUE(row.non_monotone.empty()) << pattern;
+    }
+    const ParseResult read = read_string(chatter + loop_with(faults, "    property p: no deadlock;\n"), "a.grafcet");
+    ASSERT_TRUE(read.model.has_value());
+    const Model& model = *read.model;
+    const Id<ClosedLoop> loop = *find_loop(model, "station");
+    Diagnostics diagnostics;
+    const auto both = check(with_faults(model, loop, {{{0}, false}, {{1}, false}}), loop, {}, {}, diagnostics);
+    ASSERT_TRUE(both.has_value());
+    EXPECT_EQ(both->answers.front().verdict.outcome, Outcome::Holds);  // the model with both faults hides the deadlock
+}
+
+// Two switches turn the lamp off. The strict clock constraint of `a` leaves its verdict open.
+TEST(Faults, MinimalityIsUnprovedIfASubsetIsUnknown) {
+    const std::string text =
+        "grafcet lamp {\n    input ON, A, B;\n    output LAMP;\n\n    initial step 0;\n    step 1 { LAMP; }\n\n"
+        "    transition t0: 0 -> 1 when ON && !A && !B;\n    transition t1: 1 -> 0 when A || B;\n}\n"
+        "component toggle(output OUT) {\n    clock t;\n\n    initial location toggle invariant t <= 1s;\n\n"
+        "    timed toggle -> toggle when t == 1s do OUT := !OUT, t := 0;\n}\n"
+        "component open(output OUT) {\n    clock t;\n\n    initial location open invariant t < 3s with OUT := false;\n"
+        "\n    timed open -> open when t >= 1s do t := 0;\n}\n"
+        "component dead(output OUT) {\n    initial location dead with OUT := false;\n}\n"
+        "closed_loop station {\n    controller lamp;\n    environment On = push_button(OUT = ON, GAP = 1s);\n"
+        "    environment A = toggle(OUT = A);\n    environment B = toggle(OUT = B);\n"
+        "    fault a of A: open();\n    fault b of B: dead();\n    property p: X1 leads to X0 within 5s;\n}\n";
+    const Analysed found = analysed(text, {.order = 2});
+    const FaultAnalysis::Row& row = found.row("p");
+    EXPECT_EQ(row.without_faults, Outcome::Holds);
+    ASSERT_EQ(row.open.size(), 1u);
+    EXPECT_EQ(found.name(row.open.front().faults), "a");
+    ASSERT_EQ(found.minimal("p"), Names{"a+b"});
+    EXPECT_EQ(row.minimal.front().unknown_subsets, std::vector<FaultSet>{{0}});
+}
+
+// The edge of `overflow` is enabled only after `runaway` has occurred, and has an error of the same kind.
+TEST(Faults, DifferentModelErrorsOfOneKindAreReported) {
+    const std::string text =
+        "component still(output OUT: int 0..3 = 0) {\n    initial location still;\n}\n"
+        "component runaway(output OUT: int 0..3 = 0) {\n    clock t;\n\n    initial location runaway;\n\n"
+        "    timed runaway -> runaway when t >= 1s do OUT := OUT + 1, t := 0;\n}\n"
+        "component meter(input X: int; output OUT: int 0..1 = 0) {\n    initial location meter;\n}\n"
+        "component overflow(input X: int; output OUT: int 0..1 = 0) {\n    clock t;\n\n"
+        "    initial location overflow;\n\n"
+        "    timed overflow -> overflow when X == 2 && t >= 1s do OUT := OUT + 1, t := 0;\n}\n";
+    const std::string faults =
+        "    plant Rotor = still(OUT = R);\n    plant Meter = meter(X = R, OUT = Q);\n"
+        "    fault runaway of Rotor: runaway();\n    fault overflow of Meter: overflow();\n";
+    const Analysed found = analysed(text + loop_with(faults, "    property p: always R <= 3;\n"), {.order = 2});
+    Names errors;
+    for (const FaultAnalysis::Error& each : found.analysis.errors)
+        errors.insert(found.name(each.faults) + ": " + each.trace.message.substr(0, 3));
+    EXPECT_EQ(errors, (Names{"runaway: `R`", "runaway+overflow: `Q`"}));
+}
+
+TEST(Faults, AnUndeclaredTimelockWithoutFaultsIsReported) {
+    const std::string bomb =
+        "component bomb(output OUT) {\n    clock t;\n\n    initial location bomb invariant t <= 5s;\n}\n";
+    const Analysed found =
+        analysed(bomb + loop_with("    plant Bomb = bomb(OUT = W);\n    fault held of Start: held();\n",
+                                  "    property p: never P > 3;\n"),
+                 {});
+    EXPECT_FALSE(found.row("no_timelock").declared);
+    EXPECT_EQ(found.row("no_timelock").without_faults, Outcome::Violated);
+}
+
+TEST(Faults, ChecksAreCounted) {
+    const std::string text = loop_with("    fault held of Start: held();\n", "    property p: never P > 3;\n");
+    EXPECT_EQ(analysed(text, {.visible = false}).analysis.checks, 2u);
+    EXPECT_EQ(analysed(text, {}).analysis.checks, 5u);
+}
+
 TEST(Faults, ReportsCombinationsThatRestoreAProperty) {
     const std::string faults = "    fault blocked of Ram: frozen();\n    fault bottom of Sensors: bottom_on();\n";
     const Analysed found = analysed(loop_with(faults, "    property lifts: reachable X2;\n"), {.order = 2});
@@ -226,6 +312,7 @@ TEST(Faults, UnknownVerdictsAreReportedAtALimit) {
         analysed(loop_with("    fault held of Start: held();\n", "    property p: never P > 3;\n"), request);
     EXPECT_EQ(found.row("p").without_faults, Outcome::Unknown);
     EXPECT_FALSE(found.analysis.faults[0].visible.decided);
+    EXPECT_EQ(found.analysis.checks, 1u);
 }
 
 TEST(Faults, TheModelWithFaultsKeepsTheIdsOfTheLoop) {
