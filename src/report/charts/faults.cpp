@@ -42,8 +42,24 @@ std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults) {
     return text.empty() ? "no fault" : text;
 }
 
-/// True if the row is printed. An undeclared `no timelock` is printed only if a combination violates it.
-bool is_shown(const FaultAnalysis::Row& row) { return row.declared || !row.minimal.empty(); }
+/// Returns combinations such as `V_stuck, V_stuck + H_stuck`.
+std::string names_of(const FaultAnalysis& analysis, const std::vector<FaultSet>& sets) {
+    std::string text;
+    for (const FaultSet& faults : sets) text += (text.empty() ? "" : ", ") + names_of(analysis, faults);
+    return text;
+}
+
+/// Returns text such as `minimality is unproved: V_stuck, H_stuck are unknown`; empty if the combination is minimal.
+std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut) {
+    if (cut.unknown_subsets.empty()) return "";
+    return "minimality is unproved: " + names_of(analysis, cut.unknown_subsets) +
+           (cut.unknown_subsets.size() == 1 ? " is" : " are") + " unknown";
+}
+
+/// True if the row is printed. An undeclared `no timelock` is not printed if it holds in all checks.
+bool is_shown(const FaultAnalysis::Row& row) {
+    return row.declared || row.without_faults != Outcome::Holds || !row.minimal.empty() || !row.open.empty();
+}
 
 void print_table(const FaultAnalysis& analysis, std::ostream& out) {
     std::size_t width = columns_of("property");
@@ -54,8 +70,11 @@ void print_table(const FaultAnalysis& analysis, std::ostream& out) {
         if (!is_shown(row)) continue;
         std::string text;
         if (row.without_faults != Outcome::Holds) text = std::string(word(row.without_faults)) + " without faults";
-        for (const FaultAnalysis::Cut& cut : row.minimal)
+        for (const FaultAnalysis::Cut& cut : row.minimal) {
+            const std::string note = unproved(analysis, cut);
             text += (text.empty() ? "" : "; ") + names_of(analysis, cut.faults);
+            if (!note.empty()) text += " (" + note + ")";
+        }
         if (text.empty()) text = row.open.empty() ? "none" : "none found";
         const std::string head = padded(printable(row.property), width) + "  ";
         bool first = true;
@@ -67,7 +86,8 @@ void print_table(const FaultAnalysis& analysis, std::ostream& out) {
 void print_open(const FaultAnalysis& analysis, std::ostream& out) {
     for (const FaultAnalysis::Row& row : analysis.rows) {
         if (row.open.empty()) continue;
-        out << fmt::format("\n{}: unknown for {} combinations\n", printable(row.property), row.open.size());
+        out << fmt::format("\n{}: unknown for {} combination{}\n", printable(row.property), row.open.size(),
+                           row.open.size() == 1 ? "" : "s");
         for (std::size_t k = 0; k < std::min(row.open.size(), most_listed_sets); ++k)
             out << fmt::format("    {}: {}\n", names_of(analysis, row.open[k].faults), printable(row.open[k].reason));
         if (row.open.size() > most_listed_sets) out << "    ...\n";
@@ -106,6 +126,16 @@ std::vector<std::string> violated_with_others(const FaultAnalysis& analysis, std
     return names;
 }
 
+/// True if all combinations with the fault have verdicts.
+bool is_decided(const FaultAnalysis& analysis, std::size_t fault) {
+    return std::ranges::none_of(analysis.rows, [&](const FaultAnalysis::Row& row) {
+        return row.without_faults == Outcome::Unknown ||
+               std::ranges::any_of(row.open, [&](const FaultAnalysis::Open& open) {
+                   return std::ranges::find(open.faults, fault) != open.faults.end();
+               });
+    });
+}
+
 void print_effects(const FaultAnalysis& analysis, std::size_t index, std::ostream& out) {
     const FaultAnalysis::Fault& fault = analysis.faults[index];
     const auto line = [&](std::string_view head, const std::vector<std::string>& names, std::string_view tail) {
@@ -123,7 +153,9 @@ void print_effects(const FaultAnalysis& analysis, std::size_t index, std::ostrea
     const std::vector<std::string> with_others = violated_with_others(analysis, index);
     line("violates ", alone, "");
     line("violates with other faults ", with_others, "");
-    if (alone.empty() && with_others.empty()) out << "    violates no property\n";
+    if (alone.empty() && with_others.empty())
+        out << (is_decided(analysis, index) ? "    violates no property\n"
+                                            : "    no violation found, but verdicts are unknown\n");
     if (!fault.visible.decided) return void(out << "    visible effects: unknown\n");
     const std::string_view shown =
         fault.visible.always_shown == Outcome::Holds ? "; in every run, if the fault is present from power-on" : "";
@@ -152,6 +184,12 @@ Json sets_json(const FaultAnalysis& analysis, const FaultSet& faults) {
     return names;
 }
 
+Json sets_json(const FaultAnalysis& analysis, const std::vector<FaultSet>& sets) {
+    Json list = Json::array();
+    for (const FaultSet& faults : sets) list.push_back(sets_json(analysis, faults));
+    return list;
+}
+
 Json fault_json(const FaultAnalysis& analysis, std::size_t index, const Sources& sources) {
     const FaultAnalysis::Fault& fault = analysis.faults[index];
     Json made = {{"name", fault.name}, {"instance", fault.instance}, {"component", fault.component}};
@@ -159,7 +197,8 @@ Json fault_json(const FaultAnalysis& analysis, std::size_t index, const Sources&
     made["violates"] = violated_by(analysis, index);
     made["newly_true"] = fault.visible.newly_true;
     made["never_true"] = fault.visible.never_true;
-    made["always_shown"] = fault.visible.newly_true.empty() ? Json(nullptr) : Json(word(fault.visible.always_shown));
+    const bool known = !fault.visible.newly_true.empty() && fault.visible.always_shown != Outcome::Unknown;
+    made["always_shown"] = known ? Json(fault.visible.always_shown == Outcome::Holds) : Json(nullptr);
     made["decided"] = fault.visible.decided;
     return made;
 }
@@ -173,6 +212,7 @@ Json row_json(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, cons
     for (const FaultAnalysis::Cut& cut : row.minimal)
         made["minimal"].push_back({{"faults", sets_json(analysis, cut.faults)},
                                    {"from_power_on", sets_json(analysis, cut.from_power_on)},
+                                   {"unknown_subsets", sets_json(analysis, cut.unknown_subsets)},
                                    {"trace", cut.result.trace ? trace_json(*cut.result.trace) : Json(nullptr)}});
     made["unknown"] = Json::array();
     for (const FaultAnalysis::Open& open : row.open)
@@ -188,9 +228,9 @@ Json row_json(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, cons
 }  // namespace
 
 void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out) {
-    out << fmt::format("{}: {} faults, {} combinations of at most {}, {} models checked\n{}\n",
-                       printable(analysis.model), analysis.faults.size(), analysis.combinations, analysis.order,
-                       analysis.checks, shared_settings({analysis.model, analysis.settings}, {}).shared);
+    out << fmt::format("{}: {} faults, {} combinations of at most {}, {} checks\n{}\n", printable(analysis.model),
+                       analysis.faults.size(), analysis.combinations, analysis.order, analysis.checks,
+                       shared_settings({analysis.model, analysis.settings}, {}).shared);
     print_table(analysis, out);
     print_open(analysis, out);
     print_non_monotone(analysis, out);
@@ -244,13 +284,48 @@ std::string formula_of(const FaultAnalysis::Row& row, std::span<const std::strin
     return xml + (several ? "      </or>\n" : "");
 }
 
+std::string comment(const std::string& text) {
+    std::string xml = "    <!-- ";
+    comment_xml(text, xml);
+    return xml + " -->\n";
+}
+
+std::string label(const std::string& text) {
+    std::string xml = "<label>";
+    escape_xml(text, xml);
+    return xml + "</label>";
+}
+
+/// Returns comments about results for the property that the gate does not contain.
+std::string gate_comments(const FaultAnalysis& analysis, const FaultAnalysis::Row& row) {
+    std::string xml;
+    if (!row.open.empty()) {
+        std::vector<FaultSet> open;
+        for (const FaultAnalysis::Open& each : row.open) open.push_back(each.faults);
+        xml += comment("incomplete: " + row.property + " is unknown for " + names_of(analysis, open));
+    }
+    for (const FaultAnalysis::Cut& cut : row.minimal)
+        if (const std::string note = unproved(analysis, cut); !note.empty())
+            xml += comment(names_of(analysis, cut.faults) + ": " + note);
+    for (const FaultAnalysis::NonMonotone& each : row.non_monotone)
+        xml += comment("not monotone: " + names_of(analysis, each.violating) + " violates " + row.property + ", " +
+                       names_of(analysis, each.holding) + " does not");
+    return xml;
+}
+
 }  // namespace
 
 std::string open_psa_of(const FaultAnalysis& analysis) {
     std::vector<const FaultAnalysis::Row*> rows;
     std::vector<std::string> names{analysis.model};
-    for (const FaultAnalysis::Row& row : analysis.rows)
-        if (is_shown(row) && row.without_faults == Outcome::Holds) rows.push_back(&row);
+    std::string omitted;
+    for (const FaultAnalysis::Row& row : analysis.rows) {
+        if (!is_shown(row)) continue;
+        if (row.without_faults == Outcome::Holds) rows.push_back(&row);
+        else
+            omitted += comment("omitted: " + row.property + " is " + std::string(word(row.without_faults)) +
+                               " without faults");
+    }
     for (const FaultAnalysis::Row* row : rows) names.push_back(row->property);
     for (const FaultAnalysis::Fault& fault : analysis.faults) names.push_back(fault.name);
     for (std::string& name : names)
@@ -258,21 +333,17 @@ std::string open_psa_of(const FaultAnalysis& analysis) {
     const std::vector<std::string> legal = legal_names(Target::StructuredText, names);
     const std::span<const std::string> events = std::span(legal).subspan(1 + rows.size());
     std::string xml =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<opsa-mef>\n  <define-fault-tree name=" + quoted(legal[0]) + ">\n";
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        if (!rows[k]->open.empty()) {
-            xml += "    <!-- ";
-            comment_xml("incomplete: some combinations are unknown for " + rows[k]->property, xml);
-            xml += " -->\n";
-        }
-        xml += "    <define-gate name=" + quoted(legal[1 + k]) + ">\n" + formula_of(*rows[k], events) +
-               "    </define-gate>\n";
-    }
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<opsa-mef>\n  <define-fault-tree name=" + quoted(legal[0]) +
+        ">\n    " + label(analysis.model) + '\n' +
+        comment(fmt::format("only combinations of at most {} faults", analysis.order)) + omitted;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        xml += gate_comments(analysis, *rows[k]) + "    <define-gate name=" + quoted(legal[1 + k]) + ">\n      " +
+               label(rows[k]->property) + '\n' + formula_of(*rows[k], events) + "    </define-gate>\n";
     xml += "  </define-fault-tree>\n  <model-data>\n";
-    for (std::size_t fault = 0; fault < analysis.faults.size(); ++fault) {
-        xml += "    <define-basic-event name=" + quoted(events[fault]) + "><label>";
-        escape_xml(analysis.faults[fault].instance + " behaves as " + analysis.faults[fault].component, xml);
-        xml += "</label></define-basic-event>\n";
+    for (std::size_t k = 0; k < analysis.faults.size(); ++k) {
+        const FaultAnalysis::Fault& fault = analysis.faults[k];
+        xml += "    <define-basic-event name=" + quoted(events[k]) + ">" +
+               label(fault.name + ": " + fault.instance + " behaves as " + fault.component) + "</define-basic-event>\n";
     }
     return xml + "  </model-data>\n</opsa-mef>\n";
 }

@@ -8,10 +8,10 @@
 //   {"model", "engine", "mode", "grain", "time_unit", "order", "combinations", "checks", "faults":[FAULT],
 //   "properties":[PROPERTY], "errors":[{"faults", "code", "message", "trace"}]}
 //   FAULT     {"name", "instance", "component", "file", "line", "column", "violates", "newly_true", "never_true",
-//             "always_shown":"holds|violated|unknown", "decided"}
+//             "always_shown":true|false|null, "decided"}
 //   PROPERTY  {"name", "text", "file", "line", "column", "declared", "without_faults", "minimal":[CUT],
 //             "unknown":[{"faults", "reason"}], "non_monotone":[{"violating", "holding"}]}
-//   CUT       {"faults", "from_power_on", "trace"}
+//   CUT       {"faults", "from_power_on", "unknown_subsets":[["F"]], "trace"}; minimal if `unknown_subsets` is empty
 #pragma once
 
 #include <iosfwd>
@@ -26,7 +26,7 @@ namespace grafverif {
 void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out);
 std::string faults_json(const FaultAnalysis& analysis, const Sources& sources);
 /// Returns a fault tree with a gate per property: the disjunction of its minimal combinations. Its names are changed if
-/// the format does not allow them.
+/// the format does not allow them; labels contain the original names. Comments state what the tree omits.
 std::string open_psa_of(const FaultAnalysis& analysis);
 
 }  // namespace grafverif

@@ -66,11 +66,14 @@ TEST_F(FaultsCommand, WritesAFaultTree) {
     EXPECT_EQ(run({"--openpsa", path}).code, ExitCode::Verdict);
     const std::string xml = folder_.read("tree.xml");
     for (const char* const part :
-         {"<opsa-mef>\n  <define-fault-tree name=\"room\">\n",
-          "    <define-gate name=\"lit\">\n      <or>\n        <basic-event name=\"On_dead\"/>\n"
+         {"<opsa-mef>\n  <define-fault-tree name=\"room\">\n    <label>room</label>\n"
+          "    <!-- only combinations of at most 1 faults -->\n",
+          "    <define-gate name=\"lit\">\n      <label>lit</label>\n      <or>\n        <basic-event "
+          "name=\"On_dead\"/>\n"
           "        <basic-event name=\"Off_held\"/>\n      </or>\n    </define-gate>\n",
-          "    <define-gate name=\"rare\">\n      <constant value=\"false\"/>\n    </define-gate>\n",
-          "<define-basic-event name=\"On_held\"><label>On behaves as stuck</label></define-basic-event>\n"})
+          "    <define-gate name=\"rare\">\n      <label>rare</label>\n      <constant value=\"false\"/>\n    "
+          "</define-gate>\n",
+          "<define-basic-event name=\"On_held\"><label>On_held: On behaves as stuck</label></define-basic-event>\n"})
         EXPECT_NE(xml.find(part), std::string::npos) << part << '\n' << xml;
 }
 
@@ -78,6 +81,14 @@ TEST_F(FaultsCommand, ExitCodeIsZeroIfNoCombinationViolatesAProperty) {
     const Result result = run({"--order", "2", "--property", "rare"});
     EXPECT_EQ(result.code, ExitCode::Done);
     EXPECT_EQ(result.out.find("no_timelock"), std::string::npos) << result.out;
+}
+
+TEST_F(FaultsCommand, ExitCodeIsOneAfterAnUnexpectedViolationWithoutFaults) {
+    const auto code = [&](const std::string& property) {
+        return grafverif({"faults", folder_.write("lit.grafcet", head + faults + property + "}\n")}).code;
+    };
+    EXPECT_EQ(code("    property dark expected violated: never LAMP && ON;\n"), ExitCode::Done);
+    EXPECT_EQ(code("    property dark: never LAMP && ON;\n"), ExitCode::Verdict);
 }
 
 TEST_F(FaultsCommand, OtherCommandsIgnoreFaults) {

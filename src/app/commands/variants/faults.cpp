@@ -49,9 +49,12 @@ ExitCode exit_code(const FaultAnalysis& analysis) {
     if (!analysis.failures.empty()) return ExitCode::Failure;
     if (!analysis.errors.empty()) return ExitCode::Verdict;
     const auto& rows = analysis.rows;
-    if (std::ranges::any_of(rows, [](const auto& row) { return !row.minimal.empty(); })) return ExitCode::Verdict;
+    if (std::ranges::any_of(rows, [](const FaultAnalysis::Row& row) {
+            return !row.minimal.empty() || (row.without_faults == Outcome::Violated && !row.expected_violated);
+        }))
+        return ExitCode::Verdict;
     const bool open = std::ranges::any_of(rows, [](const FaultAnalysis::Row& row) {
-        return row.declared && (row.without_faults == Outcome::Unknown || !row.open.empty());
+        return row.without_faults == Outcome::Unknown || !row.open.empty();
     });
     return open ? ExitCode::Unknown : ExitCode::Done;
 }
@@ -94,8 +97,9 @@ CliCommand faults_usage() {
             "minimal combinations of at most --order faults, each with a run, the effects of each fault, and\n"
             "the steps and outputs that show it (docs/how-to/faults.md). Properties that are violated without faults\n"
             "are not analysed.\n"
-            "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error;\n"
-            "3: some verdicts are unknown (--timeout, Ctrl-C).",
+            "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error,\n"
+            "or a property is violated without faults and not declared as `expected violated`; 3: some verdicts are\n"
+            "unknown (--timeout, Ctrl-C).",
             {"grafverif faults station.grafcet", "grafverif faults station.grafcet --order 2 --openpsa tree.xml",
              "grafverif faults station.grafcet --order 2 --property P15 --format json"},
             {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Tests how results of a fault analysis are written: unknown combinations, unproved minimality, and fault trees.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "report/charts/faults.hpp"
+
+namespace grafverif {
+namespace {
+
+/// A violated property, an open property with combinations that may not be minimal, and one that is violated without
+/// faults.
+FaultAnalysis analysis() {
+    FaultAnalysis made;
+    made.model = "station";
+    made.order = 2;
+    made.faults = {{"_A"}, {"B"}, {"C"}};
+    FaultAnalysis::Row row{.property = "p", .pattern = Pattern::Reachable, .without_faults = Outcome::Holds};
+    row.minimal = {{.faults = {0, 1}, .unknown_subsets = {{0}, {1}}}};
+    row.open = {{{0}, "stopped"}, {{1}, "stopped"}};
+    row.non_monotone = {{{0, 1}, {0, 1, 2}}};
+    made.rows.push_back(row);
+    made.rows.push_back({.property = "q", .without_faults = Outcome::Violated});
+    made.rows.push_back({.property = "no_timelock", .declared = false, .without_faults = Outcome::Unknown});
+    made.rows.push_back({.property = "no_deadlock", .declared = false, .without_faults = Outcome::Holds});
+    return made;
+}
+
+TEST(FaultsReport, TextStatesWhatIsUnknown) {
+    std::ostringstream out;
+    print_faults(analysis(), false, out);
+    const std::string text = out.str();
+    for (const char* const part :
+         {"p            _A + B (minimality is unproved: _A, B are unknown)\n", "q            violated without faults\n",
+          "no_timelock  unknown without faults\n", "p: unknown for 2 combinations\n    _A: stopped\n"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+    EXPECT_EQ(text.find("no_deadlock"), std::string::npos) << text;
+    EXPECT_EQ(text.find("violates no property"), std::string::npos) << text;
+}
+
+TEST(FaultsReport, JsonHasUnknownSubsetsAndTruthValues) {
+    FaultAnalysis made = analysis();
+    made.faults[0].visible = {.newly_true = {"X9"}, .always_shown = Outcome::Holds};
+    made.faults[1].visible = {.newly_true = {"X9"}, .always_shown = Outcome::Violated};
+    made.faults[2].visible = {.newly_true = {"X9"}, .always_shown = Outcome::Unknown};
+    const auto json = nlohmann::json::parse(faults_json(made, {}));
+    EXPECT_EQ(json.at("properties").at(0).at("minimal").at(0).at("unknown_subsets"),
+              nlohmann::json::array({nlohmann::json::array({"_A"}), nlohmann::json::array({"B"})}));
+    EXPECT_EQ(json.at("faults").at(0).at("always_shown"), true);
+    EXPECT_EQ(json.at("faults").at(1).at("always_shown"), false);
+    EXPECT_EQ(json.at("faults").at(2).at("always_shown"), nullptr);
+}
+
+TEST(FaultsReport, AFaultTreeStatesWhatItOmits) {
+    const std::string xml = open_psa_of(analysis());
+    for (const char* const part :
+         {"<!-- only combinations of at most 2 faults -->\n", "<!-- omitted: q is violated without faults -->\n",
+          "<!-- omitted: no_timelock is unknown without faults -->\n", "<!-- incomplete: p is unknown for _A, B -->\n",
+          "<!-- _A + B: minimality is unproved: _A, B are unknown -->\n",
+          "<!-- not monotone: _A + B violates p, _A + B + C does not -->\n", "<label>_A:  behaves as </label>"})
+        EXPECT_NE(xml.find(part), std::string::npos) << part << '\n' << xml;
+}
+
+}  // namespace
+}  // namespace grafverif
