@@ -40,6 +40,51 @@ constexpr const char* property_schema = R"({
   "required": ["name", "verdict", "expected", "as_expected", "assumptions"]
 })";
 
+/// A combination is a list of names of faults.
+constexpr const char* faults_schema = R"({
+  "type": "object",
+  "properties": {
+    "model": {"type": "string"},
+    "order": {"type": "integer"},
+    "combinations": {"type": "integer"},
+    "checks": {"type": "integer", "description": "number of checks of a model"},
+    "faults": {"type": "array", "items": {"type": "object"}},
+    "properties": {
+      "type": "array",
+      "items": {
+        "type": "object",
+        "properties": {
+          "name": {"type": "string"},
+          "without_faults": {"enum": ["holds", "violated", "unknown"]},
+          "minimal": {"type": "array", "items": {"type": "array", "items": {"type": "string"}}},
+          "unproved": {
+            "type": "array",
+            "description": "elements of `minimal` with subsets whose verdicts are unknown",
+            "items": {"type": "array", "items": {"type": "string"}}
+          },
+          "unknown": {"type": "array", "description": "combinations whose verdicts are unknown, with reasons"},
+          "non_monotone": {"type": "array", "description": "pairs: `violating` violates the property, `holding` does not"}
+        },
+        "required": ["name", "without_faults", "minimal", "unproved", "unknown", "non_monotone"]
+      }
+    },
+    "errors": {
+      "type": "array",
+      "description": "model errors; every verdict that depends on states beyond them is unknown",
+      "items": {
+        "type": "object",
+        "properties": {
+          "faults": {"type": "array", "items": {"type": "string"}},
+          "code": {"type": "string"},
+          "message": {"type": "string"}
+        },
+        "required": ["faults", "code", "message"]
+      }
+    }
+  },
+  "required": ["model", "order", "combinations", "checks", "faults", "properties", "errors"]
+})";
+
 constexpr const char* errors_schema = R"({
   "type": "array",
   "description": "model errors; every verdict that depends on states beyond them is unknown",
@@ -261,24 +306,36 @@ ToolResult tune(ToolCall& call) {
     return result;
 }
 
+/// Returns a combination of `faults` as text: `A + B`.
+std::string combination_text(const Json& faults) {
+    std::string names;
+    for (const Json& fault : faults) names += (names.empty() ? "" : " + ") + fault.get<std::string>();
+    return names.empty() ? "no fault" : names;
+}
+
 /// Converts an element of `properties` of `faults` without its runs, and adds its text.
 Json property_with_faults(const Json& found, std::string& text) {
     Json made;
     copy_members(found, {"name", "without_faults", "unknown", "non_monotone"}, made);
     made["minimal"] = Json::array();
-    std::string all;
+    made["unproved"] = Json::array();
+    std::string all, open;
     for (const Json& cut : found.at("minimal")) {
         made["minimal"].push_back(cut.at("faults"));
-        std::string names;
-        for (const Json& fault : cut.at("faults")) names += (names.empty() ? "" : " + ") + fault.get<std::string>();
-        all += (all.empty() ? "" : "; ") + names;
+        all += (all.empty() ? "" : "; ") + combination_text(cut.at("faults"));
+        if (cut.at("unknown_subsets").empty()) continue;
+        made["unproved"].push_back(cut.at("faults"));
+        all += " (minimality is unproved)";
     }
-    const bool decided = found.at("unknown").empty() && found.at("without_faults") != "unknown";
-    text += fmt::format("{}: {}\n", found.at("name").get<std::string>(),
-                        found.at("without_faults") == "violated" ? "violated without faults"
-                        : !all.empty()                           ? "violated by " + all
-                        : decided                                ? "no combination violates it"
-                                                                 : "unknown");
+    for (const Json& each : found.at("unknown"))
+        open += (open.empty() ? "" : "; ") + combination_text(each.at("faults"));
+    std::string verdict = found.at("without_faults") != "holds"
+                              ? found.at("without_faults").get<std::string>() + " without faults"
+                          : !all.empty() ? "violated by " + all
+                          : open.empty() ? "no combination violates it"
+                                         : "";
+    if (!open.empty()) verdict += (verdict.empty() ? "unknown for " : "; unknown for ") + open;
+    text += fmt::format("{}: {}\n", found.at("name").get<std::string>(), verdict);
     return made;
 }
 
@@ -294,6 +351,14 @@ ToolResult faults(ToolCall& call) {
     result.data["properties"] = Json::array();
     for (const Json& each : found.at("properties"))
         result.data["properties"].push_back(property_with_faults(each, result.text));
+    result.data["errors"] = Json::array();
+    for (const Json& each : found.at("errors")) {
+        Json error;
+        copy_members(each, {"faults", "code", "message"}, error);
+        result.data["errors"].push_back(std::move(error));
+        result.text += fmt::format("model error with {}: {}\n", combination_text(each.at("faults")),
+                                   each.at("message").get<std::string>());
+    }
     return result;
 }
 
@@ -382,15 +447,7 @@ Tool faults_tool() {
                               .least = 1,
                               .most = 8});
     tool.arguments.push_back({"property", Kind::Names, "names of the properties to decide (default: all)"});
-    tool.output_schema = {{"type", "object"},
-                          {"properties",
-                           {{"model", {{"type", "string"}}},
-                            {"order", {{"type", "integer"}}},
-                            {"combinations", {{"type", "integer"}}},
-                            {"checks", {{"type", "integer"}, {"description", "number of models that were checked"}}},
-                            {"faults", {{"type", "array"}, {"items", {{"type", "object"}}}}},
-                            {"properties", {{"type", "array"}, {"items", {{"type", "object"}}}}}}},
-                          {"required", Json::array({"model", "order", "combinations", "faults", "properties"})}};
+    tool.output_schema = Json::parse(faults_schema);
     tool.run = faults;
     return tool;
 }

@@ -234,6 +234,30 @@ TEST(McpTools, FaultsReturnsMinimalCombinations) {
     EXPECT_TRUE(has(text_of(found), "works: violated by stuck\ndark: no combination violates it\n")) << text_of(found);
 }
 
+TEST(McpTools, FaultsReturnsModelErrorsAndUnknownCombinations) {
+    const Server server;
+    const std::string text =
+        "component runaway(output R: int 0..1 = 0) { clock t; initial location r;\n"
+        "timed r -> r when t >= 1s do R := R + 1, t := 0; }\n"
+        "component still(output R: int 0..1 = 0) { initial location still; }\n"
+        "component toggle(output OUT) { clock t; initial location l invariant t <= 1s;\n"
+        "timed l -> l when t == 1s do OUT := !OUT, t := 0; }\n"
+        "component open(output OUT) { clock t; initial location l invariant t < 2s;\n"
+        "timed l -> l when t > 1s do OUT := !OUT, t := 0; }\n"
+        "grafcet g { input A; output L; initial step 0; step 1 { L; } transition a: 0 -> 1 when A;\n"
+        "transition b: 1 -> 0 when !A; }\n"
+        "closed_loop l { controller g; environment S = toggle(OUT = A); plant Still = still(R = R);\n"
+        "fault loose of S: open(); fault fast of Still: runaway(); property p: X1 leads to X0; }\n";
+    const Json found = server.call("faults", {{"text", text}});
+    const Json& data = found["structuredContent"];
+    ASSERT_EQ(data["errors"].size(), 1u) << found.dump(2);
+    EXPECT_EQ(data["errors"][0]["faults"], Json::array({"fast"}));
+    EXPECT_EQ(data["errors"][0]["code"], "out-of-range");
+    EXPECT_EQ(data["properties"][0]["unknown"][0]["faults"], Json::array({"loose"}));
+    EXPECT_TRUE(has(text_of(found), "p: unknown for loose")) << text_of(found);
+    EXPECT_TRUE(has(text_of(found), "model error with fast: `R` would leave its range")) << text_of(found);
+}
+
 TEST(McpTools, CompleteProposesNamesAtThePosition) {
     const Server server;
     const std::string text =
