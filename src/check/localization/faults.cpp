@@ -136,7 +136,8 @@ std::set<std::uint32_t> cells_that_may_err(const Network& network, const Network
                             for (const Id<Expr> leaf : leaves(network.exprs, reason))
                                 cell = std::min(cell, cell_of(leaf));
                             if (cell == NetworkFragments::none) cell = cells.of_process[id.index];
-                            // A reason that is always true reads nothing. Every abstraction contains it.
+                            // The reason reads nothing, because it is always true, or it only reads variables
+                            // without a fragment. Every abstraction contains it.
                             if (cell == NetworkFragments::none) cell = 0;
                             found.insert(cell);
                         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "ir/program/program.hpp"
+
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
-
-#include "ir/program/fault_text.hpp"
 
 namespace grafverif {
 
@@ -120,16 +120,6 @@ std::vector<std::int64_t> initial_frame(const Program& program, Id<Program::Unit
     for (const Program::Variable& variable : program.units[unit].variables)
         initialise(program, variable.type, variable.initial, cells);
     return cells;
-}
-
-std::string text_of(ProgramFault fault) {
-    switch (fault) {
-    case ProgramFault::DivisionByZero: return "the program divides by zero";
-    case ProgramFault::ArrayBounds: return "the program uses an index outside of its array";
-    case ProgramFault::Chart: return "a chart activates an active step, or an action has two durations";
-    case ProgramFault::Range: break;
-    }
-    return "the program computes a value outside of the range of its type";
 }
 
 std::int64_t wrapped(const Program::Type& type, std::int64_t value) {
