@@ -3,6 +3,8 @@
 // models.
 #include "pipeline/models.hpp"
 
+#include <algorithm>
+
 #include "check/vacuity.hpp"
 #include "compose/observe.hpp"
 #include "derive/derive.hpp"
@@ -24,7 +26,8 @@ std::optional<Equations> equations_of(const Model& model, const ClosedLoop& loop
     const ClosedLoop::Controller& controller = loop.controllers[id];
     const Chart& chart = model.charts[controller.chart];
     if (!chart.program) return derive(chart, diagnostics);
-    ProgramController program{chart.name, controller.cycle, {}, controller.origin};
+    ProgramController program{.name = chart.name, .cycle = controller.cycle, .origin = controller.origin};
+    program.reads_stable = std::ranges::any_of(loop.properties, &Property::at_stable);
     for (const ClosedLoop::Symbol& symbol : loop.symbols)
         if (const auto* internal = std::get_if<ClosedLoop::InternalSymbol>(&symbol))
             if (internal->controller == id) program.observed.push_back({internal->variable.index});

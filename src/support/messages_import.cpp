@@ -164,6 +164,33 @@ Diagnostic program_without_cycle(Span where, std::string_view name) {
                     clipped(name)));
 }
 
+Diagnostic program_with_cycle_zero(Span where, std::string_view name) {
+    return error("program-without-cycle", where,
+                 fmt::format("the program `{}` has timers, so its scans require a fixed interval, and its cycle time "
+                             "cannot be zero; omit `--cycle`",
+                             clipped(name)));
+}
+
+Diagnostic program_beyond_64_bits(Span where, std::string_view name) {
+    return error("program-too-large", where,
+                 fmt::format("the program `{}` may compute values that exceed 64 bits; use types with fewer bits",
+                             clipped(name)));
+}
+
+Diagnostic step_or_variable(Span where, std::string_view name, std::string_view step) {
+    return error("ambiguous-name", where,
+                 fmt::format("`{}` is a variable of the program and the step variable of `{}`; rename the variable, or "
+                             "write `{}.X` for the step",
+                             clipped(name), clipped(step), clipped(step)));
+}
+
+Diagnostic composite_signal(Span where, std::string_view kind, std::string_view name) {
+    return error("not-in-program", where,
+                 fmt::format("the {0} `{1}` is part of a structure, an array or an instance, which is not supported in "
+                             "a closed loop; declare a variable of an elementary type for each {0}",
+                             kind, clipped(name)));
+}
+
 Diagnostic only_for_charts(Span where, std::string_view name, std::string_view what, std::string_view hint) {
     return error("only-for-charts", where, fmt::format("`{}` is a PLC program, but {}; {}", clipped(name), what, hint));
 }

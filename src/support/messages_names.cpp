@@ -8,7 +8,7 @@
 namespace grafverif::messages {
 
 Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std::string_view suggestion) {
-    std::string code = fmt::format("unknown-{}", kind);
+    std::string code = fmt::format("unknown-{}", kind.substr(0, kind.find(" or ")));
     for (char& byte : code)
         if (byte == ' ') byte = '-';
     std::string message = fmt::format("unknown {} `{}`", kind, clipped(name));

@@ -21,7 +21,14 @@ Diagnostic program_too_large(Span where, std::string_view what, std::uint64_t li
 Diagnostic unbounded_loop(Span where, std::uint64_t limit);
 /// A controller with timers, but without an exact time between its scans.
 Diagnostic program_without_cycle(Span where, std::string_view name);
-/// A program in a loop that is used in a way that is possible only for charts. `what` begins the message.
+/// `--cycle` sets the cycle time of a controller with timers to zero.
+Diagnostic program_with_cycle_zero(Span where, std::string_view name);
+Diagnostic program_beyond_64_bits(Span where, std::string_view name);
+/// `name` denotes a variable of a program and the step variable of `step`.
+Diagnostic step_or_variable(Span where, std::string_view name, std::string_view step);
+/// An input or output that is part of a structure, an array or an instance. `kind` is `input` or `output`.
+Diagnostic composite_signal(Span where, std::string_view kind, std::string_view name);
+/// A program in a loop that is used in a way that is possible only for charts. `what` begins the text, as a clause.
 Diagnostic only_for_charts(Span where, std::string_view name, std::string_view what, std::string_view hint);
 Diagnostic no_program(Span where);
 Diagnostic several_programs(Span where, std::string_view name);

@@ -98,9 +98,11 @@ void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     for (const Id<Chart> id : model.charts.ids()) {
         const ClosedLoop::Controller* const program = program_controller(model, id);
         equations.push_back(
-            program != nullptr ? controller_equations(*model.charts[id].program,
-                                                      {program->name, program->cycle, {}, program->origin}, diagnostics)
-                               : derive(model.charts[id], diagnostics));
+            program != nullptr
+                ? controller_equations(*model.charts[id].program,
+                                       {.name = program->name, .cycle = program->cycle, .origin = program->origin},
+                                       diagnostics)
+                : derive(model.charts[id], diagnostics));
     }
     for (const std::optional<Equations>& one : equations)
         if (tested && one) test(*one, diagnostics);

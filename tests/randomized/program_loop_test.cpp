@@ -268,10 +268,6 @@ Case random_case(Random& random, const std::vector<Condition>& conditions, Rando
         "program p = \"p.st\";\n{}closed_loop l {{\n    controller p{};\n    grain {};\n    time unit 1ms;\n"
         "    environment A = toggle(OUT = a, GAP = {}ms);\n    plant M = actuator(ON = q0, DONE = B, D = {}ms);\n",
         components, cycle, made.phased ? "phased" : "atomic", random_number(random, 1, 3), random_number(random, 1, 3));
-    // With cycle time zero, a scan follows if a variable changed that a property can read.
-    if (made.most == 0)
-        made.loop += fmt::format("    property all: reachable x || y || n == 0 || k == 0 || r.CLK || r.M || r.Q{};\n",
-                                 made.program.counter ? " || c.CU || c.R || c.PV == 0 || c.CV == 0 || c.M || c.Q" : "");
     for (std::size_t i = 0; i < conditions.size(); ++i)
         made.loop += fmt::format("    property never_{}: never {};\n    property reach_{}: reachable {};\n", i,
                                  conditions[i].text, i, conditions[i].text);

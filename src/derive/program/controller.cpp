@@ -2,7 +2,6 @@
 #include "derive/program/controller.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "derive/program/scan.hpp"
@@ -20,8 +19,7 @@ class ControllerEquations {
 public:
     explicit ControllerEquations(Scan scan) : scan_(std::move(scan)) {}
 
-    /// True if every operation has a value of 64 bits. Terms can then be evaluated at any place. The reader of programs
-    /// guarantees this.
+    /// True if every operation has a value of 64 bits. Terms can then be evaluated at any place.
     bool is_total() const {
         const auto type_of = [&](const Expr& leaf) {
             return equations().variables[{static_cast<std::uint32_t>(leaf.value)}].type;
@@ -38,7 +36,8 @@ public:
         for (const Scan::Event& fault : scan_.faults) equations().conflicts.push_back({fault.condition, fault.origin});
         for (const Scan::Event& fault : first.faults)
             equations().conflicts.push_back({exprs().constant(false), fault.origin, copy(fault.condition)});
-        omit_unread(controller.observed);
+        // Without a cycle, a scan follows until `stable` is true.
+        if (controller.cycle && !controller.reads_stable) omit_unread(controller.observed);
         separate_steps();
         hide(controller.observed);
         equations().name = controller.name;
@@ -137,7 +136,10 @@ std::optional<Equations> controller_equations(const Program& program, const Prog
     const auto first = scan_of(timed, diagnostics);
     if (!first) return {};
     ControllerEquations equations(std::move(*scan));
-    assert(equations.is_total());
+    if (!equations.is_total()) {
+        diagnostics.add(messages::program_beyond_64_bits(controller.origin, controller.name));
+        return {};
+    }
     return std::move(equations).build(*first, controller);
 }
 

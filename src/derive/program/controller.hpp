@@ -25,8 +25,10 @@ struct ProgramController {
     std::string name = {};
     std::optional<TaskCycle> cycle = {};  ///< without a cycle, the cycle time is zero
     /// The internal variables that properties read. Other internal variables on which neither outputs, steps and faults
-    /// nor these variables depend have no equation.
+    /// nor these variables depend have no equation, unless `Equations::stable` affects the behaviour or a verdict: it
+    /// then must not depend on the properties of the loop.
     std::vector<Id<Equations::Variable>> observed = {};
+    bool reads_stable = false;  ///< true if a property is evaluated only in quiescent states
     Span origin = {};
 };
 

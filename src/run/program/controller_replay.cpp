@@ -2,6 +2,7 @@
 #include "run/program/controller_replay.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "ir/program/interface.hpp"
@@ -24,6 +25,8 @@ ProgramControllerReplay::ProgramControllerReplay(const ChartRun& run, const Char
             internals_.push_back(known->second);
         }
     }
+    // Otherwise, the replay would ignore a variable of the run.
+    assert(internals_.size() == controller.internals.size());
     cells_.steps = step_cells(interpreter_.layout());
 }
 

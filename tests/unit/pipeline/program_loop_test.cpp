@@ -114,6 +114,31 @@ TEST(ProgramLoop, UnreadCounterDoesNotAddStates) {
     EXPECT_EQ(outcome_of(report, "both"), Outcome::Holds);
 }
 
+// Count changes in every scan: with cycle time zero, time does not advance, and no state is quiescent.
+constexpr const char* counting_program = R"(PROGRAM Delay
+VAR_INPUT Key : BOOL; END_VAR
+VAR_OUTPUT Lamp : BOOL; END_VAR
+VAR Motor : BOOL; Count : USINT; END_VAR
+Motor := Key;
+Lamp := Motor;
+Count := Count + 1;
+END_PROGRAM
+)";
+
+TEST(ProgramLoop, VerdictDoesNotDependOnOtherProperties) {
+    for (const char* other : {"", "    property other: always Count >= 0;\n"}) {
+        SCOPED_TRACE(other);
+        const std::string reached = std::string("    property reached: reachable Motor;\n") + other;
+        EXPECT_EQ(outcome_of(report_of(loop_text("controller delay;", reached), counting_program), "reached"),
+                  Outcome::Violated);
+        const std::string cyclic = loop_text("controller delay every 10ms;", reached);
+        EXPECT_EQ(outcome_of(report_of(cyclic, counting_program), "reached"), Outcome::Holds);
+        const std::string at_stable = loop_text(
+            "controller delay every 10ms;", std::string("    property reached: reachable Motor at stable;\n") + other);
+        EXPECT_EQ(outcome_of(report_of(at_stable, counting_program), "reached"), Outcome::Violated);
+    }
+}
+
 TEST(ProgramLoop, UnknownNamesHaveThePositionOfTheLoop) {
     const std::string text = diagnostics_of(
         loop_text("controller delay every 10ms;", "    property p: always Lamb;\n    property q: never Wait.P;\n"),
