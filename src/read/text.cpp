@@ -5,6 +5,7 @@
 #include <cassert>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -15,6 +16,7 @@
 #include "read/program/program.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
+#include "support/messages_program.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/language/parse.hpp"
 #include "syntax/language/tree.hpp"
@@ -114,16 +116,37 @@ bool is_new(ReadState& reading, std::unordered_map<std::string, Span>& seen, std
 
 void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& written) {
     const std::string name(file.text(written.name));
-    if (!is_new(reading, reading.charts, "chart", name, written.name.where)) return;
+    if (!is_new(reading, reading.charts, "chart or program", name, written.name.where)) return;
     auto chart = written.broken ? std::nullopt : resolve_chart(file, written, reading.diagnostics);
     if (chart) reading.model.charts.add(std::move(*chart));
     else reading.charts_in_error.insert(name);
 }
 
+/// Reports inputs and outputs of a program that a loop cannot declare: parts of structures, arrays and instances.
+bool has_elementary_signals(const Program& program, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    const ProgramLayout layout = layout_of(program);
+    const auto check = [&](Id<Program::Unit> unit, std::size_t begin) {
+        for (const Program::Variable& variable : program.units[unit].variables) {
+            const std::span cells = std::span(layout.cells).subspan(begin, size_of(program, variable.type));
+            begin += cells.size();
+            const auto signal = std::ranges::find_if(cells, [&](const ProgramCell& cell) {
+                return (cell.input || cell.output) && cell.name != variable.name;
+            });
+            if (signal == cells.end()) continue;
+            diagnostics.add(
+                messages::composite_signal(variable.origin, signal->input ? "input" : "output", signal->name));
+        }
+    };
+    check(program.globals, 0);
+    if (program.main != program.globals) check(program.main, layout.main);
+    return diagnostics.errors() == errors;
+}
+
 /// Reads the file of a PLC program, and adds the chart that represents the program in closed loops.
 void read_plc_program(ReadState& reading, const tree::File& file, const tree::PlcProgram& written) {
     const std::string name(file.text(written.name));
-    if (!is_new(reading, reading.charts, "chart", name, written.name.where)) return;
+    if (!is_new(reading, reading.charts, "chart or program", name, written.name.where)) return;
     reading.charts_in_error.insert(name);
     const std::string path = path_of_include(reading.sources[file.source].name, written.path, reading.context);
     std::string why = "other files are not available here";
@@ -131,7 +154,7 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
     if (!text) return reading.diagnostics.add(messages::cannot_include(written.path_where, written.path, why));
     const Id<Source> source = reading.sources.add({path, std::move(*text)});
     const auto program = read_program(source, reading.sources, reading.diagnostics);
-    if (!program) return;
+    if (!program || !has_elementary_signals(program->program(), reading.diagnostics)) return;
     reading.charts_in_error.erase(name);
     reading.model.charts.add(
         interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where));

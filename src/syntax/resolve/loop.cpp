@@ -49,7 +49,7 @@ Id<Chart> chart_named(LoopScope& scope, tree::Name name) {
     if (scope.context.charts_in_error.contains(std::string(scope.text(name)))) return {};
     Nearest nearest(scope.text(name));
     for (const Chart& chart : scope.context.model.charts) nearest.offer(chart.name);
-    scope.diagnostics.add(messages::unknown(name.where, "chart", scope.text(name), nearest.best()));
+    scope.diagnostics.add(messages::unknown(name.where, "chart or program", scope.text(name), nearest.best()));
     return {};
 }
 

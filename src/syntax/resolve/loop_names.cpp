@@ -5,6 +5,7 @@
 
 #include "support/messages.hpp"
 #include "support/messages_notation.hpp"
+#include "support/messages_program.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
@@ -85,15 +86,38 @@ std::optional<Id<Chart::Variable>> internal_named(const LoopScope& scope, Id<Con
     return {};
 }
 
+/// Reports the name of a variable, such as `XFill` or `Tank.XFill`, that also denotes a step of a program.
+bool report_step_or_variable(LoopScope& scope, Id<Controller> controller, std::string_view name, Span where) {
+    const Chart& chart = scope.chart(controller);
+    const std::size_t dot = name.rfind('.');
+    const std::string_view owner = name.substr(0, dot == std::string_view::npos ? 0 : dot);
+    const std::string_view last = name.substr(dot == std::string_view::npos ? 0 : dot + 1);
+    if (!chart.program || last.size() < 2 || last[0] != 'X') return false;
+    const auto& known = scope.inside[controller.index].steps;
+    const auto steps = known.find(last.substr(1));
+    if (steps == known.end()) return false;
+    for (const Id<Chart::Step> step : steps->second) {
+        const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
+        if (!owner.empty() && partial != owner) continue;
+        const std::string path = (partial.empty() ? "" : partial + '.') + chart.steps[step].name;
+        return scope.diagnostics.add(messages::step_or_variable(where, name, path)), true;
+    }
+    return false;
+}
+
 /// Resolves a step `X2` or an internal variable of one controller, optionally in one of its partial charts.
 std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::string_view name,
                            std::optional<Id<Chart::PartialChart>> partial, Span where) {
     const LoopScope::Inside& known = scope.inside[controller.index];
+    const Chart& chart = scope.chart(controller);
+    const bool direct = !partial || chart.partial_charts[*partial].name.empty();
     const auto internal = internal_named(scope, controller, name);
-    if (!partial && internal) return internal_term(scope, controller, *internal);
+    if (direct && internal) {
+        if (report_step_or_variable(scope, controller, name, where)) return Term{};
+        return internal_term(scope, controller, *internal);
+    }
     const auto steps = name.size() > 1 && name[0] == 'X' ? known.steps.find(name.substr(1)) : known.steps.end();
     if (steps == known.steps.end()) return {};
-    const Chart& chart = scope.chart(controller);
     std::vector<Id<Chart::Step>> meant;
     for (const Id<Chart::Step> step : steps->second)
         if (!partial || chart.steps[step].chart == *partial) meant.push_back(step);
@@ -126,9 +150,12 @@ std::optional<Term> display_name(LoopScope& scope, std::string_view name) {
 Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     if (const auto constant = constant_named(scope, name)) return *constant;
     const auto shared = scope.shared.find(std::string(name));
-    if (shared != scope.shared.end())
+    if (shared != scope.shared.end()) {
+        for (const Id<Controller> controller : scope.loop.controllers.ids())
+            if (report_step_or_variable(scope, controller, name, where)) return {};
         return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
                            scope.loop.shared[shared->second].type.boolean);
+    }
     std::optional<Term> found;
     Id<Controller> owner;
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {
@@ -242,13 +269,11 @@ std::optional<Term> cell_term(LoopScope& scope, const tree::Expr& node) {
         const std::string prefix = scope.loop.controllers[controller].name + '.';
         std::optional<Term> term;
         for (const std::string& name : {path, path.starts_with(prefix) ? path.substr(prefix.size()) : path}) {
-            const auto shared = scope.shared.find(name);
-            if (const auto cell = internal_named(scope, controller, name))
-                term = internal_term(scope, controller, *cell);
-            else if (shared != scope.shared.end() && name.find('.') != std::string::npos)
-                term = symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
-                                   scope.loop.shared[shared->second].type.boolean);
-            if (term) break;
+            const auto cell = internal_named(scope, controller, name);
+            if (!cell) continue;
+            if (report_step_or_variable(scope, controller, name, node.where)) return Term{};
+            term = internal_term(scope, controller, *cell);
+            break;
         }
         if (!term) continue;
         if (found) {

@@ -148,6 +148,63 @@ TEST(ProgramLoop, UnknownNamesHaveThePositionOfTheLoop) {
     EXPECT_NE(text.find("lamp.grafcet:6:"), std::string::npos) << text;
 }
 
+TEST(ProgramLoop, VariableWithTheNameOfAStepIsAmbiguous) {
+    const std::string chart = R"(FUNCTION_BLOCK Cell
+VAR XFill : BOOL; END_VAR
+INITIAL_STEP Fill: END_STEP
+END_FUNCTION_BLOCK
+PROGRAM Delay
+VAR_INPUT Key : BOOL; END_VAR
+VAR_OUTPUT Lamp, XDone : BOOL; END_VAR
+VAR xfill, XIdle : BOOL; Tank : Cell; END_VAR
+INITIAL_STEP Fill: Lamp(N); Work(N); END_STEP
+TRANSITION FROM Fill TO Done := Key; END_TRANSITION
+STEP Done: END_STEP
+TRANSITION FROM Done TO Fill := NOT Key; END_TRANSITION
+ACTION Work: Tank(); END_ACTION
+END_PROGRAM
+)";
+    const std::string text = diagnostics_of(loop_text("controller delay every 10ms;", R"(
+    property inner: never XFill;
+    property written: never XDone;
+    property member: never Tank.XFill;
+    property qualified: never delay.XFill;
+    property prefixed: never delay.Tank.XFill;
+    property steps: reachable Fill.X && Done.X && Tank.Fill.X && XIdle;
+)"),
+                                            chart);
+    std::size_t errors = 0;
+    for (std::size_t at = text.find("[ambiguous-name]"); at != std::string::npos; ++errors)
+        at = text.find("[ambiguous-name]", at + 1);
+    EXPECT_EQ(errors, 5U) << text;
+    EXPECT_NE(text.find("lamp.grafcet:7:29: error: `XDone` is a variable of the program and the step variable of "
+                        "`Done`; rename the variable, or write `Done.X` for the step"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("or write `Tank.Fill.X` for the step"), std::string::npos) << text;
+    EXPECT_EQ(text.find("lamp.grafcet:11:"), std::string::npos) << text;
+}
+
+TEST(ProgramLoop, InputsAndOutputsHaveElementaryTypes) {
+    const std::string text = diagnostics_of(loop_text("controller delay every 10ms;", ""), R"(TYPE Range : STRUCT
+    Low, High : INT;
+END_STRUCT; END_TYPE
+PROGRAM Delay
+VAR_INPUT Key : BOOL; Limits : Range; END_VAR
+VAR_OUTPUT Lamp : BOOL; Lamps : ARRAY[1..2] OF BOOL; END_VAR
+VAR Inner : Range; END_VAR
+Lamp := Key AND Limits.Low < Inner.High;
+END_PROGRAM
+)");
+    EXPECT_NE(text.find("delay.st:5:23: error: the input `Limits.Low` is part of a structure, an array or an instance, "
+                        "which is not supported in a closed loop; declare a variable of an elementary type for each "
+                        "input [not-in-program]"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("delay.st:6:25: error: the output `Lamps[1]` is part of"), std::string::npos) << text;
+    EXPECT_EQ(text.find("Inner"), std::string::npos) << text;
+}
+
 TEST(ProgramLoop, RunTimeFaultIsAModelErrorWithARun) {
     const Report report = report_of(loop_text("controller delay every 10ms;", R"(
     property never_lit: never Lamp;
