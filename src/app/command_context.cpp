@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/outputs.hpp"
+#include "ir/program/program.hpp"
 #include "ir/task_cycles.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/file_watcher.hpp"
@@ -20,6 +21,7 @@
 #include "read/text.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
+#include "support/messages_program.hpp"
 #include "support/printable.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 
@@ -112,6 +114,18 @@ bool has_constants_set(const ClosedLoop& loop, CommandContext& job) {
     return true;
 }
 
+/// Reports programs with timers if `--cycle` requests cycle time zero for their controllers.
+bool has_cycles_required(const Model& model, const ClosedLoop& loop, CommandContext& job) {
+    if (job.options.cycle == CycleTime::Task) return true;
+    const std::size_t errors = job.diagnostics.errors();
+    for (const ClosedLoop::Controller& controller : loop.controllers) {
+        const Chart& chart = model.charts[controller.chart];
+        if (chart.program && layout_of(*chart.program).longest > 0)
+            job.diagnostics.add(messages::program_with_cycle_zero(controller.origin, controller.name));
+    }
+    return job.diagnostics.errors() == errors;
+}
+
 }  // namespace
 
 bool is_of_a_chart(const Model& model, const Options& options) {
@@ -124,7 +138,8 @@ std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, CommandContext& jo
         return {};
     }
     const auto loop = chosen(model.loops, job.options.loop, "closed loop", "--loop", job);
-    return loop && has_constants_set(model.loops[*loop], job) ? loop : std::nullopt;
+    if (!loop || !has_constants_set(model.loops[*loop], job)) return {};
+    return has_cycles_required(model, model.loops[*loop], job) ? loop : std::nullopt;
 }
 
 bool keep_requested(ClosedLoop& loop, CommandContext& job) {

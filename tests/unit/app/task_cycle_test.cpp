@@ -98,6 +98,28 @@ TEST(TaskCycle, AnUntimedTraceReplaysAndNeverBeginsAScanInAScan) {
             }
 }
 
+TEST(TaskCycle, ProgramsWithTimersRejectCycleTimeZero) {
+    const Folder folder;
+    folder.write("p.st",
+                 "PROGRAM P VAR_INPUT Key : BOOL; END_VAR VAR_OUTPUT Lamp : BOOL; END_VAR VAR T1 : TON; "
+                 "END_VAR T1(IN := Key, PT := T#20ms); Lamp := T1.Q; END_PROGRAM\n");
+    const std::string file =
+        folder.write("p.grafcet",
+                     "program p = \"p.st\";\nclosed_loop l {\n    controller p every 10ms;\n"
+                     "    environment Key = push_button(OUT = Key);\n    property lit: reachable Lamp;\n}\n");
+    for (const char* cycle : {"zero", "both"}) {
+        const Result result = grafverif({"check", file, "--cycle", cycle});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_EQ(result.out, "");
+        EXPECT_TRUE(has(result.err,
+                        "p.grafcet:3:16: error: the program `p` has timers, so its scans require a fixed "
+                        "interval, and its cycle time cannot be zero; omit `--cycle` "
+                        "[program-without-cycle]"))
+            << result.err;
+    }
+    EXPECT_EQ(grafverif({"check", file}).code, ExitCode::Done);
+}
+
 TEST(TaskCycle, SuperviseRejectsIt) {
     const Folder folder;
     const Result result = grafverif({"supervise", folder.write("sorter.grafcet", sorter(" every 10ms"))});
