@@ -12,7 +12,7 @@ namespace {
 
 /// Terms with fewer nodes are repeated.
 constexpr std::uint64_t least_shared_size = 8;
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t not_overwritten = std::numeric_limits<std::size_t>::max();
 
 class Simultaneous {
 public:
@@ -36,7 +36,7 @@ private:
         bool boolean = true;
         bool kept = false;             ///< the value must be computed before the first update
         std::size_t uses = 0;          ///< number of terms and updates that read the term
-        std::size_t earliest = never;  ///< index of the first update that overwrites a variable of the term
+        std::size_t earliest = not_overwritten;  ///< index of the first update that overwrites a variable of the term
         std::uint64_t size = 1;        ///< number of nodes, if a term in a scratch variable counts as one
         Id<Expr> replaced = {};        ///< the term over scratch variables
     };
