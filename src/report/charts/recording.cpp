@@ -15,6 +15,8 @@ namespace grafverif {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::string time_text(std::int64_t us) {
     std::string text = fmt::format("{}.{:06}", us / 1'000'000, us % 1'000'000);
     text.resize(text.find_last_not_of('0') + 1);
@@ -79,7 +81,6 @@ void print_recording(const RecordingReport& report, Colour colour, std::ostream&
 }
 
 std::string recording_json(const RecordingReport& report) {
-    using Json = nlohmann::ordered_json;
     const auto seconds = [](std::int64_t us) { return static_cast<double>(us) / 1e6; };
     Json verdicts = Json::array();
     for (const RecordingVerdict& verdict : report.verdicts) {

@@ -301,7 +301,7 @@ TEST(McpProtocol, ReportsTheEndOfACommandAsAnErrorOfTheTool) {
         std::string text;
     };
     const std::vector<Case> cases = {
-        {{ProgramResult::End::Signalled, 11, "", ""}, "ended by signal 11"},
+        {{ProgramResult::End::Signalled, 11, "", ""}, "terminated by signal 11"},
         {{ProgramResult::End::TimedOut, 0, "", ""}, "time limit"},
         {{ProgramResult::End::TooMuchOutput, 0, "", ""}, "too large"},
         {{ProgramResult::End::Exited, 4, "", "assertion"}, "assertion"},
