@@ -34,11 +34,11 @@ private:
     struct Facts {
         bool reached = false;
         bool boolean = true;
-        bool kept = false;             ///< the value must be computed before the first update
-        std::size_t uses = 0;          ///< number of terms and updates that read the term
+        bool kept = false;                       ///< the value must be computed before the first update
+        std::size_t uses = 0;                    ///< number of terms and updates that read the term
         std::size_t earliest = not_overwritten;  ///< index of the first update that overwrites a variable of the term
-        std::uint64_t size = 1;        ///< number of nodes, if a term in a scratch variable counts as one
-        Id<Expr> replaced = {};        ///< the term over scratch variables
+        std::uint64_t size = 1;                  ///< number of nodes, if a term in a scratch variable counts as one
+        Id<Expr> replaced = {};                  ///< the term over scratch variables
     };
 
     Exprs& exprs() { return composition_.network.exprs; }

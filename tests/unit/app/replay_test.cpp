@@ -203,8 +203,8 @@ TEST(Replay, StopsAtATimeLimit) {
         "grafcet pump { output L; initial step 1; step 2 { L; }\n"
         "transition a: 1 -> 2 when 1ms/X1; transition b: 2 -> 1 when 1ms/X2; }\n";
     std::string log = "time,L\n0,0\n";
-    for (int k = 1; k <= 300'000; ++k) log += std::to_string(k) + "ms," + std::to_string(k % 2) + "\n";
-    const Result stopped = replayed(log, {"--jitter", "0ms", "--timeout", "10ms"}, blinker);
+    for (int k = 1; k <= 1'000'000; ++k) log += std::to_string(k) + "ms," + std::to_string(k % 2) + "\n";
+    const Result stopped = replayed(log, {"--jitter", "0ms", "--timeout", "150ms"}, blinker);
     EXPECT_EQ(stopped.code, ExitCode::Unknown) << stopped.out;
     EXPECT_NE(stopped.out.find("stopped before the end of the log; no deviation up to this sample"), std::string::npos)
         << stopped.out;
