@@ -34,7 +34,7 @@ inline constexpr std::size_t search_poll_interval = 1024;  ///< number of states
 
 struct FollowLimits {
     std::size_t states = 200'000;
-    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory limit of a NoveltySearch
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory limit; `follow` ignores it
     Deadline deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };
