@@ -235,9 +235,9 @@ private:
         xml_ += "\t<queries>\n";
         for (auto query = list.begin(); query != end; ++query) {
             if (query + 1 == end)
-                std::for_each(end, list.end(), [&](const Query& left_out) { write_counterfactuals(left_out); });
+                std::for_each(end, list.end(), [&](const Query& omitted) { write_omitted_query(omitted); });
             if (has_formula(*query)) write_query(*query);
-            else write_counterfactuals(*query);
+            else write_omitted_query(*query);
         }
         xml_ += "\t</queries>\n";
     }
@@ -252,7 +252,7 @@ private:
         xml_ += "\t\t</query>\n";
     }
 
-    void write_counterfactuals(const Query& query) {
+    void write_omitted_query(const Query& query) {
         xml_ += "\t\t<!-- ";
         comment_xml(query.comment, xml_);
         xml_ += " -->\n";
