@@ -115,8 +115,10 @@ bool Lexer::report_other_notation(Kind seen, Span where, std::span<const Kind> e
     const bool in_pattern = contains(expected, Symbols::S_PRECEDES);
     if (seen == Symbols::S_STRING && before_ == Symbols::S_VIOLATED && contains(expected, Symbols::S_COLON))
         return diagnostics_->add(messages::expected_before_sentence(spanning(before_where_, where))), true;
+    const bool after_pattern =
+        contains(expected, Symbols::S_AT) || (before_ == Symbols::S_STABLE && earlier_ == Symbols::S_AT);
     const bool after_colon = (seen == Symbols::S_VIOLATED && before_ == Symbols::S_EXPECTED) ||
-                             (seen == Symbols::S_EXPECTED && contains(expected, Symbols::S_AT));
+                             (after_pattern && (seen == Symbols::S_EXPECTED || text == "expect"));
     if (after_colon) return diagnostics_->add(messages::expected_after_colon(where)), true;
     if (seen == Symbols::S_ARROW && before_ == Symbols::S_MINUS && before_where_.end == where.begin)
         return diagnostics_->add(messages::other_spelling(spanning(before_where_, where), "-->", "leads to")), true;
