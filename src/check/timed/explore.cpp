@@ -66,8 +66,8 @@ constexpr std::size_t link_grace = 1U << 18U;  // total bytes up to which links 
 
 class Exploration {
 public:
-    Exploration(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits)
-        : graph_(graph), watch_(watch), races_(races), limits_(limits), team_(limits.team()) {}
+    Exploration(Graph& graph, PropertyMonitor& monitor, const std::vector<Field>& races, Limits& limits)
+        : graph_(graph), monitor_(monitor), races_(races), limits_(limits), team_(limits.team()) {}
 
     UnknownReason run() {
         now_.words = packed_initial(graph_.machine.network(), graph_.machine.layout());
@@ -78,7 +78,7 @@ public:
             if (const UnknownReason obstacle = limits_.stop_reason(graph_, graph_.explored, held());
                 obstacle != UnknownReason::None)
                 return obstacle;
-            if (limits_.until_decided() && watch_.is_over()) return UnknownReason::Bound;
+            if (limits_.until_decided() && monitor_.is_over()) return UnknownReason::Bound;
             limits_.explain(graph_);
             if (const UnknownReason obstacle = block(); obstacle != UnknownReason::None) return obstacle;
         }
@@ -127,7 +127,7 @@ private:
         const std::size_t states = graph_.states() - graph_.explored;
         const std::size_t count = std::min(most, (states + limits_.slice() - 1) / limits_.slice());
         if (slices_.size() < count) slices_.resize(count);
-        while (slicers_.size() < team_.size()) slicers_.emplace_back(graph_, watch_, races_);
+        while (slicers_.size() < team_.size()) slicers_.emplace_back(graph_, monitor_, races_);
         std::atomic<std::size_t> next = 0, computed = 0;
         std::atomic<bool> stopped = false;
         share(states, [&](unsigned member) {
@@ -297,7 +297,7 @@ private:
         if (graph_.covering)
             if (const std::uint32_t other = simulating(words_of(slice, index), by); other != Store::none) return other;
         discover(entry, parent);
-        if (new_state.needed) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
+        if (new_state.needed) monitor_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
         return entry.number;
     }
 
@@ -322,8 +322,8 @@ private:
         if (entry.number != Store::none) return entry.number;
         if (const std::uint32_t other = simulating(now_.words.data(), By::Delay); other != Store::none) return other;
         discover(entry, parent);
-        if (watch_.needs(graph_.machine, now_.words.data(), registers_))
-            watch_.look(graph_.machine, entry.number, now_.words.data(), registers_);
+        if (monitor_.needs(graph_.machine, now_.words.data(), registers_))
+            monitor_.look(graph_.machine, entry.number, now_.words.data(), registers_);
         return entry.number;
     }
 
@@ -391,7 +391,7 @@ private:
     }
 
     Graph& graph_;
-    PropertyMonitor& watch_;
+    PropertyMonitor& monitor_;
     const std::vector<Field>& races_;
     Limits& limits_;
     ThreadPool& team_;
@@ -408,9 +408,9 @@ private:
 
 }  // namespace
 
-UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits) {
+UnknownReason explore(Graph& graph, PropertyMonitor& monitor, const std::vector<Field>& races, Limits& limits) {
     try {
-        return Exploration(graph, watch, races, limits).run();
+        return Exploration(graph, monitor, races, limits).run();
     } catch (const std::bad_alloc&) {
         // Postcondition: all states found so far are complete and indexed, and expanded states have their links.
         return UnknownReason::Memory;

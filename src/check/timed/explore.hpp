@@ -79,6 +79,6 @@ private:
 
 /// Fills `graph` from the initial state. Returns the reason of an early end, or None. States in which a bit of `races`
 /// is set are stored but not expanded.
-UnknownReason explore(Graph& graph, PropertyMonitor& watch, const std::vector<Field>& races, Limits& limits);
+UnknownReason explore(Graph& graph, PropertyMonitor& monitor, const std::vector<Field>& races, Limits& limits);
 
 }  // namespace grafverif::timed

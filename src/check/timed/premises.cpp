@@ -45,14 +45,14 @@ std::optional<Run> divergent(Graph& graph, const Limits& limits) {
 
 }  // namespace
 
-Premises premises_of(Graph& graph, std::uint32_t settled, const Limits& limits) {
+Premises premises_of(Graph& graph, std::uint32_t quiescent, const Limits& limits) {
     Premises premises;
     premises.diverges = divergent(graph, limits);
     premises.rests = !components_of(graph, false, limits).any_cycle();
     premises.settles = true;
     for (std::uint32_t state = 0; state < graph.states() && premises.settles; ++state) {
         limits.poll();
-        premises.settles = !graph.passes(state) || graph.holds(settled, state) == End::Yes;
+        premises.settles = !graph.passes(state) || graph.holds(quiescent, state) == End::Yes;
     }
     return premises;
 }

@@ -8,7 +8,7 @@
 
 namespace grafverif::timed {
 
-/// Determines the premises. `settled` is the first instruction of the code for Network::settled, or Program::no.
-Premises premises_of(Graph& graph, std::uint32_t settled, const Limits& limits);
+/// Determines the premises. `quiescent` is the first instruction of the code for Network::settled, or Program::no.
+Premises premises_of(Graph& graph, std::uint32_t quiescent, const Limits& limits);
 
 }  // namespace grafverif::timed

@@ -11,10 +11,10 @@ std::size_t PropertyMonitor::add(std::uint32_t predicate) {
     return results_.size() - 1;
 }
 
-std::size_t PropertyMonitor::add_bit(const Field& bit, std::uint32_t settled) {
-    const auto same = [&](const Bits& bits) { return bits.word == bit.word && bits.settled == settled; };
+std::size_t PropertyMonitor::add_bit(const Field& bit, std::uint32_t quiescent) {
+    const auto same = [&](const Bits& bits) { return bits.word == bit.word && bits.quiescent == quiescent; };
     auto bits = std::ranges::find_if(bits_, same);
-    if (bits == bits_.end()) bits = bits_.insert(bits, Bits{.word = bit.word, .settled = settled});
+    if (bits == bits_.end()) bits = bits_.insert(bits, Bits{.word = bit.word, .quiescent = quiescent});
     bits->missing |= bit.mask();
     bits->each.push_back({bit.mask(), results_.size()});
     results_.emplace_back();
@@ -26,7 +26,7 @@ bool PropertyMonitor::needs(const Machine& machine, const Word* words, Registers
     const auto wanted = [&](const Predicate& predicate) { return holds(predicate.code) != End::No; };
     const auto missing = [&](const Bits& bits) {
         return (words[bits.word] & bits.missing) != 0 &&
-               (bits.settled == Program::yes || holds(bits.settled) == End::Yes);
+               (bits.quiescent == Program::yes || holds(bits.quiescent) == End::Yes);
     };
     return std::ranges::any_of(predicates_, wanted) || std::ranges::any_of(bits_, missing);
 }
@@ -38,7 +38,7 @@ void PropertyMonitor::look(const Machine& machine, std::uint32_t state, const Wo
             ++i;
             continue;
         }
-        Result& result = results_[predicates_[i].watch];
+        Result& result = results_[predicates_[i].search];
         if (end == End::Yes) result.state = state;
         else result.broken = true;
         predicates_[i] = predicates_.back();
@@ -47,9 +47,9 @@ void PropertyMonitor::look(const Machine& machine, std::uint32_t state, const Wo
     for (Bits& bits : bits_) {
         const Word met = words[bits.word] & bits.missing;
         if (met == 0) continue;
-        if (bits.settled != Program::yes && machine.holds(bits.settled, words, registers) != End::Yes) continue;
+        if (bits.quiescent != Program::yes && machine.holds(bits.quiescent, words, registers) != End::Yes) continue;
         for (const Bit& bit : bits.each)
-            if ((met & bit.mask) != 0) results_[bit.watch].state = state;
+            if ((met & bit.mask) != 0) results_[bit.search].state = state;
         bits.missing &= ~met;
     }
     std::erase_if(bits_, [](const Bits& bits) { return bits.missing == 0; });

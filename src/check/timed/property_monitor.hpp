@@ -15,22 +15,22 @@ public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
     using Registers = std::vector<std::int64_t>;
 
-    /// Adds a search for a state in which `predicate` ends in Yes. Returns the index of the monitor.
+    /// Adds a search for a state in which `predicate` ends in Yes. Returns the index of the search.
     std::size_t add(std::uint32_t predicate);
-    /// Adds a search for a state in which the bit of a variable is set, and in which `settled` holds if it is not
+    /// Adds a search for a state in which the bit of a variable is set, and in which `quiescent` holds if it is not
     /// Program::yes.
-    std::size_t add_bit(const Field& bit, std::uint32_t settled);
+    std::size_t add_bit(const Field& bit, std::uint32_t quiescent);
 
-    /// True if the new state ends some monitor, so that look() must be called. Thread-safe.
+    /// True if the new state ends some search, so that look() must be called. Thread-safe.
     bool needs(const Machine& machine, const Word* words, Registers& registers) const;
     /// Evaluates a new state for which needs() is true.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
-    /// True if each monitor has found a state or an undefined predicate.
+    /// True if each search has found a state or an undefined predicate.
     bool is_over() const { return predicates_.empty() && bits_.empty(); }
-    /// Returns the first state that the monitor found, or `none`.
-    std::uint32_t found(std::size_t watch) const { return results_[watch].state; }
+    /// Returns the first state that the search found, or `none`.
+    std::uint32_t found(std::size_t search) const { return results_[search].state; }
     /// True if the predicate was undefined in some state.
-    bool broken(std::size_t watch) const { return results_[watch].broken; }
+    bool broken(std::size_t search) const { return results_[search].broken; }
 
 private:
     struct Result {
@@ -39,15 +39,15 @@ private:
     };
     struct Predicate {
         std::uint32_t code = 0;
-        std::size_t watch = 0;
+        std::size_t search = 0;
     };
     struct Bit {
         Word mask = 0;
-        std::size_t watch = 0;
+        std::size_t search = 0;
     };
     struct Bits {  // bits of one word that have the same condition
         std::uint16_t word = 0;
-        std::uint32_t settled = 0;
+        std::uint32_t quiescent = 0;
         Word missing = 0;
         std::vector<Bit> each = {};
     };

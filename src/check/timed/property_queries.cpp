@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compiles properties to code and monitors. The code includes `at stable`: for `always` and `exactly one of`, the
-// monitor searches for a state in which `settled` is true and the property is violated; an operand p of any other
-// pattern is replaced by `settled` and p.
+// monitor searches for a state in which Network::settled is true and the property is violated; an operand p of any other
+// pattern is replaced by the conjunction of Network::settled and p.
 #include "check/timed/property_queries.hpp"
 
 #include <algorithm>
@@ -36,15 +36,19 @@ bool is_selected(const TimedOptions& options, const Property& property) {
            std::ranges::find(options.properties, property.name) != options.properties.end();
 }
 
-PropertyQueries::PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch, bool abstracted)
-    : network_(network), machine_(machine), watch_(watch), abstracted_(abstracted), inexact_(inexact_place(network)) {}
+PropertyQueries::PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& monitor, bool abstracted)
+    : network_(network),
+      machine_(machine),
+      monitor_(monitor),
+      abstracted_(abstracted),
+      inexact_(inexact_place(network)) {}
 
-std::uint32_t PropertyQueries::settled_and(const Property& property, Id<Expr> operand) {
+std::uint32_t PropertyQueries::quiescent_and(const Property& property, Id<Expr> operand) {
     const std::uint32_t code = machine_.compiler().condition(operand, Program::yes, Program::no);
     return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
 }
 
-std::uint32_t PropertyQueries::settled_but_not(const Property& property, Id<Expr> operand) {
+std::uint32_t PropertyQueries::quiescent_but_not(const Property& property, Id<Expr> operand) {
     const std::uint32_t code = machine_.compiler().condition(operand, Program::no, Program::yes);
     return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
 }
@@ -69,68 +73,68 @@ void PropertyQueries::query_step_states(const Property& property, const Property
     if (steps.empty())
         for (const Id<Network::Variable> variable : network_.variables.ids())
             if (network_.variables[variable].role == Network::Role::Step) steps.push_back(variable);
-    const std::uint32_t settled =
+    const std::uint32_t quiescent =
         property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no) : Program::yes;
     for (const Id<Network::Variable> step : steps) {
-        PropertyQuery question = prototype;
-        question.verdict.property += "." + step_variable_name(network_, step);
-        question.watch = watch_.add_bit(machine_.layout().variables[step.index], settled);
-        questions_.push_back(std::move(question));
+        PropertyQuery query = prototype;
+        query.verdict.property += "." + step_variable_name(network_, step);
+        query.search = monitor_.add_bit(machine_.layout().variables[step.index], quiescent);
+        queries_.push_back(std::move(query));
     }
 }
 
 void PropertyQueries::add_query(Id<Property> about, const Property& property) {
-    PropertyQuery question{.property = &property, .at_stable = property.at_stable};
-    question.verdict = verdict_on(about, property);
+    PropertyQuery query{.property = &property, .at_stable = property.at_stable};
+    query.verdict = verdict_on(about, property);
     if (property.at_stable && is_checked(property.pattern) && !network_.settled.valid()) {
-        set_unknown(question.verdict, UnknownReason::Unsupported, "this network does not define quiescent states");
-        questions_.push_back(std::move(question));
+        set_unknown(query.verdict, UnknownReason::Unsupported, "this network does not define quiescent states");
+        queries_.push_back(std::move(query));
         return;
     }
-    if (property.at_stable && is_checked(property.pattern) && settled_watch_ == none)
-        settled_watch_ = watch_.add(machine_.compiler().condition(network_.settled, Program::yes, Program::no));
-    if (property.pattern == Pattern::ReachableAllSteps) return query_step_states(property, question);
-    compile(question);
-    questions_.push_back(std::move(question));
+    if (property.at_stable && is_checked(property.pattern) && quiescent_search_ == none)
+        quiescent_search_ = monitor_.add(machine_.compiler().condition(network_.settled, Program::yes, Program::no));
+    if (property.pattern == Pattern::ReachableAllSteps) return query_step_states(property, query);
+    compile(query);
+    queries_.push_back(std::move(query));
 }
 
 bool PropertyQueries::follow_edges() const {
-    return std::ranges::any_of(questions_, [](const PropertyQuery& question) {
-        const Pattern pattern = question.property->pattern;
+    return std::ranges::any_of(queries_, [](const PropertyQuery& query) {
+        const Pattern pattern = query.property->pattern;
         return is_liveness(pattern) || pattern == Pattern::AlwaysPossible;
     });
 }
 
 bool PropertyQueries::are_about_single_states() const {
-    return std::ranges::all_of(
-        questions_, [](const PropertyQuery& question) { return is_about_states(question.property->pattern); });
+    return std::ranges::all_of(queries_,
+                               [](const PropertyQuery& query) { return is_about_states(query.property->pattern); });
 }
 
-void PropertyQueries::compile(PropertyQuery& question) {
-    const Property& property = *question.property;
+void PropertyQueries::compile(PropertyQuery& query) {
+    const Property& property = *query.property;
     switch (property.pattern) {
-    case Pattern::Always: question.watch = watch_.add(settled_but_not(property, property.operands[0])); return;
+    case Pattern::Always: query.search = monitor_.add(quiescent_but_not(property, property.operands[0])); return;
     case Pattern::Never:
-    case Pattern::Reachable: question.watch = watch_.add(settled_and(property, property.operands[0])); return;
-    case Pattern::ExactlyOneOf: question.watch = watch_.add(not_exactly_one(property)); return;
-    case Pattern::Inevitable: question.q = settled_and(property, property.operands[0]); return;
+    case Pattern::Reachable: query.search = monitor_.add(quiescent_and(property, property.operands[0])); return;
+    case Pattern::ExactlyOneOf: query.search = monitor_.add(not_exactly_one(property)); return;
+    case Pattern::Inevitable: query.q = quiescent_and(property, property.operands[0]); return;
     case Pattern::LeadsTo:
-        question.p = settled_and(property, property.operands[0]);
-        question.q = settled_and(property, property.operands[1]);
-        question.watch = watch_.add(question.p);
+        query.p = quiescent_and(property, property.operands[0]);
+        query.q = quiescent_and(property, property.operands[1]);
+        query.search = monitor_.add(query.p);
         return;
-    case Pattern::AlwaysPossible: question.p = settled_and(property, property.operands[0]); return;
+    case Pattern::AlwaysPossible: query.p = quiescent_and(property, property.operands[0]); return;
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:
-        question.p = property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no)
-                                        : Program::yes;
+        query.p = property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no)
+                                     : Program::yes;
         return;
     case Pattern::ReachableAllSteps: return;
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::Watched:
     case Pattern::RawLtl:
-        set_unknown(question.verdict, UnknownReason::Unsupported, "the timed engine does not support formulas");
+        set_unknown(query.verdict, UnknownReason::Unsupported, "the timed engine does not support formulas");
         return;
     }
     unreachable();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Property queries: compiles the properties of a network to code and monitors before the search (property_queries.cpp),
-// and computes their verdicts after it (answers.cpp).
+// and computes their verdicts after it (verdicts.cpp).
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ bool is_selected(const TimedOptions& options, const Property& property);
 class PropertyQueries {
 public:
     /// `abstracted` is true if the network is an input abstraction.
-    PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& watch, bool abstracted = false);
+    PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& monitor, bool abstracted = false);
 
     void add_query(Id<Property> about, const Property& property);
     /// True if some selected property is `inevitable`, `leads to` or `always possible`; their verdicts depend on the
@@ -40,7 +40,7 @@ public:
     /// Returns the state that decides a property about single states, if the search has found such a state. `verdict`
     /// is an index in the order of the verdicts.
     std::optional<std::size_t> state_found(std::size_t verdict) const {
-        const std::uint32_t state = watch_.found(questions_[verdict].watch);
+        const std::uint32_t state = monitor_.found(queries_[verdict].search);
         return state == PropertyMonitor::none ? std::nullopt : std::optional<std::size_t>(state);
     }
     /// Returns TimedResult::paths: the path of each verdict.
@@ -53,17 +53,17 @@ private:
     struct PropertyQuery {
         Verdict verdict = {};
         const Property* property = nullptr;
-        std::size_t watch = none;  // monitor of a state that decides the property or its vacuity
+        std::size_t search = none;  // search of the monitor for a state that decides the property or its vacuity
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
         std::optional<std::uint32_t> dead_state = {};  // a state from which no required state is reachable
     };
 
-    std::uint32_t settled_and(const Property& property, Id<Expr> operand);
-    std::uint32_t settled_but_not(const Property& property, Id<Expr> operand);
+    std::uint32_t quiescent_and(const Property& property, Id<Expr> operand);
+    std::uint32_t quiescent_but_not(const Property& property, Id<Expr> operand);
     std::uint32_t not_exactly_one(const Property& property);
     void query_step_states(const Property& property, const PropertyQuery& prototype);
-    void compile(PropertyQuery& question);
+    void compile(PropertyQuery& query);
 
     /// Data shared by all verdicts of one search.
     struct Outcomes {
@@ -71,29 +71,29 @@ private:
         UnknownReason obstacle = UnknownReason::None;
         std::string reason = {};
     };
-    void answer(PropertyQuery& question, Graph& graph, const Limits& limits);
-    void result_state(PropertyQuery& question, Graph& graph) const;
-    void decide_liveness(PropertyQuery& question, Graph& graph, const Limits& limits);
-    void decide_deadlock(PropertyQuery& question, Graph& graph, const Limits& limits);
-    void decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits);
-    void decide_timelock_of_abstraction(PropertyQuery& question, Graph& graph, const Limits& limits) const;
-    void decide_possible(PropertyQuery& question, Graph& graph, const Limits& limits);
-    void report_never_again(const PropertyQuery& question, Graph& graph, const Limits& limits, Verdict& verdict) const;
-    void holds_unless(PropertyQuery& question, UnknownReason obstacle, const std::string& reason) const;
-    void holds_if_dense(PropertyQuery& question, Graph& graph, const std::optional<UncoveredAt>& bound) const;
-    void mark_vacuous(PropertyQuery& question, const Graph& graph) const;
-    std::optional<StateSet> states_where(PropertyQuery& question, Graph& graph, std::uint32_t predicate,
+    void answer(PropertyQuery& query, Graph& graph, const Limits& limits);
+    void result_state(PropertyQuery& query, Graph& graph) const;
+    void decide_liveness(PropertyQuery& query, Graph& graph, const Limits& limits);
+    void decide_deadlock(PropertyQuery& query, Graph& graph, const Limits& limits);
+    void decide_timelock(PropertyQuery& query, Graph& graph, const Limits& limits);
+    void decide_timelock_of_abstraction(PropertyQuery& query, Graph& graph, const Limits& limits) const;
+    void decide_possible(PropertyQuery& query, Graph& graph, const Limits& limits);
+    void report_never_again(const PropertyQuery& query, Graph& graph, const Limits& limits, Verdict& verdict) const;
+    void holds_unless(PropertyQuery& query, UnknownReason obstacle, const std::string& reason) const;
+    void holds_if_dense(PropertyQuery& query, Graph& graph, const std::optional<UncoveredAt>& bound) const;
+    void mark_vacuous(PropertyQuery& query, const Graph& graph) const;
+    std::optional<StateSet> states_where(PropertyQuery& query, Graph& graph, std::uint32_t predicate,
                                          const Limits& limits) const;
     std::string place_of(Graph& graph, const UncoveredAt& at) const;
     std::string inexact_reason() const;
 
     const Network& network_;
     Machine& machine_;
-    PropertyMonitor& watch_;
+    PropertyMonitor& monitor_;
     const bool abstracted_;
     std::optional<std::string> inexact_;
-    std::size_t settled_watch_ = none;
-    std::vector<PropertyQuery> questions_ = {};
+    std::size_t quiescent_search_ = none;
+    std::vector<PropertyQuery> queries_ = {};
     Outcomes outcomes_ = {};
 };
 

@@ -98,7 +98,7 @@ void Slicer::look_up() {
         slice.targets[i] |= known != Store::none ? known : SuccessorBatch::new_state | kept;
         if (known != Store::none) continue;
         const Word* const at = words_.data() + i * words;
-        new_state.needed = watch_.needs(graph_.machine, at, moves_.registers);
+        new_state.needed = monitor_.needs(graph_.machine, at, moves_.registers);
         if (new_state.folded) new_state.shard = roots.shard_of(new_state.root);
         if (new_state.needed || !new_state.folded || graph_.covering) {
             slice.kept.push_back(kept);

@@ -62,8 +62,8 @@ struct alignas(own_lines) SuccessorBatch {
 /// Buffers of one thread that fills slices.
 class alignas(own_lines) Slicer {
 public:
-    Slicer(const Graph& graph, const PropertyMonitor& watch, const std::vector<Field>& races)
-        : graph_(graph), watch_(watch), races_(races) {}
+    Slicer(const Graph& graph, const PropertyMonitor& monitor, const std::vector<Field>& races)
+        : graph_(graph), monitor_(monitor), races_(races) {}
 
     /// Computes the moves of the states from `begin` to `end`, or until a size limit is reached. Returns the number of
     /// computed words.
@@ -76,7 +76,7 @@ private:
     void look_up();
 
     const Graph& graph_;
-    const PropertyMonitor& watch_;
+    const PropertyMonitor& monitor_;
     const std::vector<Field>& races_;
     SuccessorBatch* slice_ = nullptr;
     Moves moves_ = {};

@@ -35,9 +35,9 @@ std::vector<ModelError> errors_of(timed::Graph& graph) {
     return errors;
 }
 
-std::optional<Premises> premises(timed::Graph& graph, std::uint32_t settled, const timed::Limits& limits) {
+std::optional<Premises> premises(timed::Graph& graph, std::uint32_t quiescent, const timed::Limits& limits) {
     try {
-        return timed::premises_of(graph, settled, limits);
+        return timed::premises_of(graph, quiescent, limits);
     } catch (const timed::Limits::Stop&) {
     } catch (const std::bad_alloc&) {
     }
@@ -59,24 +59,24 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Limits limits(options);
     const Network flat = expand(network);
     timed::Machine machine(flat, options.choices);
-    timed::PropertyMonitor watch;
-    timed::PropertyQueries questions(flat, machine, watch, options.abstracted || !options.choices.empty());
+    timed::PropertyMonitor monitor;
+    timed::PropertyQueries queries(flat, machine, monitor, options.abstracted || !options.choices.empty());
     const Property timelock = timed::undeclared_timelock(flat);
     bool timelock_requested = !options.timelock;
     for (const Id<Property> id : flat.properties.ids()) {
         const Property& property = flat.properties[id];
         if (!timed::is_selected(options, property)) continue;
-        questions.add_query(id, property);
+        queries.add_query(id, property);
         timelock_requested = timelock_requested || timed::about_time(property);
     }
-    if (!timelock_requested) questions.add_query({}, timelock);
-    std::uint32_t settled = timed::Program::no;
+    if (!timelock_requested) queries.add_query({}, timelock);
+    std::uint32_t quiescent = timed::Program::no;
     if (options.premises && flat.settled.valid())
-        settled = machine.compiler().condition(flat.settled, timed::Program::yes, timed::Program::no);
+        quiescent = machine.compiler().condition(flat.settled, timed::Program::yes, timed::Program::no);
 
     timed::Graph graph(machine);
-    graph.linked = options.keep_links && (options.premises || questions.follow_edges());
-    if (options.covering && !options.premises && questions.are_about_single_states()) {
+    graph.linked = options.keep_links && (options.premises || queries.follow_edges());
+    if (options.covering && !options.premises && queries.are_about_single_states()) {
         auto covering =
             std::make_unique<timed::Covering>(flat, machine.layout(), machine.clocks(), options.covering_without);
         graph.covered = covering->applies();
@@ -85,20 +85,20 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
     const UnknownReason ended =
-        machine.layout().fits() ? timed::explore(graph, watch, races, limits) : UnknownReason::Unsupported;
+        machine.layout().fits() ? timed::explore(graph, monitor, races, limits) : UnknownReason::Unsupported;
 
     TimedResult result;
     result.bytes = graph.bytes();
     result.state_bytes = graph.store.state_bytes();
     if (graph.linked) graph.store.drop_index();
     result.errors = errors_of(graph);
-    result.verdicts = questions.answers(graph, ended, result.errors, limits);
-    if (options.paths) result.paths = questions.paths(graph);
+    result.verdicts = queries.answers(graph, ended, result.errors, limits);
+    if (options.paths) result.paths = queries.paths(graph);
     result.states = graph.states();
     result.transitions = graph.transitions;
     result.complete = ended == UnknownReason::None;
     result.time_passes = graph.time_passes;
-    if (options.premises && result.complete) result.premises = premises(graph, settled, limits);
+    if (options.premises && result.complete) result.premises = premises(graph, quiescent, limits);
     const bool is_large = !result.complete || result.states >= many_states;
     const bool explained = options.profile == ProfileFor::All || (options.profile == ProfileFor::IfLarge && is_large);
     if (explained && result.states > (result.complete ? 0 : 1))  // a search that did not begin has no profile

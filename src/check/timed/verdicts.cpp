@@ -61,32 +61,32 @@ std::vector<Verdict> PropertyQueries::answers(Graph& graph, UnknownReason ended,
     else if (!errors.empty()) outcomes_ = {UnknownReason::Faulty, "model error: " + text_of(network_, errors.front())};
     else if (inexact_) outcomes_ = {UnknownReason::Inexact, inexact_reason()};
     std::vector<Verdict> verdicts;
-    for (PropertyQuery& question : questions_) {
+    for (PropertyQuery& query : queries_) {
         try {
-            if (question.verdict.obstacle == UnknownReason::None && graph.states() == 0)
-                set_unknown(question.verdict, ended, outcomes_.reason);
-            if (question.verdict.obstacle == UnknownReason::None) answer(question, graph, limits);
+            if (query.verdict.obstacle == UnknownReason::None && graph.states() == 0)
+                set_unknown(query.verdict, ended, outcomes_.reason);
+            if (query.verdict.obstacle == UnknownReason::None) answer(query, graph, limits);
         } catch (const Limits::Stop&) {
-            set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
+            set_unknown(query.verdict, UnknownReason::Stopped, "stopped");
         } catch (const std::bad_alloc&) {
-            set_unknown(question.verdict, UnknownReason::Memory, "no memory is left to evaluate the explored states");
+            set_unknown(query.verdict, UnknownReason::Memory, "no memory is left to evaluate the explored states");
         }
-        if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
-        verdicts.push_back(std::move(question.verdict));
+        if (query.verdict.outcome == Outcome::Holds) mark_vacuous(query, graph);
+        verdicts.push_back(std::move(query.verdict));
     }
     // Explanations are computed after all verdicts, because they may need time or memory that is necessary for another
     // verdict.
-    for (std::size_t k = 0; k < questions_.size(); ++k) report_never_again(questions_[k], graph, limits, verdicts[k]);
+    for (std::size_t k = 0; k < queries_.size(); ++k) report_never_again(queries_[k], graph, limits, verdicts[k]);
     return verdicts;
 }
 
 std::vector<std::vector<AbstractState>> PropertyQueries::paths(Graph& graph) const {
     std::vector<std::vector<AbstractState>> found;
-    for (const PropertyQuery& question : questions_) {
-        const Pattern pattern = question.property->pattern;
+    for (const PropertyQuery& query : queries_) {
+        const Pattern pattern = query.property->pattern;
         const bool single = is_about_states(pattern);
         const std::uint32_t state =
-            single && question.watch != none ? watch_.found(question.watch) : PropertyMonitor::none;
+            single && query.search != none ? monitor_.found(query.search) : PropertyMonitor::none;
         found.push_back(state == PropertyMonitor::none ? std::vector<AbstractState>{}
                                                        : graph.states_along(graph.path_to(state)));
     }
@@ -95,18 +95,18 @@ std::vector<std::vector<AbstractState>> PropertyQueries::paths(Graph& graph) con
 
 std::string PropertyQueries::inexact_reason() const { return "integer time is not exact for " + inexact_.value_or(""); }
 
-void PropertyQueries::answer(PropertyQuery& question, Graph& graph, const Limits& limits) {
-    switch (question.property->pattern) {
+void PropertyQueries::answer(PropertyQuery& query, Graph& graph, const Limits& limits) {
+    switch (query.property->pattern) {
     case Pattern::Always:
     case Pattern::Never:
     case Pattern::ExactlyOneOf:
     case Pattern::Reachable:
-    case Pattern::ReachableAllSteps: return result_state(question, graph);
+    case Pattern::ReachableAllSteps: return result_state(query, graph);
     case Pattern::Inevitable:
-    case Pattern::LeadsTo: return decide_liveness(question, graph, limits);
-    case Pattern::NoDeadlock: return decide_deadlock(question, graph, limits);
-    case Pattern::NoTimelock: return decide_timelock(question, graph, limits);
-    case Pattern::AlwaysPossible: return decide_possible(question, graph, limits);
+    case Pattern::LeadsTo: return decide_liveness(query, graph, limits);
+    case Pattern::NoDeadlock: return decide_deadlock(query, graph, limits);
+    case Pattern::NoTimelock: return decide_timelock(query, graph, limits);
+    case Pattern::AlwaysPossible: return decide_possible(query, graph, limits);
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::Watched:
@@ -115,29 +115,29 @@ void PropertyQueries::answer(PropertyQuery& question, Graph& graph, const Limits
     unreachable();
 }
 
-void PropertyQueries::holds_unless(PropertyQuery& question, UnknownReason obstacle, const std::string& reason) const {
-    if (obstacle == UnknownReason::None) question.verdict.outcome = Outcome::Holds;
-    else set_unknown(question.verdict, obstacle, reason);
+void PropertyQueries::holds_unless(PropertyQuery& query, UnknownReason obstacle, const std::string& reason) const {
+    if (obstacle == UnknownReason::None) query.verdict.outcome = Outcome::Holds;
+    else set_unknown(query.verdict, obstacle, reason);
 }
 
-void PropertyQueries::result_state(PropertyQuery& question, Graph& graph) const {
-    const std::uint32_t state = watch_.found(question.watch);
-    const Pattern pattern = question.property->pattern;
+void PropertyQueries::result_state(PropertyQuery& query, Graph& graph) const {
+    const std::uint32_t state = monitor_.found(query.search);
+    const Pattern pattern = query.property->pattern;
     const bool wanted = pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
     if (state != PropertyMonitor::none) {
-        violated(question.verdict, graph.run_to(state));
-        if (wanted) question.verdict.outcome = Outcome::Holds;
+        violated(query.verdict, graph.run_to(state));
+        if (wanted) query.verdict.outcome = Outcome::Holds;
         return;
     }
-    if (watch_.broken(question.watch))
-        return set_unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
-    holds_unless(question, outcomes_.obstacle, outcomes_.reason);
-    if (wanted && question.verdict.outcome == Outcome::Holds) question.verdict.outcome = Outcome::Violated;
+    if (monitor_.broken(query.search))
+        return set_unknown(query.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
+    holds_unless(query, outcomes_.obstacle, outcomes_.reason);
+    if (wanted && query.verdict.outcome == Outcome::Holds) query.verdict.outcome = Outcome::Violated;
 }
 
 /// Returns the states that satisfy `predicate`. If it is undefined in some state, the result is empty and the verdict
 /// is unknown.
-std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& question, Graph& graph, std::uint32_t predicate,
+std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& query, Graph& graph, std::uint32_t predicate,
                                                       const Limits& limits) const {
     StateSet set(graph.states());
     std::atomic<bool> broken = false;
@@ -154,48 +154,47 @@ std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& question, G
         }
     });
     if (!broken) return set;
-    set_unknown(question.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
+    set_unknown(query.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
     return {};
 }
 
-void PropertyQueries::decide_liveness(PropertyQuery& question, Graph& graph, const Limits& limits) {
+void PropertyQueries::decide_liveness(PropertyQuery& query, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == UnknownReason::Stopped)
-        return set_unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
-    std::optional<StateSet> met = states_where(question, graph, question.q, limits);
+        return set_unknown(query.verdict, UnknownReason::Stopped, outcomes_.reason);
+    std::optional<StateSet> met = states_where(query, graph, query.q, limits);
     if (!met) return;
     std::vector<std::uint32_t> roots;
-    if (question.property->pattern == Pattern::Inevitable) {
+    if (query.property->pattern == Pattern::Inevitable) {
         if (!met->has(0)) roots.push_back(0);
     } else {
-        const std::optional<StateSet> requested = states_where(question, graph, question.p, limits);
+        const std::optional<StateSet> requested = states_where(query, graph, query.p, limits);
         if (!requested) return;
         for (std::uint32_t state = 0; state < graph.states(); ++state)
             if (!met->has(state) && requested->has(state)) roots.push_back(state);
     }
     const std::optional<bool> holds = unavoidable(graph, *met, roots, limits);
-    if (!holds) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
-    if (*holds) return holds_if_dense(question, graph, graph.stuck_bound);
+    if (!holds) return set_unknown(query.verdict, UnknownReason::Stopped, "stopped");
+    if (*holds) return holds_if_dense(query, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
     // If a strict bound prevents a delay of one unit, a shorter delay may be possible in dense time.
     const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value(), limits);
-    if (lasso.path.empty()) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
-    violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
+    if (lasso.path.empty()) return set_unknown(query.verdict, UnknownReason::Inexact, inexact_reason());
+    violated(query.verdict, graph.run_along(lasso.path, lasso.loop));
 }
 
-void PropertyQueries::decide_deadlock(PropertyQuery& question, Graph& graph, const Limits& limits) {
-    const auto considered = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
+void PropertyQueries::decide_deadlock(PropertyQuery& query, Graph& graph, const Limits& limits) {
+    const auto considered = [&](std::uint32_t state) { return graph.holds(query.p, state) == End::Yes; };
     const std::optional<std::uint32_t> state = first_deadlock(graph, considered, limits);
-    if (state && inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
-    if (state) return violated(question.verdict, graph.run_to(*state));
-    holds_if_dense(question, graph, graph.stuck_bound);
+    if (state && inexact_) return set_unknown(query.verdict, UnknownReason::Inexact, inexact_reason());
+    if (state) return violated(query.verdict, graph.run_to(*state));
+    holds_if_dense(query, graph, graph.stuck_bound);
 }
 
 /// In an input abstraction, urgent edges must lead to a state in which time passes for all chosen valuations
 /// (ir/network_inputs.hpp). It is not sufficient that such a state is reachable for some valuations.
-void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& question, Graph& graph,
-                                                     const Limits& limits) const {
-    holds_if_dense(question, graph, graph.locked_bound);
-    if (question.verdict.outcome != Outcome::Holds) return;
+void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& query, Graph& graph, const Limits& limits) const {
+    holds_if_dense(query, graph, graph.locked_bound);
+    if (query.verdict.outcome != Outcome::Holds) return;
     std::vector<std::uint32_t> successors;
     Components components(graph.states(), limits, [&](std::uint32_t state, const auto& take) {
         if (graph.kind(state) != StateKind::Urgent) return;
@@ -203,59 +202,57 @@ void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& question, Gr
         for (const std::uint32_t next : successors) take(next);
     });
     for (std::uint32_t state = 0; state < graph.states(); ++state) components.visit(state);
-    if (components.any_cycle()) set_unknown(question.verdict, UnknownReason::Inexact, endless_instants);
+    if (components.any_cycle()) set_unknown(query.verdict, UnknownReason::Inexact, endless_instants);
 }
 
-void PropertyQueries::decide_timelock(PropertyQuery& question, Graph& graph, const Limits& limits) {
+void PropertyQueries::decide_timelock(PropertyQuery& query, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == UnknownReason::Stopped)
-        return set_unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
-    if (abstracted_) return decide_timelock_of_abstraction(question, graph, limits);
+        return set_unknown(query.verdict, UnknownReason::Stopped, outcomes_.reason);
+    if (abstracted_) return decide_timelock_of_abstraction(query, graph, limits);
     StateSet passes = states_of_kind(
         graph, limits, [](StateKind kind) { return kind == StateKind::Passes || kind == StateKind::PassesOrActs; });
     auto locked = out_of_reach(graph, passes, Transitions::Actions, limits);
-    if (!locked) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
-    std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
+    if (!locked) return set_unknown(query.verdict, UnknownReason::Stopped, "stopped");
+    std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(query.p, state) != End::Yes; });
     if (!locked->empty()) {
-        if (inexact_) return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
-        return violated(question.verdict, without_time(graph, locked->front()));
+        if (inexact_) return set_unknown(query.verdict, UnknownReason::Inexact, inexact_reason());
+        return violated(query.verdict, without_time(graph, locked->front()));
     }
-    holds_if_dense(question, graph, graph.locked_bound);
-    if (question.verdict.outcome != Outcome::Holds) return;
+    holds_if_dense(query, graph, graph.locked_bound);
+    if (query.verdict.outcome != Outcome::Holds) return;
     StateSet calm = states_of_kind(graph, limits, [](StateKind kind) { return kind != StateKind::Urgent; });
     const auto restless = out_of_reach(graph, calm, Transitions::UrgentActions, limits);
-    if (!restless) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
+    if (!restless) return set_unknown(query.verdict, UnknownReason::Stopped, "stopped");
     if (!restless->empty())
-        set_unknown(question.verdict, UnknownReason::Inexact,
+        set_unknown(query.verdict, UnknownReason::Inexact,
                     "from some state, urgent edges alone do not lead to a state in which time may pass");
 }
 
-void PropertyQueries::decide_possible(PropertyQuery& question, Graph& graph, const Limits& limits) {
+void PropertyQueries::decide_possible(PropertyQuery& query, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == UnknownReason::Stopped)
-        return set_unknown(question.verdict, UnknownReason::Stopped, outcomes_.reason);
-    std::optional<StateSet> goal = states_where(question, graph, question.p, limits);
+        return set_unknown(query.verdict, UnknownReason::Stopped, outcomes_.reason);
+    std::optional<StateSet> goal = states_where(query, graph, query.p, limits);
     if (!goal) return;
     const auto dead_states = out_of_reach(graph, *goal, Transitions::All, limits);
-    if (!dead_states) return set_unknown(question.verdict, UnknownReason::Stopped, "stopped");
-    if (!dead_states->empty() && inexact_)
-        return set_unknown(question.verdict, UnknownReason::Inexact, inexact_reason());
+    if (!dead_states) return set_unknown(query.verdict, UnknownReason::Stopped, "stopped");
+    if (!dead_states->empty() && inexact_) return set_unknown(query.verdict, UnknownReason::Inexact, inexact_reason());
     if (!dead_states->empty()) {
-        question.dead_state = dead_states->front();
-        return violated(question.verdict, graph.run_to(dead_states->front()));
+        query.dead_state = dead_states->front();
+        return violated(query.verdict, graph.run_to(dead_states->front()));
     }
-    holds_unless(question, outcomes_.obstacle, outcomes_.reason);
-    if (question.verdict.outcome == Outcome::Holds && machine_.timed())
-        set_unknown(question.verdict, UnknownReason::Inexact,
+    holds_unless(query, outcomes_.obstacle, outcomes_.reason);
+    if (query.verdict.outcome == Outcome::Holds && machine_.timed())
+        set_unknown(query.verdict, UnknownReason::Inexact,
                     "integer time does not cover the states between two ticks; use `--untimed` to decide it for the "
                     "untimed model");
 }
 
 /// Adds the note on dead transitions. The note is omitted if it needs more time or memory than is available.
-void PropertyQueries::report_never_again(const PropertyQuery& question, Graph& graph, const Limits& limits,
+void PropertyQueries::report_never_again(const PropertyQuery& query, Graph& graph, const Limits& limits,
                                          Verdict& verdict) const {
-    if (!question.dead_state || verdict.outcome != Outcome::Violated || outcomes_.obstacle != UnknownReason::None)
-        return;
+    if (!query.dead_state || verdict.outcome != Outcome::Violated || outcomes_.obstacle != UnknownReason::None) return;
     try {
-        if (std::string words = dead_transitions_note(graph, *question.dead_state, limits); !words.empty())
+        if (std::string words = dead_transitions_note(graph, *query.dead_state, limits); !words.empty())
             verdict.notes.push_back(std::move(words));
     } catch (const Limits::Stop&) {
         return;
@@ -264,11 +261,11 @@ void PropertyQueries::report_never_again(const PropertyQuery& question, Graph& g
     }
 }
 
-void PropertyQueries::holds_if_dense(PropertyQuery& question, Graph& graph,
+void PropertyQueries::holds_if_dense(PropertyQuery& query, Graph& graph,
                                      const std::optional<UncoveredAt>& bound) const {
     if (outcomes_.obstacle != UnknownReason::None || !bound)
-        return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
-    set_unknown(question.verdict, UnknownReason::Inexact,
+        return holds_unless(query, outcomes_.obstacle, outcomes_.reason);
+    set_unknown(query.verdict, UnknownReason::Inexact,
                 "a timelock is possible between two ticks at " + place_of(graph, *bound));
 }
 
@@ -283,9 +280,9 @@ std::string PropertyQueries::place_of(Graph& graph, const UncoveredAt& at) const
            clock + " == " + std::to_string(admitted(network_, bound).high) + "`";
 }
 
-void PropertyQueries::mark_vacuous(PropertyQuery& question, const Graph& graph) const {
-    Verdict& verdict = question.verdict;
-    const Pattern pattern = question.property->pattern;
+void PropertyQueries::mark_vacuous(PropertyQuery& query, const Graph& graph) const {
+    Verdict& verdict = query.verdict;
+    const Pattern pattern = query.property->pattern;
     const auto vacuous = [&](const char* why) {
         verdict.vacuous = true;
         verdict.notes.emplace_back(why);
@@ -293,9 +290,9 @@ void PropertyQueries::mark_vacuous(PropertyQuery& question, const Graph& graph) 
     if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock)
         return;
     if (!graph.time_passes) vacuous("time does not pass in this model");
-    if (is_declared_response(*question.property) && watch_.found(question.watch) == PropertyMonitor::none)
+    if (is_declared_response(*query.property) && monitor_.found(query.search) == PropertyMonitor::none)
         vacuous("the premise is never true");
-    if (is_about_all_states(pattern) && question.at_stable && watch_.found(settled_watch_) == PropertyMonitor::none)
+    if (is_about_all_states(pattern) && query.at_stable && monitor_.found(quiescent_search_) == PropertyMonitor::none)
         vacuous("no state is quiescent");
 }
 
