@@ -188,6 +188,12 @@ export class Player {
         return {from: Math.min(begin, this.moment), to: this.moment};
     }
 
+    // Returns the position of the current row in the list of events.
+    shownRow() {
+        const row = this.run.rowOf(this.moment);
+        return Math.max(this.run.shown.findLastIndex((shown) => shown <= row), 0);
+    }
+
     show() {
         const {from, to} = this.range(), stop = this.stop();
         this.clearedNow = this.run.cleared(from, to);
@@ -196,11 +202,12 @@ export class Player {
             view.follow();
         });
         this.slider.value = stop;
-        this.slider.setAttribute("aria-valuetext", `${this.run.address(this.moment)}, ${this.run.timeText(this.moment)}`);
-        this.place.textContent = `${this.run.address(this.moment)} of ${this.run.rows.length - 1} · ${this.run.timeText(this.moment)}`;
+        const row = this.shownRow();
+        const place = `${this.run.shown.length > 0 ? `row ${row + 1} of ${this.run.shown.length} · ` : ""}${this.run.timeText(this.moment)}`;
+        this.slider.setAttribute("aria-valuetext", place);
+        this.place.textContent = place;
         this.caption.textContent = this.words();
-        const row = this.run.rowOf(this.moment);
-        this.rows.show(Math.max(this.run.shown.findLastIndex((shown) => shown <= row), 0));
+        this.rows.show(row);
         this.timing.show(stop);
         this.instance.show(this.moment);
         this.showSignals();

@@ -134,7 +134,7 @@ function causes(run, moment, link) {
         parts.push(make("p", {class: "answer"}, "Without ",
                         ...moments.flatMap(({at, words}, k) => [k > 0 ? ", " : "", make("code", {}, words ?? moveText(run, at)),
                                                                 " at ", link(at, when(at))]),
-                        ", the property holds along the trace",
+                        ", the property holds along the run",
                         inputs ? ", and after its end as long as nothing changes." : "."));
     return parts;
 }

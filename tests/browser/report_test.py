@@ -4,6 +4,7 @@ import browser
 from browser import Keys, eventually
 
 FAULTY = browser.SOURCE / "samples/testing_station/faulty.grafcet"
+PRESSED = browser.SOURCE / "docs/blinker_pressed.grafcet"
 HOSTILE = """
 grafcet press {
     input START;
@@ -189,13 +190,34 @@ class Report(browser.Case):
 
     def test_an_address_leads_to_its_moment(self):
         self.at("#P16/23")
-        self.assertIn("23 of 138", self.page.text(".place"))
+        self.assertEqual(self.page.script("return page.player.run.address(page.player.moment)"), "23")
+        before = self.page.text(".place")
         self.page.script("location.hash = '#P16/40'")
-        eventually(lambda: "40 of 138" in self.page.text(".place"))
+        eventually(lambda: self.page.text(".place") != before)
+        self.assertEqual(self.page.script("return page.player.run.address(page.player.moment)"), "40")
         self.at("#P16/99999999")
-        self.assertIn("138 of 138", self.page.text(".place"))
+        rows = self.page.script("return page.player.run.shown.length")
+        self.assertIn(f"row {rows} of {rows}", self.page.text(".place"))
         self.at("#nobody/3")
         self.assertTrue(self.lit(), "it begins somewhere")
+
+    def test_the_counter_is_the_position_in_the_list_of_events(self):
+        """The counter numbers the rows of the table of `check`, also if several delays are merged into one row."""
+        self.report_of(PRESSED.read_text())("#answered/0")
+        printed = browser.run("check", PRESSED, code=1).split("counterexample:\n")[1].split("    * causes")[0].splitlines()
+        rows = len([line for line in printed[1:] if not line.startswith("+--")])
+        self.assertLess(rows, self.page.script("return page.player.run.rows.length"), "some rows are merged")
+        for row in range(1, rows + 1):
+            self.assertEqual(self.page.text(".place").split(" · ")[0], f"row {row} of {rows}")
+            self.assertEqual(self.page.find(".rows .row.current").get_attribute("aria-posinset"), str(row))
+            self.page.press(Keys.ARROW_RIGHT)
+        self.page.all(".controls input[type=checkbox]")[1].click()
+        counted = self.page.script("""return page.player.run.times.map((_, moment) => {
+            page.player.go(moment);
+            return [document.querySelector('.place').textContent.split(' · ')[0], page.player.rows.current];
+        })""")
+        self.assertEqual({words for words, _ in counted}, {f"row {row} of {rows}" for row in range(1, rows + 1)}, "with every move")
+        self.assertEqual([words for words, _ in counted], [f"row {current + 1} of {rows}" for _, current in counted])
 
     def test_the_false_term_of_a_condition_is_pointed_at(self):
         self.at("#P16/131")
