@@ -56,6 +56,8 @@ public:
     }
 
 private:
+    using List = std::vector<const Declaration*>;
+
     const std::string& last() const {
         static const std::string none;
         return half_.words.empty() ? none : half_.words.back();
@@ -72,17 +74,22 @@ private:
         add({std::string(prefix) + element.name, kind_of(element.kind), declaration_text(element),
              comment_of(*element.file, element.whole), ""});
     }
-    void parts(const std::string& owner, std::initializer_list<DeclarationKind> kinds, std::string_view prefix = "") {
-        for (const Declaration* const part : names_.parts(owner))
-            if (part->owner == owner && std::ranges::find(kinds, part->kind) != kinds.end()) element(*part, prefix);
+    /// Proposes elements of `owner`, which may be null.
+    void parts(const Declaration* owner, std::initializer_list<DeclarationKind> kinds, std::string_view prefix = "") {
+        for (const Declaration* const part : owner == nullptr ? List() : names_.parts(owner))
+            if (std::ranges::find(kinds, part->kind) != kinds.end()) element(*part, prefix);
     }
-    /// Proposes the steps of one partial chart, or of all partial charts.
-    void steps(const std::string& chart, const std::string* partial, std::string_view prefix) {
-        for (const Declaration* const part : names_.parts(chart))
-            if (part->kind == DeclarationKind::Step &&
-                (partial == nullptr || part->key.starts_with(chart + "/s " + *partial + "/")))
-                element(*part, prefix);
+    /// Proposes the steps of a partial chart, or of a chart if it has no partial chart `partial`.
+    void steps(const Declaration* chart, std::string_view partial, std::string_view prefix) {
+        const Declaration* const found = names_.part(chart, partial, {DeclarationKind::Partial});
+        parts(found == nullptr ? chart : found, {DeclarationKind::Step}, prefix);
     }
+    void all_steps(const Declaration* chart, std::string_view prefix) {
+        parts(chart, {DeclarationKind::Step}, prefix);
+        for (const Declaration* const part : chart == nullptr ? List() : names_.parts(chart))
+            if (part->kind == DeclarationKind::Partial) parts(part, {DeclarationKind::Step}, prefix);
+    }
+    List controllers() const { return names_.referred(owner_, DeclarationKind::Chart); }
 
     // -- cursor positions ---------------------------------------------------------------------------------------------
 
@@ -94,13 +101,13 @@ private:
         for (const Words& block : half_.blocks)
             if (block.size() > 1 && (block[0] == "partial" || block[0] == "expansion")) partial_ = block[1];
         if (top[0] == "grafcet") {
-            owner_ = "chart " + top[1];
-            if (contains_word(inner, "force")) return steps(owner_, &inner[1], ""), keywords({"INIT"});
+            owner_ = names_.find(DeclarationKind::Chart, top[1]);
+            if (contains_word(inner, "force")) return steps(owner_, inner[1], ""), keywords({"INIT"});
             return contains_word(inner, "step") ? in_actions() : in_chart();
         }
-        if (top[0] == "component") return owner_ = "component " + top[1], in_component();
+        if (top[0] == "component") return owner_ = names_.find(DeclarationKind::Component, top[1]), in_component();
         if (top[0] != "closed_loop") return;
-        owner_ = "loop " + top[1];
+        owner_ = names_.find(DeclarationKind::Loop, top[1]);
         if (inner[0] == "observer") return in_observer(inner[1]);
         if (contains_word(inner, "of")) return term();
         in_loop();
@@ -125,7 +132,7 @@ private:
                 add({std::string(kind.code), ProposalKind::Constant, "", std::string(kind.meaning), ""});
         if (words[0] == "input" || words[0] == "output" || words[0] == "internal") return typed();
         if (last() == "expands" || last() == "encloses") return parts(owner_, {DeclarationKind::Partial});
-        if (words[0] == "transition") return links([this] { steps(owner_, &partial_, ""); });
+        if (words[0] == "transition") return links([this] { steps(owner_, partial_, ""); });
         if (is_keyword(last()) && last() != "step") keywords({"step"});
         else if (has("macro") && last() != "step") keywords({"expands"});
         else if (has("enclosing") && last() != "step") keywords({"encloses"});
@@ -182,7 +189,9 @@ private:
     }
 
     void in_observer(const std::string& name) {
-        const auto locations = [&] { parts(owner_ + "/i " + name, {DeclarationKind::Location}); };
+        const auto locations = [&] {
+            parts(names_.part(owner_, name, {DeclarationKind::Observer}), {DeclarationKind::Location});
+        };
         if (half_.words.empty()) return keywords({"location", "initial location"}), locations();
         if (half_.words[0] != "location" && half_.words[0] != "initial") links(locations);
     }
@@ -224,18 +233,20 @@ private:
             if (last() == "=") components();
             return;
         }
-        const std::string key = "component " + words[component];
-        const Names& where = names_.element(key) != nullptr ? names_ : library_names();
+        const Declaration* const own = names_.find(DeclarationKind::Component, words[component]);
+        const Names& where = own != nullptr ? names_ : library_names();
+        const Declaration* const whole =
+            own != nullptr ? own : where.find(DeclarationKind::Component, words[component]);
         if (last() == "initially") {
-            for (const Declaration* const part : where.parts(key))
+            for (const Declaration* const part : whole == nullptr ? List() : where.parts(whole))
                 if (part->kind == DeclarationKind::Location) element(*part);
             return;
         }
         if (last() == ")") return keywords({"initially"});
         if (!has("(") || has(")")) return;
-        if (last() == "(" || last() == ",") return parameters(where, key);
+        if (last() == "(" || last() == ",") return parameters(where, whole);
         if (last() == "=") {
-            const Declaration* const parameter = where.element(key + "/v " + words[words.size() - 2]);
+            const Declaration* const parameter = where.part(whole, words[words.size() - 2]);
             if (parameter != nullptr && parameter->kind == DeclarationKind::Constant) return constant();
             shared();
             if (parameter != nullptr && parameter->kind == DeclarationKind::InputParameter)
@@ -264,15 +275,11 @@ private:
         return contains_word({"and", "or", "not", "&&", "||", "!", "=>", "implies", "=="}, word);
     }
 
-    void parameters(const Names& where, const std::string& component) {
-        const Declaration* const whole = where.element(component);
-        for (const Declaration* const part : where.parts(component)) {
-            const bool parameter = part->kind == DeclarationKind::InputParameter ||
-                                   part->kind == DeclarationKind::OutputParameter ||
-                                   part->kind == DeclarationKind::Constant;
-            if (!parameter || contains_word(half_.words, part->name)) continue;
+    void parameters(const Names& where, const Declaration* component) {
+        for (const Declaration* const part : component == nullptr ? List() : where.parts(component)) {
+            if (!is_parameter(*part) || contains_word(half_.words, part->name)) continue;
             add({part->name, kind_of(part->kind), declaration_text(*part),
-                 parameter_comment(*whole->file, whole->whole, part->name), part->name + " = $1"});
+                 parameter_comment(*component->file, component->whole, part->name), part->name + " = $1"});
         }
     }
 
@@ -281,7 +288,7 @@ private:
             for (const Declaration* const component : names->all(DeclarationKind::Component)) {
                 std::string snippet;
                 int place = 0;
-                for (const Declaration* const part : parameters_in_order(*names, component->key)) {
+                for (const Declaration* const part : parameters_in_order(*names, component)) {
                     if (part->kind == DeclarationKind::Constant &&
                         part->file->bytes(part->whole).find('=') != std::string_view::npos)
                         continue;
@@ -293,12 +300,14 @@ private:
             }
     }
 
-    static std::vector<const Declaration*> parameters_in_order(const Names& names, const std::string& component) {
-        std::vector<const Declaration*> found;
-        for (const Declaration* const part : names.parts(component))
-            if (part->kind == DeclarationKind::InputParameter || part->kind == DeclarationKind::OutputParameter ||
-                part->kind == DeclarationKind::Constant)
-                found.push_back(part);
+    static bool is_parameter(const Declaration& part) {
+        return part.kind == DeclarationKind::InputParameter || part.kind == DeclarationKind::OutputParameter ||
+               part.kind == DeclarationKind::Constant;
+    }
+
+    static List parameters_in_order(const Names& names, const Declaration* component) {
+        List found = names.parts(component);
+        std::erase_if(found, [](const Declaration* part) { return !is_parameter(*part); });
         std::ranges::sort(found, {}, [](const Declaration* part) { return part->where.begin; });
         return found;
     }
@@ -319,24 +328,25 @@ private:
     // -- names in terms -----------------------------------------------------------------------------------------------
 
     void shared() {
-        for (const std::string& chart : names_.controllers(owner_))
+        for (const Declaration* const chart : controllers())
             parts(chart, {DeclarationKind::Input, DeclarationKind::Output});
         parts(owner_, {DeclarationKind::PlantVariable});
     }
 
     void term() {
+        if (owner_ == nullptr) return;
         if (last() == ".") return member();
-        if (owner_.starts_with("chart ")) {
+        if (owner_->kind == DeclarationKind::Chart) {
             parts(owner_, {DeclarationKind::Input, DeclarationKind::Output, DeclarationKind::Internal,
                            DeclarationKind::Partial});
-            steps(owner_, &partial_, "X");
-            steps(owner_, nullptr, "X");
+            steps(owner_, partial_, "X");
+            all_steps(owner_, "X");
             keywords({"rise", "fall"});
-        } else if (owner_.starts_with("loop ")) {
+        } else if (owner_->kind == DeclarationKind::Loop) {
             shared();
-            for (const std::string& chart : names_.controllers(owner_)) {
+            for (const Declaration* const chart : controllers()) {
                 parts(chart, {DeclarationKind::Internal});
-                steps(chart, nullptr, "X");
+                all_steps(chart, "X");
             }
             parts(owner_, {DeclarationKind::Instance, DeclarationKind::Observer, DeclarationKind::Constant});
         } else {
@@ -349,21 +359,23 @@ private:
     void member() {
         if (half_.words.size() < 2) return;
         const std::string& before = half_.words[half_.words.size() - 2];
-        if (owner_.starts_with("chart ")) return steps(owner_, &before, "X");
-        const std::string part = owner_ + "/i " + before;
-        if (const std::string component = names_.component_of(part); !component.empty())
+        if (owner_->kind == DeclarationKind::Chart) return steps(owner_, before, "X");
+        const Declaration* const part =
+            names_.part(owner_, before, {DeclarationKind::Instance, DeclarationKind::Observer});
+        parts(part, {DeclarationKind::Location});  // of an observer
+        for (const Declaration* const component : names_.referred(part, DeclarationKind::Component))
             return parts(component, {DeclarationKind::Location});
-        parts(part, {DeclarationKind::Location});
-        for (const std::string& chart : names_.controllers(owner_)) {
-            if (chart == "chart " + before)
-                steps(chart, nullptr, "X"), parts(chart, {DeclarationKind::Internal, DeclarationKind::Partial});
-            else if (names_.element(chart + "/p " + before) != nullptr) steps(chart, &before, "X");
+        for (const Declaration* const chart : controllers()) {
+            if (chart->name == before)
+                all_steps(chart, "X"), parts(chart, {DeclarationKind::Internal, DeclarationKind::Partial});
+            else parts(names_.part(chart, before, {DeclarationKind::Partial}), {DeclarationKind::Step}, "X");
         }
     }
 
     const Names& names_;
     IncompleteDeclaration half_;
-    std::string owner_ = {}, partial_ = {};
+    const Declaration* owner_ = nullptr;  ///< the chart, component or loop that contains the cursor
+    std::string partial_ = {};
     std::vector<Proposal> found_ = {};
     std::set<std::string> seen_ = {};
 };

@@ -59,7 +59,7 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
     const OpenText* const open = workspace.open_at(path);
     const auto failure =
         open != nullptr && open->out_of_step ? std::optional(messages::out_of_step()) : failure_of(path, [&] {
-            root->reading = workspace.reading(path, root->inputs);
+            root->reading = workspace.reading(path, root->inputs, root->references);
             root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
             root->typed = lsp_diagnostics(root->reading.diagnostics, *root->places);
         });
@@ -67,6 +67,7 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
     Diagnostics diagnostics;
     diagnostics.add(*failure);
     root->reading = {};
+    root->references = {};
     root->inputs = {{path, nullptr}};  // a null text is never current, so that the next call reads the document again
     root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
     root->typed = lsp_diagnostics(diagnostics, *root->places);

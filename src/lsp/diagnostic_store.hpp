@@ -19,6 +19,7 @@ struct Root {
     std::uint64_t number = 0;  ///< unique number of the parse
     Inputs inputs = {};
     ParseResult reading = {};
+    References references = {};  ///< names of all sources
     std::shared_ptr<const Places> places = {};
     std::vector<LspDiagnostic> typed = {};  ///< the diagnostics of the parse
 };
@@ -28,6 +29,8 @@ public:
     /// Parses changed roots again, and returns the new parses. If a root cannot be read, this error is its only
     /// diagnostic, and the next call tries to read the root again.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
+    /// Parses a file. If it cannot be read, this error is the only diagnostic of the result.
+    std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
     std::vector<std::shared_ptr<const Root>> roots() const;
     bool is_current(const Root& root) const;
@@ -43,7 +46,6 @@ private:
         std::shared_ptr<const Root> root = {};
         std::map<std::string, std::vector<LspDiagnostic>> added = {};
     };
-    std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
 
     std::map<std::string, Entry> entries_ = {};  ///< entries by path; their pointers to roots are never null
     std::uint64_t readings_ = 0;

@@ -76,31 +76,36 @@ std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
     return file;
 }
 
-/// Returns the names of a file and all related files. The result is valid until one of the texts changes.
-const Names& Session::names(const Parsed& file) {
+/// Returns the names of a file, of all files that include it, and of all their includes. The result is valid until one
+/// of the texts changes, or this function is called for another file.
+const Names& Session::names(const std::string& path) {
+    settle();
     const ReserveUse use(false);
-    if (workspace_.refresh()) dirty_ = true;
-    Files related = workspace_.related(file.path);
-    const auto is_known = [&](const Names& names) {
-        return names.files().size() >= related.size() &&
-               std::equal(related.begin(), related.end(), names.files().begin());
-    };
-    if (names_ == nullptr || !is_known(*names_)) names_ = std::make_unique<Names>(std::move(related));
+    std::vector<std::shared_ptr<const Root>> roots;
+    for (const std::string& each : workspace_.roots(path)) {
+        std::shared_ptr<const Root> root = board_.root(each);
+        for (const auto& known : named_)
+            if (root == nullptr && known->path == each) root = known;
+        const bool current = root != nullptr && workspace_.holds(root->inputs);
+        roots.push_back(current ? std::move(root) : board_.read(each, workspace_));
+    }
+    if (names_ == nullptr || roots != named_) names_ = names_of(workspace_, roots);
+    named_ = std::move(roots);
     return *names_;
 }
 
 Session::Pointed Session::pointed(const Json& params) {
     const auto file = parsed(params);
-    const Names& all = names(*file);
+    const Names& all = names(file->path);
     const std::size_t offset = file->text->offset(position_of(params.at("position")));
-    if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->key, use->where, use->skipped};
-    for (const Word& word : words_of(file->text->bytes()))  // for incomplete text
+    if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->element, use->where};
+    for (const Word& word : words_of(file->text->bytes()))  // for text that the parser has skipped
         if (word.begin <= offset && offset <= word.end &&
             (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
             const std::string name = file->text->bytes().substr(word.begin, word.end - word.begin);
-            return {file, &all, all.meaning(*file, offset, name), {file->tree.source, word.begin, word.end}, 0};
+            return {file, &all, all.meaning(*file, offset, name), {file->tree.source, word.begin, word.end}};
         }
-    return {file, &all, "", {}, 0};
+    return {file, &all, nullptr, {}};
 }
 
 Json Session::place_json(const Parsed& file, Span where) const {
@@ -109,7 +114,7 @@ Json Session::place_json(const Parsed& file, Span where) const {
 
 Json Session::hover(const Json& params) {
     const Pointed at = pointed(params);
-    const Declaration* const element = at.names->element(at.key);
+    const Declaration* const element = at.element;
     if (element == nullptr) return nullptr;
     settle();
     const Model* model = nullptr;
@@ -121,7 +126,7 @@ Json Session::hover(const Json& params) {
 
 Json Session::definition(const Json& params) {
     const Pointed at = pointed(params);
-    const Declaration* const element = at.names->element(at.key);
+    const Declaration* const element = at.element;
     // An editor cannot open library files, which are not on the disk.
     if (element == nullptr || element->file->path.starts_with('<')) return nullptr;
     return place_json(*element->file, element->where);
@@ -131,8 +136,8 @@ Json Session::references(const Json& params) {
     const Pointed at = pointed(params);
     const bool declarations = flag(params, {"context", "includeDeclaration"});
     Json found = Json::array();
-    if (at.key.empty()) return found;
-    for (const FileUse& each : at.names->everywhere(at.key))
+    if (at.element == nullptr) return found;
+    for (const FileUse& each : at.names->everywhere(*at.element))
         if ((declarations || !each.use.declares) && !each.file->path.starts_with('<'))
             found.push_back(place_json(*each.file, each.use.where));
     return found;
@@ -141,8 +146,8 @@ Json Session::references(const Json& params) {
 Json Session::highlights(const Json& params) {
     const Pointed at = pointed(params);
     Json found = Json::array();
-    if (at.key.empty()) return found;
-    for (const FileUse& each : at.names->everywhere(at.key))
+    if (at.element == nullptr) return found;
+    for (const FileUse& each : at.names->everywhere(*at.element))
         if (each.file == at.file.get())
             found.push_back({{"range", json_of(at.file->text->range(each.use.where.begin, each.use.where.end))},
                              {"kind", each.use.writes || each.use.declares ? 3 : 2}});
@@ -151,30 +156,34 @@ Json Session::highlights(const Json& params) {
 
 Json Session::prepare_rename(const Json& params) {
     const Pointed at = pointed(params);
-    const Declaration* const element = at.names->element(at.key);
+    const Declaration* const element = at.element;
     if (element == nullptr) return nullptr;
-    return {{"range", json_of(at.file->text->range(at.where.begin + at.skipped, at.where.end))},
-            {"placeholder", element->name}};
+    const Span name = last_name(at.where, element->name);
+    return {{"range", json_of(at.file->text->range(name.begin, name.end))}, {"placeholder", element->name}};
 }
 
 Json Session::rename(const Json& params) {
     const auto name = params.at("newName").get<std::string>();
     const Pointed at = pointed(params);
-    const Declaration* element = at.names->element(at.key);
-    std::string key = at.key;
-    const Names* all = at.names;
-    if (element != nullptr && !element->file->path.starts_with('<'))
-        all =
-            &names(*workspace_.parsed(element->file->path));  // includes the names of all files that include this file
+    if (at.element == nullptr) throw RequestError{request_failed, "there is no name here"};
+    const Declaration* element = at.element;
+    if (!element->file->path.starts_with('<')) {
+        const auto file = workspace_.parsed(element->file->path);
+        const std::uint32_t begin = element->where.begin;
+        // The names include those of all files that include the file of the declaration.
+        const Use* const declared = names(file->path).use_at(*file, begin);
+        element = declared == nullptr ? nullptr : declared->element;
+    }
+    if (element == nullptr) throw RequestError{request_failed, "there is no name here"};
     if (workspace_.cut_short()) throw RequestError{request_failed, "the workspace is too large to find all references"};
-    Renaming renaming = renamed(*all, key, name);
+    Renaming renaming = renamed(workspace_, named_, *names_, *element, name);
     if (!renaming.obstacle.empty()) throw RequestError{request_failed, renaming.obstacle};
     return json_of(renaming.edits, uris());
 }
 
 Json Session::symbols(const Json& params) {
     const auto file = parsed(params);
-    const std::vector<Entry> entries = outline(names(*file), *file);
+    const std::vector<Entry> entries = outline(names(file->path), *file);
     std::vector<Json> symbols;
     for (const Entry& entry : entries)
         symbols.push_back(
@@ -197,7 +206,7 @@ Json Session::symbols(const Json& params) {
 Json Session::folding(const Json& params) {
     const auto file = parsed(params);
     Json found = Json::array();
-    for (const Fold& fold : folds(names(*file), *file)) {
+    for (const Fold& fold : folds(names(file->path), *file)) {
         found.push_back({{"startLine", fold.first}, {"endLine", fold.last}});
         if (fold.comment) found.back()["kind"] = "comment";
     }
@@ -206,14 +215,14 @@ Json Session::folding(const Json& params) {
 
 Json Session::semantic_tokens(const Json& params) {
     const auto file = parsed(params);
-    return {{"data", tokens(names(*file), *file)}};
+    return {{"data", tokens(names(file->path), *file)}};
 }
 
 Json Session::completion(const Json& params) {
     const auto file = parsed(params);
     const std::size_t cursor = file->text->offset(position_of(params.at("position")));
     Json items = Json::array();
-    for (const Proposal& proposal : proposals(names(*file), *file, cursor)) {
+    for (const Proposal& proposal : proposals(names(file->path), *file, cursor)) {
         Json item = {{"label", proposal.label}, {"kind", static_cast<int>(proposal.kind)}};
         if (!proposal.detail.empty()) item["detail"] = proposal.detail;
         if (!proposal.documentation.empty())

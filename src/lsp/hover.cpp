@@ -19,8 +19,10 @@ std::string fenced(std::string_view text, const char* language) {
 
 /// Returns the equations of a step, a transition, an output or a stored variable, or an empty string if there are none.
 std::string equation_of(const Declaration& element, const Model& model) {
-    const std::string name = element.owner.substr(element.owner.find(' ') + 1);
-    const auto chart = find_chart(model, name);
+    const Declaration* owner = element.owner;
+    const std::string partial = owner->kind == DeclarationKind::Partial ? owner->name : "";
+    if (owner->owner != nullptr) owner = owner->owner;
+    const auto chart = owner->kind == DeclarationKind::Chart ? find_chart(model, owner->name) : std::nullopt;
     Diagnostics ignored;
     const auto equations = chart ? equations_of(model, *chart, ignored) : std::nullopt;
     if (!equations) return {};
@@ -29,8 +31,7 @@ std::string equation_of(const Declaration& element, const Model& model) {
     };
     if (element.kind == DeclarationKind::Step) {
         for (const Equations::StepActivity& step : equations->steps)
-            if (step.step.step == element.name &&
-                element.key.starts_with(element.owner + "/s " + step.step.partial + "/"))
+            if (step.step.step == element.name && step.step.partial == partial)
                 return equation_text(*equations, step.variable, step.next);
     } else if (element.kind == DeclarationKind::Transition) {
         for (const Equations::Firing& firing : equations->firings)
@@ -48,13 +49,11 @@ std::string documentation_of(const Names& names, const Declaration& element) {
     const bool parameter = element.kind == DeclarationKind::InputParameter ||
                            element.kind == DeclarationKind::OutputParameter ||
                            element.kind == DeclarationKind::Constant;
-    if (parameter && !element.owner.starts_with("loop "))
-        if (const Declaration* const component = names.element(element.owner))
-            return parameter_comment(*component->file, component->whole, element.name);
-    if (element.kind == DeclarationKind::Instance) {
-        const Declaration* const component = names.element(names.component_of(element.key));
-        return component == nullptr ? std::string() : comment_of(*component->file, component->whole);
-    }
+    if (parameter && element.owner != nullptr && element.owner->kind == DeclarationKind::Component)
+        return parameter_comment(*element.owner->file, element.owner->whole, element.name);
+    if (element.kind == DeclarationKind::Instance)
+        for (const Declaration* const component : names.referred(&element, DeclarationKind::Component))
+            return comment_of(*component->file, component->whole);
     return comment_of(*element.file, element.whole);
 }
 
@@ -76,8 +75,7 @@ std::string hover_text(const Names& names, const Declaration& element, const Mod
     std::string text = fenced(shown_declaration(element), "grafcet");
     const std::string documentation = documentation_of(names, element);
     if (!documentation.empty()) text += "\n" + fenced(documentation, "text");
-    const std::string equation =
-        model != nullptr && element.owner.starts_with("chart ") ? equation_of(element, *model) : "";
+    const std::string equation = model != nullptr && element.owner != nullptr ? equation_of(element, *model) : "";
     if (!equation.empty()) text += "\n" + fenced(equation, "text");
     return text;
 }

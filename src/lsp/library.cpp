@@ -1,51 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "lsp/library.hpp"
 
-#include <functional>
-#include <map>
 #include <string>
-#include <utility>
+#include <variant>
 
 #include "pipeline/components.hpp"
-#include "read/text.hpp"
 #include "syntax/language/parse.hpp"
+#include "syntax/resolve/resolve.hpp"
 
 namespace grafverif::lsp {
 
 namespace {
 
-using LibraryFiles = std::map<std::string, std::shared_ptr<const Parsed>, std::less<>>;
+struct Library {
+    References references = {};
+    Files files = {};
 
-const LibraryFiles& library_files() {
-    static const LibraryFiles files = [] {
-        LibraryFiles all;
+    Library() {
+        Sources sources;
+        Diagnostics diagnostics;
         for (const LibraryEntry& entry : library()) {
             auto parsed = std::make_shared<Parsed>();
             parsed->path = entry.path;
             parsed->text = std::make_shared<const Text>(std::string(entry.text));
-            Sources sources;
-            Diagnostics diagnostics;
             parsed->tree = parse_file(sources.add({parsed->path, std::string(entry.text)}), sources, diagnostics);
-            all.emplace(entry.name, std::move(parsed));
+            for (const tree::Declaration& declaration : parsed->tree.declarations)
+                if (const auto* component = std::get_if<tree::Component>(&declaration))
+                    resolve_component(parsed->tree, *component, diagnostics, Recorder(&references));
+            files.push_back(std::move(parsed));
         }
-        return all;
-    }();
-    return files;
+    }
+};
+
+const Library& known_library() {
+    static const Library known;
+    return known;
 }
 
 }  // namespace
 
-std::shared_ptr<const Parsed> library_file(std::string_view component) {
-    const auto found = library_files().find(component);
-    return found == library_files().end() ? nullptr : found->second;
+std::shared_ptr<const Parsed> library_file(std::string_view path) {
+    for (const auto& file : known_library().files)
+        if (file->path == path) return file;
+    return nullptr;
 }
 
 const Names& library_names() {
-    static const Names names = [] {
-        Files all;
-        for (const auto& [name, file] : library_files()) all.push_back(file);
-        return Names(std::move(all));
-    }();
+    static const Names names({{&known_library().references, known_library().files}});
     return names;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The component library as syntax trees and names, which are computed only once.
+// The component library as texts and names, which are computed only once.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace grafverif::lsp {
 
-/// Returns the file of the component with this name, or null if there is none.
-std::shared_ptr<const Parsed> library_file(std::string_view component);
+/// Returns the file of the library with this path, such as `<library>/lamp.grafcet`, or null if there is none.
+std::shared_ptr<const Parsed> library_file(std::string_view path);
 /// Returns the names of all components of the library.
 const Names& library_names();
 

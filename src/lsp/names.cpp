@@ -2,36 +2,69 @@
 #include "lsp/names.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
-#include "lsp/library.hpp"
-#include "lsp/walk.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif::lsp {
 
+Names::Names(const std::vector<Recording>& recordings) {
+    for (const Recording& recording : recordings) take(recording);
+    for (const Recording& recording : recordings) take_uses(recording);
+    for (auto& [file, uses] : uses_) {
+        const auto place = [](const Use& use) { return std::tuple(use.where.begin, use.where.end, use.element); };
+        std::ranges::stable_sort(uses, {}, place);
+        std::vector<Use> each;
+        for (const Use& use : uses) {
+            if (each.empty() || place(each.back()) != place(use)) each.push_back(use);
+            each.back().declares |= use.declares;
+            each.back().writes |= use.writes;
+        }
+        uses = std::move(each);
+    }
+    for (const Declaration& element : elements_) parts_[element.owner].push_back(&element);
+    for (auto& [owner, parts] : parts_) std::ranges::stable_sort(parts, {}, &Declaration::name);
+}
+
 namespace {
 
-bool is_shared(DeclarationKind kind) { return kind == DeclarationKind::Input || kind == DeclarationKind::Output; }
+/// Returns the file of a position, or null if it has none.
+const Parsed* file_of(const Recording& recording, Span where) {
+    return where.source.index < recording.files.size() ? recording.files[where.source.index].get() : nullptr;
+}
 
 }  // namespace
 
-Names::Names(Files files) : files_(std::move(files)) {
-    for (const auto& file : files_) declare_all(*file, *this);
-    take_library();
-    for (const auto& file : files_) declare_plant(*file, *this);
-    for (const auto& file : files_) uses_[file.get()] = uses_in(*file, *this);
+/// Returns the element whose name is declared at `where`, or null if it is not recorded.
+const Declaration* Names::declared(const Recording& recording, Span where) const {
+    const auto found = sites_.find({file_of(recording, where), where.begin});
+    return found == sites_.end() ? nullptr : found->second;
 }
 
-void Names::take_library() {
-    std::set<std::string> wanted;
-    for (const auto& [instance, component] : components_)
-        if (!elements_.contains(component)) wanted.insert(component.substr(component.find(' ') + 1));
-    for (const std::string& name : wanted) {
-        const auto file = library_file(name);
+void Names::take(const Recording& recording) {
+    for (const auto& file : recording.files)
+        if (file != nullptr && std::ranges::find(files_, file) == files_.end()) files_.push_back(file);
+    for (const References::Declaration& each : recording.references->declarations) {
+        const Parsed* const file = file_of(recording, each.where);
         if (file == nullptr) continue;
-        files_.push_back(file);
-        declare_all(*file, *this);
+        const auto [known, fresh] = sites_.try_emplace({file, each.where.begin});
+        if (fresh)
+            known->second = &elements_.emplace_back(
+                Declaration{each.kind, each.name, declared(recording, each.owner), file, each.where, each.whole});
+        uses_[file].push_back({known->second, each.where, true, false});
+    }
+    for (const auto& [one, other] : recording.references->shared) {
+        const Declaration* const first = shared(declared(recording, one));
+        const Declaration* const second = shared(declared(recording, other));
+        if (first != second && first != nullptr && second != nullptr) shared_[first] = second;
+    }
+}
+
+void Names::take_uses(const Recording& recording) {
+    for (const References::Reference& each : recording.references->references) {
+        const Declaration* const element = declared(recording, each.declaration);
+        const Parsed* const file = file_of(recording, each.where);
+        if (element != nullptr && file != nullptr) uses_[file].push_back({element, each.where, false, each.writes});
     }
 }
 
@@ -52,87 +85,85 @@ const Use* Names::use_at(const Parsed& file, std::size_t offset) const {
     return nullptr;
 }
 
-const Declaration* Names::element(const std::string& key) const {
-    const auto found = elements_.find(key);
-    return found == elements_.end() ? nullptr : &found->second;
+const Declaration* Names::find(DeclarationKind kind, std::string_view name) const {
+    for (const Declaration* const element : parts(nullptr))
+        if (element->kind == kind && element->name == name) return element;
+    return nullptr;
 }
 
-std::vector<const Declaration*> Names::parts(const std::string& owner) const {
-    std::vector<const Declaration*> found;
-    const std::string prefix = owner + "/";
-    for (auto part = elements_.lower_bound(prefix); part != elements_.end() && part->first.starts_with(prefix); ++part)
-        found.push_back(&part->second);
-    return found;
+const Declaration* Names::part(const Declaration* owner, std::string_view name, Kinds kinds) const {
+    if (owner == nullptr) return nullptr;
+    for (const Declaration* const element : parts(owner))
+        if (element->name == name && (kinds.size() == 0 || std::ranges::find(kinds, element->kind) != kinds.end()))
+            return element;
+    for (const Declaration* const element : parts(owner))
+        if (element->kind == DeclarationKind::Partial)
+            if (const Declaration* const inner = part(element, name, kinds); inner != nullptr) return inner;
+    return nullptr;
+}
+
+const std::vector<const Declaration*>& Names::parts(const Declaration* owner) const {
+    static const std::vector<const Declaration*> none;
+    const auto found = parts_.find(owner);
+    return found == parts_.end() ? none : found->second;
 }
 
 std::vector<const Declaration*> Names::all(DeclarationKind kind) const {
-    std::vector<const Declaration*> found;
-    for (const auto& [key, element] : elements_)
-        if (element.kind == kind) found.push_back(&element);
+    std::vector<const Declaration*> found = parts(nullptr);
+    std::erase_if(found, [&](const Declaration* element) { return element->kind != kind; });
     return found;
 }
 
 const Declaration* Names::around(const Parsed& file, std::size_t offset) const {
     const Declaration* best = nullptr;
-    for (const auto& [key, element] : elements_) {
-        const bool holds = element.file == &file && element.owner.empty() && element.whole.begin <= offset &&
-                           offset <= element.whole.end;
-        if (holds && (best == nullptr || best->whole.begin < element.whole.begin)) best = &element;
+    for (const Declaration* const element : parts(nullptr)) {
+        const bool holds = element->file == &file && element->whole.begin <= offset && offset <= element->whole.end;
+        if (holds && (best == nullptr || best->whole.begin < element->whole.begin)) best = element;
     }
     return best;
 }
 
-std::vector<std::string> Names::controllers(const std::string& loop) const {
-    const auto found = controllers_.find(loop);
-    return found == controllers_.end() ? std::vector<std::string>() : found->second;
-}
-
-std::string Names::component_of(const std::string& instance) const {
-    const auto found = components_.find(instance);
-    return found == components_.end() ? std::string() : found->second;
-}
-
-/// Returns `key`, and the inputs and outputs that are shared with this element, directly or through several loops.
-std::set<std::string> Names::tied(const std::string& key) const {
-    std::set<std::string> found = {key};
-    const Declaration* const first = element(key);
-    if (first == nullptr || !is_shared(first->kind)) return found;
-    std::vector<std::string> waiting = {first->owner};
-    while (!waiting.empty()) {
-        const std::string chart = std::move(waiting.back());
-        waiting.pop_back();
-        for (const auto& [loop, charts] : controllers_) {
-            if (std::ranges::find(charts, chart) == charts.end()) continue;
-            for (const std::string& other : charts) {
-                const Declaration* const same = element(other + "/v " + first->name);
-                if (same != nullptr && is_shared(same->kind) && found.insert(same->key).second)
-                    waiting.push_back(other);
-            }
-        }
-    }
+std::vector<const Declaration*> Names::referred(const Declaration* element, DeclarationKind kind) const {
+    std::vector<const Declaration*> found;
+    if (element == nullptr) return found;
+    const std::vector<Use>& all = uses(*element->file);
+    auto use =
+        std::ranges::lower_bound(all, element->whole.begin, {}, [](const Use& each) { return each.where.begin; });
+    for (; use != all.end() && use->where.begin < element->whole.end; ++use)
+        if (use->element->kind == kind && !use->declares && std::ranges::find(found, use->element) == found.end())
+            found.push_back(use->element);
     return found;
 }
 
-std::vector<FileUse> Names::everywhere(const std::string& key) const {
-    const std::set<std::string> keys = tied(key);
+/// Returns the representative of all elements that must have the name of `element`, which may be null.
+const Declaration* Names::shared(const Declaration* element) const {
+    for (auto next = shared_.find(element); next != shared_.end(); next = shared_.find(element)) element = next->second;
+    return element;
+}
+
+std::vector<FileUse> Names::everywhere(const Declaration& element) const {
+    const Declaration* const wanted = shared(&element);
     std::vector<FileUse> found;
     for (const auto& file : files_)
         for (const Use& use : uses(*file))
-            if (keys.contains(use.key)) found.push_back({file.get(), use});
+            if (shared(use.element) == wanted) found.push_back({file.get(), use});
     return found;
 }
 
-std::string Names::meaning(const Parsed& file, std::size_t offset, std::string_view name) const {
+const Declaration* Names::meaning(const Parsed& file, std::size_t offset, std::string_view name) const {
     const Declaration* const owner = around(file, offset);
-    if (owner == nullptr) return {};
-    std::string key = term_key(*this, *owner, "", name);
-    if (key.empty() && owner->kind == DeclarationKind::Chart)
-        key = term_key(*this, *owner, "", "X" + std::string(name));
-    if (key.empty() && owner->kind == DeclarationKind::Component) key = owner->key + "/l " + std::string(name);
-    if (key.empty() && owner->kind == DeclarationKind::Loop)
-        for (const char* kind : {"chart ", "component "})
-            if (elements_.contains(kind + std::string(name))) key = kind + std::string(name);
-    return elements_.contains(key) ? key : std::string();
+    std::vector<const Declaration*> scopes = referred(owner, DeclarationKind::Chart);
+    scopes.insert(scopes.begin(), owner);
+    for (const Declaration* const scope : scopes)
+        if (const Declaration* const found = part(scope, name); found != nullptr) return found;
+    for (const Declaration* const scope : scopes)
+        if (const Declaration* const step =
+                name.starts_with('X') ? part(scope, name.substr(1), {DeclarationKind::Step}) : nullptr;
+            step != nullptr)
+            return step;
+    if (owner == nullptr || owner->kind != DeclarationKind::Loop) return nullptr;
+    const Declaration* const chart = find(DeclarationKind::Chart, name);
+    return chart != nullptr ? chart : find(DeclarationKind::Component, name);
 }
 
 // -- text about an element --------------------------------------------------------------------------------------------
@@ -222,7 +253,8 @@ std::string declaration_text(const Declaration& element) {
     case DeclarationKind::InputParameter: return "input " + joined(element.whole);
     case DeclarationKind::OutputParameter: return "output " + joined(element.whole);
     case DeclarationKind::Constant:
-        return (element.owner.starts_with("loop ") ? "constant " : "") + joined(element.whole);
+        return (element.owner != nullptr && element.owner->kind == DeclarationKind::Loop ? "constant " : "") +
+               joined(element.whole);
     case DeclarationKind::Own: return "variable " + joined(element.whole);
     case DeclarationKind::Clock: return "clock " + element.name;
     case DeclarationKind::PlantVariable: return element.name + ", of the plant: " + joined(element.whole);

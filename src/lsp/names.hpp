@@ -1,62 +1,45 @@
 // SPDX-License-Identifier: MIT
-// Names: resolves every name in a set of files. It uses only the syntax trees, so that names in incomplete texts are
-// also resolved.
+// Names: the declarations in a set of files, and all occurrences of their names, as name resolution records them. The
+// record also contains the names in incomplete texts, as far as the parser and name resolution get.
 //
-// A key such as `chart press/v START` identifies an element. Inputs and outputs of the controllers of a loop that have
-// the same name are treated as one element in searches for references, because the loop shares them by name.
+// Declarations that must have the same name, such as the inputs of the controllers of a loop, which the loop shares by
+// name, are treated as one element in searches for references.
 #pragma once
 
 #include <cstddef>
+#include <deque>
+#include <initializer_list>
 #include <map>
-#include <optional>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lsp/workspace.hpp"
+#include "syntax/resolve/references.hpp"
 
 namespace grafverif::lsp {
 
-enum class DeclarationKind {
-    Chart,
-    Component,
-    Loop,
-    Partial,
-    Input,
-    Output,
-    Internal,
-    Step,
-    Transition,
-    InputParameter,
-    OutputParameter,
-    Constant,
-    Own,
-    Clock,
-    Location,
-    Instance,
-    PlantVariable,
-    Property,
-    Observer,
-    Fault,
-};
-
-/// An element that a file declares.
+/// An element that a file declares. The position of its name identifies it.
 struct Declaration {
     DeclarationKind kind = DeclarationKind::Chart;
-    std::string name = {}, key = {};
-    std::string owner = {};  ///< key of the element that contains it; empty for an element of the file
+    std::string name = {};
+    const Declaration* owner = nullptr;  ///< the element that contains it; null for an element of the file
     const Parsed* file = nullptr;
     Span where = {};  ///< position of its name
     Span whole = {};  ///< position of its declaration
 };
 
-/// A use of a name.
+/// An occurrence of a name.
 struct Use {
-    std::string key = {};
-    Span where = {};
-    std::uint32_t skipped = 0;  ///< number of bytes before the name, such as 1 for the `X` of `X2`
+    const Declaration* element = nullptr;
+    Span where = {};  ///< includes the `X` of a step variable `X2`
     bool declares = false, writes = false;
+
+    /// Returns the position without the `X` of a step variable.
+    Span name() const { return last_name(where, element->name); }
 };
 
 struct FileUse {
@@ -64,44 +47,60 @@ struct FileUse {
     Use use = {};
 };
 
+/// The recorded names of a text with its includes.
+struct Recording {
+    const References* references = nullptr;
+    std::vector<std::shared_ptr<const Parsed>> files = {};  ///< the file of each source; may be null
+};
+
 class Names {
 public:
-    explicit Names(Files files);
+    using Kinds = std::initializer_list<DeclarationKind>;
 
+    /// If several recordings contain the same file, its declarations are the same elements.
+    explicit Names(const std::vector<Recording>& recordings);
+    Names(const Names&) = delete;
+    Names& operator=(const Names&) = delete;
+
+    /// Returns all files of the recordings, each once.
     const Files& files() const { return files_; }
     /// Returns all uses of names in a file, sorted by position; empty if `files()` does not contain the file.
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
-    const Declaration* element(const std::string& key) const;
-    /// Returns the key of the element that `name` would denote at `offset`, as a term or as a step. Returns an empty
-    /// string if there is no such element.
-    std::string meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
-    /// Return the elements of a chart, component or loop (`parts`), or all elements of one kind in the files (`all`).
-    std::vector<const Declaration*> parts(const std::string& owner) const;
+    /// Returns the element of the file `file` that `name` would denote at `offset`, as a term or as a step, or null if
+    /// there is no such element. This is a guess for text that the parser has skipped.
+    const Declaration* meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
+    /// Returns the chart, component or loop with this name, or null if there is none.
+    const Declaration* find(DeclarationKind kind, std::string_view name) const;
+    /// Returns the element `name` of `owner`, which may be null, or of its partial charts, or null if there is none.
+    /// `kinds` are the permitted kinds; if empty, all are.
+    const Declaration* part(const Declaration* owner, std::string_view name, Kinds kinds = {}) const;
+    /// Return the elements of `owner`, or of all files if it is null (`parts`), or the charts, components or loops
+    /// (`all`), sorted by name.
+    const std::vector<const Declaration*>& parts(const Declaration* owner) const;
     std::vector<const Declaration*> all(DeclarationKind kind) const;
     /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is none.
     const Declaration* around(const Parsed& file, std::size_t offset) const;
-    /// Returns the charts that a loop controls.
-    std::vector<std::string> controllers(const std::string& loop) const;
-    /// Returns the component of an instance, or an empty string if it is unknown.
-    std::string component_of(const std::string& instance) const;
+    /// Returns the elements of one kind to which a declaration refers: the charts that a loop controls, the component of
+    /// an instance.
+    std::vector<const Declaration*> referred(const Declaration* element, DeclarationKind kind) const;
 
-    /// Returns every use of the element `key`, including declarations, file by file.
-    std::vector<FileUse> everywhere(const std::string& key) const;
+    /// Returns every use of the element, including declarations, file by file.
+    std::vector<FileUse> everywhere(const Declaration& element) const;
 
 private:
-    friend class Declarer;
-    friend class Finder;
+    using Site = std::pair<const Parsed*, std::uint32_t>;  ///< file and offset of a declared name
 
-    std::set<std::string> tied(const std::string& key) const;
-    void take_library();
+    const Declaration* declared(const Recording& recording, Span where) const;
+    void take(const Recording& recording);
+    void take_uses(const Recording& recording);
+    const Declaration* shared(const Declaration* element) const;
 
-    Files files_;
-    std::map<std::string, Declaration> elements_ = {};
-    std::map<std::string, std::vector<std::string>> controllers_ = {};  ///< charts of each loop, as keys
-    std::map<std::string, std::string> components_ = {};                ///< component of each instance, as keys
-    /// Keys of the steps of all partial charts, by chart and name: `chart C/NAME`.
-    std::map<std::string, std::vector<std::string>> steps_ = {};
+    Files files_ = {};
+    std::deque<Declaration> elements_ = {};
+    std::map<Site, const Declaration*> sites_ = {};
+    std::map<const Declaration*, std::vector<const Declaration*>> parts_ = {};  ///< elements by owner, sorted by name
+    std::map<const Declaration*, const Declaration*> shared_ = {};  ///< forest of the elements with a common name
     std::map<const Parsed*, std::vector<Use>> uses_ = {};
 };
 

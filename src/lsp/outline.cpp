@@ -2,7 +2,6 @@
 #include "lsp/outline.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "lsp/scan.hpp"
 #include "support/overloaded.hpp"
@@ -13,11 +12,8 @@ namespace {
 
 std::vector<const Declaration*> elements_in(const Names& names, const Parsed& file) {
     std::vector<const Declaration*> found;
-    std::map<std::string, bool> seen;
-    for (const Use& use : names.uses(file)) {
-        const Declaration* const element = use.declares ? names.element(use.key) : nullptr;
-        if (element != nullptr && seen.emplace(use.key, true).second) found.push_back(element);
-    }
+    for (const Use& use : names.uses(file))
+        if (use.declares) found.push_back(use.element);
     std::ranges::stable_sort(found, {}, [](const Declaration* element) { return element->whole.begin; });
     return found;
 }
@@ -125,10 +121,10 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
     for (const Word& word : words_of(text)) {
         while (use != uses.end() && use->where.end <= word.begin) ++use;
         const bool named = use != uses.end() && use->where.begin <= word.begin && word.end <= use->where.end;
-        const Declaration* const element = named ? names.element(use->key) : nullptr;
-        if (element != nullptr && word.kind != Word::Kind::Comment) {
-            put(word.begin, word.end, type_of(element->kind),
-                (use->declares ? 1U : 0U) | (is_read_only(element->kind) ? 2U : 0U) | (use->writes ? 4U : 0U));
+        if (named && (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
+            const DeclarationKind kind = use->element->kind;
+            put(word.begin, word.end, type_of(kind),
+                (use->declares ? 1U : 0U) | (is_read_only(kind) ? 2U : 0U) | (use->writes ? 4U : 0U));
             continue;
         }
         switch (word.kind) {

@@ -72,6 +72,13 @@ void Session::progress_is_requested() {
 
 // -- results ----------------------------------------------------------------------------------------------------------
 
+namespace {
+
+/// Returns the key of the verdict on a property.
+std::string key_of(const std::string& loop, const std::string& property) { return "loop " + loop + "/q " + property; }
+
+}  // namespace
+
 /// Returns the verdict on the property `key` if it belongs to the current texts; otherwise null.
 const VerdictDetails* Session::shown(const std::string& path, const std::string& key) const {
     const auto root = board_.root(path);
@@ -84,8 +91,9 @@ const VerdictDetails* Session::shown(const std::string& path, const std::string&
 }
 
 std::string Session::verdict_text(const Declaration& element) const {
-    const VerdictDetails* const known =
-        element.kind == DeclarationKind::Property ? shown(element.file->path, element.key) : nullptr;
+    const VerdictDetails* const known = element.kind == DeclarationKind::Property && element.owner != nullptr
+                                            ? shown(element.file->path, key_of(element.owner->name, element.name))
+                                            : nullptr;
     return known == nullptr ? std::string() : "\n```text\n" + known->text + "```\n";
 }
 
@@ -93,8 +101,7 @@ std::string Session::verdict_text(const Declaration& element) const {
 
 Json Session::lenses(const Json& params) {
     const auto file = parsed(params);
-    const Names& all = names(*file);
-    settle();
+    const Names& all = names(file->path);
     const std::string uri = params.at("textDocument").at("uri").get<std::string>();
     Json found = Json::array();
     const auto add = [&](const Declaration& element, const std::string& title, const char* command, Json arguments) {
@@ -103,16 +110,16 @@ Json Session::lenses(const Json& params) {
                          {"command", {{"title", title}, {"command", command}, {"arguments", std::move(arguments)}}}});
     };
     for (const Use& use : all.uses(*file)) {
-        const Declaration* const element = use.declares ? all.element(use.key) : nullptr;
-        if (element == nullptr) continue;
+        if (!use.declares) continue;
+        const Declaration* const element = use.element;
         if (element->kind == DeclarationKind::Loop || element->kind == DeclarationKind::Chart) {
             add(*element, "check", "grafverif.check", Json::array({element->name}));
             if (element->kind == DeclarationKind::Chart)
                 add(*element, "draw", "grafverif.draw", Json::array({element->name}));
             add(*element, "simulate", "grafverif.simulate", Json::array());
-        } else if (element->kind == DeclarationKind::Property) {
-            const VerdictDetails* const known = shown(file->path, element->key);
-            const std::string loop = element->owner.substr(element->owner.find(' ') + 1);
+        } else if (element->kind == DeclarationKind::Property && element->owner != nullptr) {
+            const std::string& loop = element->owner->name;
+            const VerdictDetails* const known = shown(file->path, key_of(loop, element->name));
             if (known == nullptr) add(*element, "not checked: check", "grafverif.check", Json::array({loop}));
             else add(*element, known->word, "grafverif.showVerdict", Json::array({loop, element->name}));
         }
@@ -149,7 +156,7 @@ Json Session::show(const std::string& uri, bool elsewhere, const std::string& wo
 }
 
 Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
-    const VerdictDetails* known = shown(path, "loop " + loop + "/q " + property);
+    const VerdictDetails* known = shown(path, key_of(loop, property));
     if (property.empty()) {  // a command of the command palette concerns the complete file
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;

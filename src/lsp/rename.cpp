@@ -8,7 +8,6 @@
 
 #include "lsp/library.hpp"
 #include "lsp/scan.hpp"
-#include "syntax/language/parse.hpp"
 
 namespace grafverif::lsp {
 
@@ -44,57 +43,69 @@ std::string obstacle_of(const Names& names, const Declaration& element) {
 
 /// Returns a number for each name in all files: names have equal numbers if they denote the same element. Texts that
 /// differ only in the names of elements have equal results.
-std::vector<std::size_t> shape_of(const Names& names) {
+std::vector<std::size_t> shape_of(const Names& names, const std::vector<std::shared_ptr<const Root>>& roots) {
     std::vector<std::size_t> shape;
-    std::map<std::string, std::size_t> numbers;
+    std::map<const Declaration*, std::size_t> numbers;
+    for (const auto& root : roots) shape.push_back(root->reading.diagnostics.errors());
     for (const auto& file : names.files()) {
         shape.push_back(names.uses(*file).size());
         for (const Use& use : names.uses(*file))
-            shape.push_back(numbers.emplace(use.key, numbers.size()).first->second);
+            shape.push_back(numbers.emplace(use.element, numbers.size()).first->second);
     }
     return shape;
 }
 
-std::shared_ptr<const Parsed> with_edits(const Parsed& file, std::vector<std::pair<Span, std::string>> edits) {
-    std::ranges::sort(edits, std::greater{}, [](const auto& edit) { return edit.first.begin; });
-    std::string text = file.text->bytes();
-    for (const auto& [where, replacement] : edits) text.replace(where.begin, where.end - where.begin, replacement);
-    auto parsed = std::make_shared<Parsed>();
-    parsed->path = file.path;
-    parsed->text = std::make_shared<const Text>(std::move(text));
-    Sources sources;
-    Diagnostics diagnostics;
-    parsed->tree = parse_file(sources.add({file.path, parsed->text->bytes()}), sources, diagnostics);
-    parsed->broken = parsed->tree.broken;
-    return parsed;
+std::string with_edits(std::string text, std::vector<Span> places, const std::string& replacement) {
+    std::ranges::sort(places, std::greater{}, &Span::begin);
+    for (const Span& where : places) text.replace(where.begin, where.end - where.begin, replacement);
+    return text;
 }
 
 }  // namespace
 
-Renaming renamed(const Names& names, const std::string& key, const std::string& name) {
-    const Declaration* const element = names.element(key);
-    if (element == nullptr) return {{}, "there is no name here"};
-    const bool numbers = element->kind == DeclarationKind::Step || element->kind == DeclarationKind::Location ||
-                         element->kind == DeclarationKind::Transition;
+std::unique_ptr<const Names> names_of(Workspace& workspace, const std::vector<std::shared_ptr<const Root>>& roots) {
+    std::map<std::string, std::shared_ptr<const Parsed>> files;
+    std::vector<Recording> recordings;
+    for (const auto& root : roots) {
+        Recording& recording = recordings.emplace_back();
+        recording.references = &root->references;
+        for (const Source& source : root->reading.sources) {
+            auto& file = files[workspace.key(source.name)];
+            if (file == nullptr)
+                file = source.name.starts_with('<') ? library_file(source.name) : workspace.parsed(source.name);
+            recording.files.push_back(file);
+        }
+    }
+    return std::make_unique<const Names>(recordings);
+}
+
+Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<const Root>>& roots, const Names& names,
+                 const Declaration& element, const std::string& name) {
+    const bool numbers = element.kind == DeclarationKind::Step || element.kind == DeclarationKind::Location ||
+                         element.kind == DeclarationKind::Transition;
     if (!is_name(name, numbers)) return {{}, fmt::format("`{}` is not a valid name here", name)};
-    if (std::string obstacle = obstacle_of(names, *element); !obstacle.empty()) return {{}, std::move(obstacle)};
+    if (std::string obstacle = obstacle_of(names, element); !obstacle.empty()) return {{}, std::move(obstacle)};
     Renaming result;
-    std::map<const Parsed*, std::vector<std::pair<Span, std::string>>> edits;
-    for (const FileUse& each : names.everywhere(key)) {
-        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", element->name)};
-        const Span where = {each.use.where.source, each.use.where.begin + each.use.skipped, each.use.where.end};
-        edits[each.file].emplace_back(where, name);
+    std::map<const Parsed*, std::vector<Span>> edits;
+    for (const FileUse& each : names.everywhere(element)) {
+        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", element.name)};
+        if (!each.file->is_language)
+            return {{},
+                    fmt::format("`{}` occurs in `{}`, which is not a text of the grafcet language; change all files "
+                                "manually",
+                                element.name, each.file->path)};
+        const Span where = each.use.name();
+        edits[each.file].push_back(where);
         result.edits.push_back({{each.file->path, each.file->text->range(where.begin, where.end)}, name});
     }
-    Files files;
-    for (const auto& file : names.files()) {
-        if (is_of_library(*file)) continue;  // the files of the component library are added again when they are used
-        const auto changed = edits.find(file.get());
-        files.push_back(changed == edits.end() ? file : with_edits(*file, changed->second));
-    }
-    if (shape_of(Names(std::move(files))) != shape_of(names))
+    Workspace changed = workspace;
+    for (const auto& [file, places] : edits)
+        changed.open(workspace.uri_of(file->path), 0, with_edits(file->text->bytes(), places, name));
+    std::vector<std::shared_ptr<const Root>> after;
+    for (const auto& root : roots) after.push_back(DiagnosticStore().read(root->path, changed));
+    if (shape_of(*names_of(changed, after), after) != shape_of(names, roots))
         return {{},
-                fmt::format("`{}` is already declared in the scope of `{}`; choose another name", name, element->name)};
+                fmt::format("`{}` is already declared in the scope of `{}`; choose another name", name, element.name)};
     return result;
 }
 

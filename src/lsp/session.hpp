@@ -58,13 +58,12 @@ private:
     struct Pointed {
         std::shared_ptr<const Parsed> file = {};
         const Names* names = nullptr;
-        std::string key = {};  ///< key of the element at the position; may be empty
-        Span where = {};
-        std::uint32_t skipped = 0;
+        const Declaration* element = nullptr;  ///< the element at the position, or null
+        Span where = {};                       ///< position of its name; includes the `X` of a step variable
     };
     static Json feature_capabilities();
     std::shared_ptr<const Parsed> parsed(const Json& params);
-    const Names& names(const Parsed& file);
+    const Names& names(const std::string& path);
     Pointed pointed(const Json& params);
     Json place_json(const Parsed& file, Span where) const;
     Json hover(const Json& params);
@@ -110,8 +109,9 @@ private:
     static constexpr int not_initialized = -32002, request_failed = -32803, request_cancelled = -32800;
 
     Workspace workspace_;
-    std::unique_ptr<const Names> names_ = {};
     DiagnosticStore board_ = {};
+    std::vector<std::shared_ptr<const Root>> named_ = {};  ///< the roots of `names_`
+    std::unique_ptr<const Names> names_ = {};
     bool dirty_ = false;  ///< true if a text has changed, or the client lacks the diagnostics
     std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models have not been requested yet
     std::map<std::string, std::string> published_ = {};     ///< the last published diagnostics for each address

@@ -122,6 +122,7 @@ std::shared_ptr<const Parsed> Workspace::parsed(const std::string& path) {
     if (format == FileFormat::Grafcet || format == FileFormat::Unknown) {
         Sources sources;
         Diagnostics diagnostics;
+        parsed->is_language = true;
         parsed->tree = parse_file(sources.add({path, text->bytes()}), sources, diagnostics);
         parsed->broken = parsed->tree.broken;
     }
@@ -142,21 +143,6 @@ std::vector<std::string> Workspace::includes(const Parsed& file) {
         if (const auto* include = std::get_if<tree::Include>(&declaration))
             paths.push_back(path_of_include(file.path, include->path, context));
     return paths;
-}
-
-Files Workspace::closure(const std::string& path) {
-    Files found;
-    std::set<std::string> seen = {key(path)};
-    std::vector<std::string> waiting = {path};
-    while (!waiting.empty()) {
-        const auto file = parsed(waiting.back());
-        waiting.pop_back();
-        if (file == nullptr) continue;
-        found.push_back(file);
-        for (std::string& included : includes(*file))
-            if (seen.insert(key(included)).second) waiting.push_back(std::move(included));
-    }
-    return found;
 }
 
 void Workspace::scan() {
@@ -194,18 +180,9 @@ std::vector<std::string> Workspace::roots(const std::string& path) {
     return found;
 }
 
-Files Workspace::related(const std::string& path) {
-    Files found;
-    std::set<std::string> seen;
-    for (const std::string& root : roots(path))
-        for (const auto& file : closure(root))
-            if (seen.insert(key(file->path)).second) found.push_back(file);
-    return found;
-}
-
 // -- parsing ----------------------------------------------------------------------------------------------------------
 
-ParseResult Workspace::reading(const std::string& path, Inputs& inputs) {
+ParseResult Workspace::reading(const std::string& path, Inputs& inputs, References& references) {
     ParseResult reading;
     const auto main = text(path);
     inputs.emplace_back(path, main);
@@ -213,6 +190,7 @@ ParseResult Workspace::reading(const std::string& path, Inputs& inputs) {
     const Id<Source> file = reading.sources.add({path, main->bytes()});
     const Reach reach(path, include_folders_, within_);
     ReadContext context = context_of(reach, include_folders_, false);
+    context.references = &references;
     context.load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         const auto content = text(included);
         inputs.emplace_back(included, content);

@@ -35,6 +35,7 @@ struct Parsed {
     std::shared_ptr<const Text> text = {};
     tree::File tree = {};
     bool broken = false;
+    bool is_language = false;  ///< false for files in other formats
 
     std::string_view bytes(Span where) const {
         return std::string_view(text->bytes()).substr(where.begin, where.end - where.begin);
@@ -75,22 +76,19 @@ public:
     /// Returns the text of a file, or null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
     std::shared_ptr<const Parsed> parsed(const std::string& path);
-    /// Returns the file and all files that it includes.
-    Files closure(const std::string& path);
     /// Returns the paths of the file and of all files that include it.
     std::vector<std::string> roots(const std::string& path);
-    /// Returns all files whose declarations may refer to declarations of `path` or vice versa: the files of all its
-    /// roots.
-    Files related(const std::string& path);
     /// True if the workspace was too large for a complete search, so that further roots may exist.
     bool cut_short() const { return cut_short_; }
 
-    /// Parses the file with its includes.
-    ParseResult reading(const std::string& path, Inputs& inputs);
+    /// Parses the file with its includes, and records its names in `references`.
+    ParseResult reading(const std::string& path, Inputs& inputs, References& references);
     bool holds(const Inputs& inputs);
 
-private:
+    /// Returns a text that is equal for all paths to a file.
     std::string key(const std::string& path) const;
+
+private:
     std::vector<std::string> includes(const Parsed& file);
     void scan();
 

@@ -100,6 +100,7 @@ struct ReadState {
     Sources& sources;
     const ReadContext& context;
     Diagnostics& diagnostics;
+    Recorder record = {};
     Model model = {};
     std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};  ///< known names with their
                                                                                      ///< positions
@@ -114,12 +115,19 @@ bool is_new(ReadState& reading, std::unordered_map<std::string, Span>& seen, std
     return fresh;
 }
 
+/// True if the names of a declaration are resolved. Beyond errors, this also applies to repeated and broken declarations.
+bool is_resolved(const ReadState& reading, bool fresh, bool broken) {
+    return reading.record.beyond_errors() || (fresh && !broken);
+}
+
 void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& written) {
     const std::string name(file.text(written.name));
-    if (!is_new(reading, reading.charts, "chart or program", name, written.name.where)) return;
-    auto chart = written.broken ? std::nullopt : resolve_chart(file, written, reading.diagnostics);
-    if (chart) reading.model.charts.add(std::move(*chart));
-    else reading.charts_in_error.insert(name);
+    const bool fresh = is_new(reading, reading.charts, "chart or program", name, written.name.where);
+    std::optional<Chart> chart;
+    if (is_resolved(reading, fresh, written.broken))
+        chart = resolve_chart(file, written, reading.diagnostics, reading.record);
+    if (chart && fresh) reading.model.charts.add(std::move(*chart));
+    else if (fresh) reading.charts_in_error.insert(name);
 }
 
 /// Reports inputs and outputs of a program that a loop cannot declare: parts of structures, arrays and instances.
@@ -147,6 +155,7 @@ bool has_elementary_signals(const Program& program, Diagnostics& diagnostics) {
 void read_plc_program(ReadState& reading, const tree::File& file, const tree::PlcProgram& written) {
     const std::string name(file.text(written.name));
     if (!is_new(reading, reading.charts, "chart or program", name, written.name.where)) return;
+    reading.record.declare(DeclarationKind::Chart, name, written.name.where, written.where);
     reading.charts_in_error.insert(name);
     const std::string path = path_of_include(reading.sources[file.source].name, written.path, reading.context);
     std::string why = "other files are not available here";
@@ -156,8 +165,12 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
     const auto program = read_program(source, reading.sources, reading.diagnostics);
     if (!program || !has_elementary_signals(program->program(), reading.diagnostics)) return;
     reading.charts_in_error.erase(name);
-    reading.model.charts.add(
-        interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where));
+    Chart chart = interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where);
+    for (const Chart::Variable& each : chart.variables)
+        reading.record.declare(declaration_kind(each.kind), each.name, each.origin, each.origin, chart.origin);
+    for (const Chart::Step& each : chart.steps)
+        reading.record.declare(DeclarationKind::Step, each.name, each.origin, each.origin, chart.origin);
+    reading.model.charts.add(std::move(chart));
 }
 
 /// Returns the component of this name in the library, or null if there is none.
@@ -168,12 +181,14 @@ const LibraryEntry* library_entry(const ReadState& reading, std::string_view nam
 
 void read_component(ReadState& reading, const tree::File& file, const tree::Component& written) {
     const std::string name(file.text(written.name));
-    if (!is_new(reading, reading.components, "component", name, written.name.where)) return;
-    if (library_entry(reading, name) != nullptr)
+    const bool fresh = is_new(reading, reading.components, "component", name, written.name.where);
+    if (fresh && library_entry(reading, name) != nullptr)
         reading.diagnostics.add(messages::shadows_library(written.name.where, name));
-    auto component = written.broken ? std::nullopt : resolve_component(file, written, reading.diagnostics);
-    if (component) reading.model.components.add(std::move(*component));
-    else reading.components_in_error.insert(name);
+    std::optional<Component> component;
+    if (is_resolved(reading, fresh, written.broken))
+        component = resolve_component(file, written, reading.diagnostics, reading.record);
+    if (component && fresh) reading.model.components.add(std::move(*component));
+    else if (fresh) reading.components_in_error.insert(name);
 }
 
 /// Reads charts and components first, because loops refer to them independently of the order of declaration.
@@ -200,7 +215,7 @@ void take_from_library(ReadState& reading, const std::string& name) {
         const auto* written = std::get_if<tree::Component>(&declaration);
         if (written == nullptr || file.text(written->name) != name) continue;
         reading.components.emplace(name, written->name.where);
-        auto component = resolve_component(file, *written, reading.diagnostics);
+        auto component = resolve_component(file, *written, reading.diagnostics, reading.record);
         if (component) reading.model.components.add(std::move(*component));
         else reading.components_in_error.insert(name);
     }
@@ -245,11 +260,28 @@ void read_loops(ReadState& reading, const tree::File& file, const LoopContext& c
     for (const tree::Declaration& declaration : file.declarations) {
         const auto* written = std::get_if<tree::ClosedLoop>(&declaration);
         if (written == nullptr) continue;
-        if (!is_new(reading, reading.loops, "closed loop", file.text(written->name), written->name.where)) continue;
-        if (written->broken) continue;
-        auto loop = resolve_loop(file, *written, context, reading.diagnostics);
+        const bool fresh = is_new(reading, reading.loops, "closed loop", file.text(written->name), written->name.where);
+        if (!is_resolved(reading, fresh, written->broken)) continue;
+        auto loop = resolve_loop(file, *written, context, reading.diagnostics, reading.record);
         if (loop) reading.model.loops.add(std::move(*loop));
     }
+}
+
+/// Adds the declarations of the files to the model. Loops are omitted if declarations are `hidden`.
+void read_all(ReadState& reading, std::span<const tree::File> files, bool hidden) {
+    for (const tree::File& parsed : files) read_parts(reading, parsed);
+    for (const tree::File& parsed : files) take_components(reading, parsed);
+    const LoopContext loops = loop_context(reading);
+    if (!hidden)
+        for (const tree::File& parsed : files) read_loops(reading, parsed, loops);
+}
+
+/// Records the declarations and references of files with errors.
+void record_beyond_errors(std::span<const tree::File> files, Sources& sources, const ReadContext& context) {
+    *context.references = {};
+    Diagnostics ignored;
+    ReadState reading{sources, context, ignored, Recorder(context.references, true)};
+    read_all(reading, files, false);
 }
 
 }  // namespace
@@ -269,21 +301,18 @@ std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadCont
     const std::vector<tree::File> files = parse_with_includes(file, sources, context, files_missing, diagnostics);
     if (context.stop != nullptr && *context.stop) return {};
     auto model = model_of(files, files_missing, sources, context, diagnostics);
-    if (diagnostics.errors() != errors) return {};
-    return model;
+    if (diagnostics.errors() == errors) return model;
+    if (context.references != nullptr) record_beyond_errors(files, sources, context);
+    return {};
 }
 
 std::optional<Model> model_of(std::span<const tree::File> files, bool files_missing, Sources& sources,
                               const ReadContext& context, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
-    ReadState reading{sources, context, diagnostics};
-    for (const tree::File& parsed : files) read_parts(reading, parsed);
-    for (const tree::File& parsed : files) take_components(reading, parsed);
+    ReadState reading{sources, context, diagnostics, Recorder(context.references)};
     // Declarations that were omitted because of an error may define the missing names.
     const bool hidden = std::ranges::any_of(files, &tree::File::incomplete) || files_missing;
-    const LoopContext loops = loop_context(reading);
-    if (!hidden)
-        for (const tree::File& parsed : files) read_loops(reading, parsed, loops);
+    read_all(reading, files, hidden);
     if (diagnostics.errors() != errors || std::ranges::any_of(files, &tree::File::broken)) return {};
     check_settings(reading);
     if (diagnostics.errors() != errors) return {};

@@ -15,6 +15,7 @@
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/references.hpp"
 
 namespace grafverif {
 
@@ -37,6 +38,9 @@ struct ReadContext {
     std::span<const std::string> folders = {};
     /// Constants of closed loops set by the user: value by name.
     std::map<std::string, std::string, std::less<>> constants = {};
+    /// If not null: the declarations and references of the grafcet language are added to it, also those of declarations
+    /// with errors. The declarations of a PLC program are included, its references are not.
+    References* references = nullptr;
     /// Cancellation flag. After the flag is set, `read_text` soon returns an empty result with arbitrary diagnostics.
     const std::atomic<bool>* stop = nullptr;
 };

@@ -212,8 +212,10 @@ Id<Expr> Builder::binary(Op op, Id<Expr> left, Id<Expr> right, Span where) {
 }
 
 Id<Expr> Builder::bracketed(Id<Expr> expression, Span where) {
-    file_->exprs[expression].bracketed = true;
-    file_->exprs[expression].where = where;
+    Expr& inner = file_->exprs[expression];
+    inner.bracketed = true;
+    // The position of a name does not include brackets.
+    if (inner.op != Op::Name && inner.op != Op::Member && inner.op != Op::In) inner.where = where;
     return expression;
 }
 

@@ -161,6 +161,7 @@ struct Accept {
     std::string subject = {};  ///< empty if omitted
     std::string reason = {};
     Span where = {};
+    Span subject_where = {};
 };
 
 struct Partial;

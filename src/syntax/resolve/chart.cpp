@@ -35,19 +35,46 @@ bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
     return true;
 }
 
-void resolve_acceptance(ChartScope& scope, const tree::Accept& written) {
+/// Records the transition, variable or step that `accept CODE SUBJECT` names. An unknown subject is not an error here,
+/// because the analysis reports each acceptance without a finding.
+void record_subject(const ChartScope& scope, const tree::Accept& written, const WrittenChart& all) {
+    const Chart& chart = scope.chart;
+    const std::string_view subject = written.subject;
+    const std::size_t dot = subject.rfind('.') + 1;  // 0 if there is no dot, because npos + 1 is 0
+    const std::string_view name = subject.substr(dot), partial = subject.substr(0, dot == 0 ? 0 : dot - 1);
+    const Span where = last_name(written.subject_where, name);
+    for (const WrittenTransition& each : all.transitions)
+        if (dot == 0 && each.transition->name.valid() && scope.text(each.transition->name) == name)
+            return scope.record.refer(where, each.transition->name.where);
+    for (const Chart::Variable& variable : chart.variables)
+        if (dot == 0 && variable.name == name) return scope.record.refer(where, variable.origin);
+    for (const Id<Chart::Step> step : chart.steps.ids()) {
+        if (step_variable(chart, step) != subject) continue;
+        const Chart::PartialChart& owner = chart.partial_charts[chart.steps[step].chart];
+        scope.record.refer(where, chart.steps[step].origin);
+        const std::uint32_t begin = written.subject_where.begin,
+                            end = begin + static_cast<std::uint32_t>(partial.size());
+        if (dot != 0) scope.record.refer({where.source, begin, end}, owner.origin);
+        return;
+    }
+}
+
+void resolve_acceptance(ChartScope& scope, const tree::Accept& written, const WrittenChart& all) {
     if (std::ranges::find(finding_kinds(), written.code, &FindingKind::code) == finding_kinds().end())
         scope.diagnostics.add(messages::unknown_finding(written.where, written.code));
+    record_subject(scope, written, all);
     scope.chart.accepted.push_back({written.code, written.subject, written.reason, written.where});
 }
 
 }  // namespace
 
-std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics) {
+std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
+                                   Recorder record) {
     const std::size_t errors = diagnostics.errors();
-    ChartScope scope{file, diagnostics};
+    ChartScope scope{file, diagnostics, record};
     scope.chart.name = file.text(written.name);
     scope.chart.origin = written.name.where;
+    record.declare(DeclarationKind::Chart, scope.chart.name, written.name.where, written.where);
     for (const tree::ChartItem& item : written.items)
         if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_variables(scope, *variables);
     const WrittenChart all = declare_steps(scope, written);
@@ -64,7 +91,8 @@ std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& wr
             scope.chart.constraints.push_back({condition, constraint->where});
     }
     for (const tree::ChartItem& item : written.items)
-        if (const auto* accept = std::get_if<tree::Accept>(&item)) resolve_acceptance(scope, *accept);
+        if (const auto* accept = std::get_if<tree::Accept>(&item)) resolve_acceptance(scope, *accept, all);
+    if (record.beyond_errors()) return std::move(scope.chart);
     if (diagnostics.errors() != errors) return {};
     check_reachability(scope.chart, diagnostics);
     if (diagnostics.errors() != errors) return {};

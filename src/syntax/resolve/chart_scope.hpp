@@ -12,6 +12,7 @@
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/references.hpp"
 #include "syntax/resolve/terms.hpp"
 
 namespace grafverif {
@@ -19,6 +20,7 @@ namespace grafverif {
 struct ChartScope {
     const tree::File& file;
     Diagnostics& diagnostics;
+    Recorder record = {};
     Chart chart = {};
 
     std::unordered_map<Id<tree::Word>, Id<Chart::Variable>> variables = {};

@@ -63,18 +63,20 @@ void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) 
 }  // namespace
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
-                                           Diagnostics& diagnostics) {
+                                           Diagnostics& diagnostics, Recorder record) {
     const std::size_t errors = diagnostics.errors();
-    ComponentScope scope{file, diagnostics};
+    ComponentScope scope{file, diagnostics, record};
     scope.component.name = file.text(written.name);
     scope.component.origin = written.name.where;
+    record.declare(DeclarationKind::Component, scope.component.name, written.name.where, written.where);
     scope.component.summary = summary(file, written);
     resolve_parameters(scope, written);
     for (const tree::ComponentItem& item : written.items) {
         if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_own_variables(scope, *variables);
         if (const auto* clocks = std::get_if<tree::Clocks>(&item))
             for (const tree::Name& name : clocks->names)
-                declare(scope, name, scope.component.clocks.add({std::string(file.text(name)), name.where}));
+                declare(scope, name, scope.component.clocks.add({std::string(file.text(name)), name.where}),
+                        name.where);
         if (const auto* location = std::get_if<tree::Location>(&item)) declare_location(scope, *location);
     }
     if (scope.component.locations.empty())
@@ -84,7 +86,7 @@ std::optional<Component> resolve_component(const tree::File& file, const tree::C
         if (const auto* edge = std::get_if<tree::Edge>(&item)) resolve_edge(scope, *edge);
         if (const auto* constraint = std::get_if<tree::Constraint>(&item)) resolve_constraint(scope, *constraint);
     }
-    if (diagnostics.errors() != errors) return {};
+    if (diagnostics.errors() != errors && !record.beyond_errors()) return {};
     return std::move(scope.component);
 }
 

@@ -9,6 +9,7 @@
 #include "grafverif/ir/component.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/references.hpp"
 #include "syntax/resolve/terms.hpp"
 
 namespace grafverif {
@@ -18,6 +19,7 @@ struct ComponentScope {
 
     const tree::File& file;
     Diagnostics& diagnostics;
+    Recorder record = {};
     Component component = {};
 
     std::unordered_map<Id<tree::Word>, Symbol> symbols = {};
@@ -32,7 +34,7 @@ TermKind kind_of(Component::ValueKind kind);
 // -- parameters.cpp
 void resolve_parameters(ComponentScope& scope, const tree::Component& written);
 void resolve_own_variables(ComponentScope& scope, const tree::Variables& written);
-void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol);
+void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol, Span whole);
 /// Returns the resolver of terms with all names: guards and assignments.
 Terms all_terms(ComponentScope& scope);
 /// Returns the resolver of terms with constants only: ranges, defaults, bounds and values at power-on. `user` is named

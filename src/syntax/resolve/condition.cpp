@@ -82,10 +82,12 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
         return {};
     }
     Id<Chart::PartialChart> partial;
-    if (scope.partials.contains(owner.word)) partial = scope.partials.at(owner.word);
+    if (scope.partials.contains(owner.word)) partial = partial_named(scope, {owner.word, owner.where});
     else if (report_step_member(scope, node)) return {};
-    else if (scope.file.text(owner.word) == scope.chart.name) partial = Id<Chart::PartialChart>{0};
-    else partial = partial_named(scope, {owner.word, owner.where});
+    else if (scope.file.text(owner.word) == scope.chart.name) {
+        partial = Id<Chart::PartialChart>{0};
+        scope.record.refer(owner.where, scope.chart.origin);
+    } else partial = partial_named(scope, {owner.word, owner.where});
     if (!partial.valid()) return {};
     const auto found =
         name.size() > 1 && name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
@@ -98,6 +100,15 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
             if (step.chart == partial) nearest.offer('X', step.name);
     scope.diagnostics.add(messages::unknown(node.where, "step", name, nearest.best()));
     return {};
+}
+
+/// Records the variable or step that a name denotes.
+void record_leaf(ChartScope& scope, const tree::Expr& node, const Term& term) {
+    if (term.kind == TermKind::Wrong) return;
+    const Expr& leaf = scope.chart.exprs[term.expr];
+    const auto index = static_cast<std::uint32_t>(leaf.value);
+    scope.record.refer(last_name(node.where, scope.file.text(node.word)),
+                       leaf.op == Op::Step ? scope.chart.steps[{index}].origin : scope.chart.variables[{index}].origin);
 }
 
 // -- time ------------------------------------------------------------------------------------------------------------
@@ -141,7 +152,9 @@ Terms terms_of(ChartScope& scope) {
     Terms terms(scope.file, scope.chart.exprs, scope.diagnostics);
     terms.edges_allowed = true;
     terms.name = [&scope](const tree::Expr& node) {
-        return node.op == tree::Op::Name ? name_term(scope, node) : member_term(scope, node);
+        const Term term = node.op == tree::Op::Name ? name_term(scope, node) : member_term(scope, node);
+        record_leaf(scope, node, term);
+        return term;
     };
     terms.special = [&scope](const tree::Expr& node) { return special_term(scope, node); };
     return terms;
@@ -155,12 +168,16 @@ Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::Par
 
 Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label) {
     const auto found = scope.steps[here.index].find(label.word);
-    if (found != scope.steps[here.index].end()) return found->second;
+    if (found != scope.steps[here.index].end()) {
+        scope.record.refer(label.where, scope.chart.steps[found->second].origin);
+        return found->second;
+    }
     const std::string_view name = scope.text(label);
     if (scope.diagnostics.full()) return {};
     const auto elsewhere = scope.steps_by_name.find(name);
     if (elsewhere != scope.steps_by_name.end()) {
         const Id<Chart::PartialChart> partial = scope.chart.steps[elsewhere->second.front()].chart;
+        scope.record.refer(label.where, scope.chart.steps[elsewhere->second.front()].origin);
         scope.diagnostics.add(
             messages::step_of_other_chart(label.where, name, scope.chart.partial_charts[partial].name));
         return {};
@@ -175,7 +192,10 @@ Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::N
 
 Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name) {
     const auto found = scope.partials.find(name.word);
-    if (found != scope.partials.end()) return found->second;
+    if (found != scope.partials.end()) {
+        scope.record.refer(name.where, scope.chart.partial_charts[found->second].origin);
+        return found->second;
+    }
     if (scope.diagnostics.full()) return {};
     Nearest nearest(scope.text(name));
     for (const Chart::PartialChart& partial : scope.chart.partial_charts)

@@ -113,6 +113,11 @@ void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written) {
             for (const tree::Variable& variable : group->variables) {
                 all.push_back(&variable);
                 scope.below.insert(scope.text(variable.name));
+                const auto [known, fresh] = scope.constants.try_emplace(scope.text(variable.name), variable.name.where);
+                if (fresh)
+                    scope.record.declare(DeclarationKind::Constant, known->first, known->second, variable.where,
+                                         scope.loop.origin);
+                else scope.record.refer(variable.name.where, known->second);
             }
     for (const tree::Variable* variable : all) {
         const std::size_t errors = scope.diagnostics.errors();
@@ -143,7 +148,10 @@ void check_constant_names(LoopScope& scope) {
     }
 }
 
-std::optional<Term> constant_named(LoopScope& scope, std::string_view name) {
+std::optional<Term> constant_named(LoopScope& scope, std::string_view name, Span where) {
+    const auto known = scope.constants.find(name);
+    if (known == scope.constants.end()) return {};
+    scope.record.refer(where, known->second);
     for (const Named& constant : scope.loop.constants) {
         if (constant.name != name) continue;
         Exprs& exprs = scope.loop.exprs;
@@ -162,7 +170,7 @@ Terms constant_terms(LoopScope& scope, std::string_view user) {
         const bool simple = node.op == tree::Op::Name;
         const std::string_view name = scope.file.text(node.word);
         if (simple)
-            if (const auto constant = constant_named(scope, name)) return *constant;
+            if (const auto constant = constant_named(scope, name, node.where)) return *constant;
         if (simple && scope.valueless.contains(name)) return Term{};
         if (simple && scope.below.contains(name)) scope.diagnostics.add(messages::constant_below(node.where, name));
         else scope.diagnostics.add(messages::not_constant(node.where, user));

@@ -40,8 +40,11 @@ void fail(LoopScope& scope, Binding& binding, Diagnostic diagnostic) {
 
 Id<Component> component_named(LoopScope& scope, tree::Name name) {
     const auto found = scope.components.find(scope.text(name));
-    if (found != scope.components.end()) return found->second;
-    scope.incomplete = true;
+    if (found != scope.components.end()) {
+        scope.record.refer(name.where, scope.context.model.components[found->second].origin);
+        return found->second;
+    }
+    scope.incomplete = !scope.record.beyond_errors();
     if (scope.context.components_in_error.contains(std::string(scope.text(name)))) return {};
     Nearest nearest(scope.text(name));
     std::string known;
@@ -64,7 +67,7 @@ std::string example(const Parameter& parameter) {
 }
 
 /// A parameter of a fault without an argument has that of the parameter with the same name and type of its instance.
-bool inherit(Binding& binding, Id<Parameter> id) {
+bool inherit(const LoopScope& scope, Binding& binding, Id<Parameter> id) {
     if (binding.of == nullptr) return false;
     const Parameter& parameter = binding.component->parameters[id];
     const auto& known = binding.of->component->parameters;
@@ -72,6 +75,7 @@ bool inherit(Binding& binding, Id<Parameter> id) {
         return each.name == parameter.name && each.kind == parameter.kind && each.value == parameter.value;
     });
     if (same == known.end()) return false;
+    scope.record.share(parameter.origin, same->origin);
     binding.instance.arguments[id.index] =
         binding.of->instance.arguments[static_cast<std::size_t>(same - known.begin())];
     return true;
@@ -85,6 +89,8 @@ void match_arguments(LoopScope& scope, Binding& binding) {
     for (const tree::Argument& argument : binding.written->arguments) {
         const std::string_view name = scope.text(argument.parameter);
         const auto found = parameters.find(name);
+        if (found != parameters.end())
+            scope.record.refer(argument.parameter.where, component.parameters[found->second].origin);
         if (found == parameters.end()) {
             Nearest nearest(name);
             for (const Parameter& parameter : component.parameters) nearest.offer(parameter.name);
@@ -96,11 +102,11 @@ void match_arguments(LoopScope& scope, Binding& binding) {
             given = &argument;
         }
     }
-    if (binding.wrong) return;
+    if (binding.wrong && !scope.record.beyond_errors()) return;
     for (const Id<Parameter> id : component.parameters.ids()) {
         const Parameter& parameter = component.parameters[id];
         const bool optional = parameter.kind == Component::ParameterKind::Constant && parameter.initial.has_value();
-        binding.bound.push_back(binding.given[id.index] != nullptr || inherit(binding, id));
+        binding.bound.push_back(binding.given[id.index] != nullptr || inherit(scope, binding, id));
         if (!binding.bound.back() && !optional)
             fail(scope, binding,
                  messages::missing_argument(binding.written->component.where, component.name, parameter.name,
@@ -172,6 +178,7 @@ std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, I
 
 std::optional<Type> output_type(LoopScope& scope, Binding& binding, const Parameter& parameter) {
     if (parameter.value == Component::ValueKind::Boolean) return Type{};
+    if (!parameter.low || !parameter.high) return {};  // only beyond errors
     const auto low = value_of(scope, binding, *parameter.low);
     const auto high = low ? value_of(scope, binding, *parameter.high) : std::nullopt;
     if (!low || !high) return {};
@@ -185,11 +192,16 @@ std::optional<Type> output_type(LoopScope& scope, Binding& binding, const Parame
 void bind_output(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const auto name = bound_name(scope, binding, id);
     if (!name) return;
-    const auto type = output_type(scope, binding, binding.component->parameters[id]);
+    auto type = output_type(scope, binding, binding.component->parameters[id]);
+    if (!type && scope.record.beyond_errors()) type = Type{};
     if (!type) return;
-    const Span where = scope.file.exprs[binding.given[id.index]->value].where;
+    const tree::Argument& given = *binding.given[id.index];
+    const Span where = scope.file.exprs[given.value].where;
     const Id<ClosedLoop::Shared> shared = shared_named(scope, *name, *type, where);
     const ClosedLoop::Shared& known = scope.loop.shared[shared];
+    if (known.origin.begin == where.begin && known.origin.source == where.source)
+        scope.record.declare(DeclarationKind::PlantVariable, *name, where, given.where, scope.loop.origin);
+    scope.record.refer(where, known.origin, true);
     std::string& writer = scope.instance_writers[shared.index];
     if (known.writer.valid() || !writer.empty()) {
         const std::string& first = known.writer.valid() ? scope.loop.controllers[known.writer].name : writer;
@@ -223,11 +235,24 @@ void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
         return;
     }
     const ClosedLoop::Shared& shared = scope.loop.shared[named->second];
+    scope.record.refer(value.where, shared.origin);
     if (shared.type.boolean != boolean)
         return fail(
             scope, binding,
             messages::argument_type(value.where, shared.name, described(shared.type.boolean), described(boolean)));
     binding.instance.arguments[id.index] = named->second;
+}
+
+/// Binds the inputs of an instance. Beyond errors, inputs may lack an argument, and the component may be unknown.
+void bind_inputs(LoopScope& scope, Binding& binding) {
+    if (binding.wrong && !scope.record.beyond_errors()) return;
+    if (binding.component == nullptr)
+        for (const tree::Argument& argument : binding.written->arguments) port_terms(scope).resolve(argument.value);
+    else
+        for (const Id<Parameter> id : binding.component->parameters.ids())
+            if (binding.component->parameters[id].kind == Component::ParameterKind::Input &&
+                binding.given[id.index] != nullptr)
+                bind_input(scope, binding, id);
 }
 
 void choose_location(LoopScope& scope, Binding& binding) {
@@ -243,6 +268,7 @@ void choose_location(LoopScope& scope, Binding& binding) {
     for (const Id<Component::Location> id : binding.component->locations.ids()) {
         const std::string& location = binding.component->locations[id].name;
         if (location == scope.text(name)) {
+            scope.record.refer(name.where, binding.component->locations[id].origin);
             binding.instance.initial = id;
             return;
         }
@@ -275,12 +301,12 @@ bool bind_constants(LoopScope& scope, Binding& binding) {
     binding.component = &scope.context.model.components[binding.instance.component];
     binding.instance.arguments.resize(binding.component->parameters.size(), std::int64_t{0});
     match_arguments(scope, binding);
-    if (binding.wrong) return false;
+    if (binding.wrong && !scope.record.beyond_errors()) return false;
     for (const Id<Parameter> id : binding.component->parameters.ids())
         if (binding.given[id.index] != nullptr &&
             binding.component->parameters[id].kind == Component::ParameterKind::Constant)
             bind_given_constant(scope, binding, id);
-    if (binding.wrong) return false;
+    if (binding.wrong && !scope.record.beyond_errors()) return false;
     bind_defaults(scope, binding);
     return true;
 }
@@ -288,17 +314,23 @@ bool bind_constants(LoopScope& scope, Binding& binding) {
 Binding bind_instance(LoopScope& scope, const tree::Instance& written) {
     Binding binding = begin(scope, written);
     const auto [known, fresh] = scope.instances.try_emplace(scope.text(written.name));
-    if (!fresh && known->second.valid())
-        fail(scope, binding,
-             messages::duplicate_name(written.name.where, "instance", binding.instance.name,
-                                      scope.loop.instances[known->second].origin));
+    if (fresh) {
+        scope.record.declare(DeclarationKind::Instance, binding.instance.name, written.name.where, written.where,
+                             scope.loop.origin);
+    } else if (known->second.valid()) {
+        const Span first = scope.loop.instances[known->second].origin;
+        scope.record.refer(written.name.where, first);
+        fail(scope, binding, messages::duplicate_name(written.name.where, "instance", binding.instance.name, first));
+    }
     if (!binding.instance.component.valid()) {
         binding.wrong = true;
         return binding;
     }
     if (!bind_constants(scope, binding)) return binding;
     for (const Id<Parameter> id : binding.component->parameters.ids())
-        if (binding.component->parameters[id].kind == Component::ParameterKind::Output) bind_output(scope, binding, id);
+        if (binding.component->parameters[id].kind == Component::ParameterKind::Output &&
+            binding.given[id.index] != nullptr)
+            bind_output(scope, binding, id);
     choose_location(scope, binding);
     return binding;
 }
@@ -329,7 +361,10 @@ void bind_output_of_fault(LoopScope& scope, Binding& binding, Id<Parameter> id) 
         const auto name = bound_name(scope, binding, id);
         if (!name) return;
         const auto known = scope.shared.find(std::string(*name));
-        if (known != scope.shared.end()) binding.instance.arguments[id.index] = known->second;
+        if (known != scope.shared.end()) {
+            binding.instance.arguments[id.index] = known->second;
+            scope.record.refer(where, scope.loop.shared[known->second].origin, true);
+        }
     }
     const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&binding.instance.arguments[id.index]);
     const Id<Parameter> normal = shared == nullptr ? Id<Parameter>{} : writer_of(*binding.of, *shared);
@@ -400,10 +435,15 @@ void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vect
     const auto& known = scope.loop.faults;
     const auto first = std::ranges::find_if(
         known, [&](const ClosedLoop::Fault& each) { return each.behaviour.name == binding.instance.name; });
-    if (first != known.end())
+    if (first == known.end()) {
+        scope.record.declare(DeclarationKind::Fault, binding.instance.name, written.behaviour.name.where, written.where,
+                             scope.loop.origin);
+    } else {
+        scope.record.refer(written.behaviour.name.where, first->behaviour.origin);
         fail(scope, binding,
              messages::duplicate_name(written.behaviour.name.where, "fault", binding.instance.name,
                                       first->behaviour.origin));
+    }
     const auto of = scope.instances.find(scope.text(written.of));
     if (of == scope.instances.end() || !of->second.valid()) {
         Nearest nearest(scope.text(written.of));
@@ -412,6 +452,7 @@ void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vect
         return;
     }
     Binding instance = bindings[of->second.index];
+    scope.record.refer(written.of.where, instance.instance.origin);
     if (instance.wrong || !binding.instance.component.valid()) return;
     instance.instance = scope.loop.instances[of->second];
     binding.of = &instance;
@@ -435,11 +476,9 @@ void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written) {
     }
     for (std::uint32_t index = 0; index < bindings.size(); ++index) {
         Binding& binding = bindings[index];
-        if (binding.wrong) continue;
-        for (const Id<Parameter> id : binding.component->parameters.ids())
-            if (binding.component->parameters[id].kind == Component::ParameterKind::Input)
-                bind_input(scope, binding, id);
-        scope.loop.instances[Id<ClosedLoop::Instance>{index}] = binding.instance;
+        const bool wrong = binding.wrong;
+        bind_inputs(scope, binding);
+        if (!wrong) scope.loop.instances[Id<ClosedLoop::Instance>{index}] = binding.instance;
     }
     for (const tree::LoopItem& item : written.items)
         if (const auto* fault = std::get_if<tree::Fault>(&item)) resolve_fault(scope, *fault, bindings);

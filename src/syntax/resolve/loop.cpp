@@ -44,8 +44,11 @@ std::optional<Value> choice(LoopScope& scope, tree::Name name, std::string_view 
 
 Id<Chart> chart_named(LoopScope& scope, tree::Name name) {
     const auto found = scope.charts.find(scope.text(name));
-    if (found != scope.charts.end()) return found->second;
-    scope.incomplete = true;
+    if (found != scope.charts.end()) {
+        scope.record.refer(name.where, scope.context.model.charts[found->second].origin);
+        return found->second;
+    }
+    scope.incomplete = !scope.record.beyond_errors();
     if (scope.context.charts_in_error.contains(std::string(scope.text(name)))) return {};
     Nearest nearest(scope.text(name));
     for (const Chart& chart : scope.context.model.charts) nearest.offer(chart.name);
@@ -112,6 +115,7 @@ void share_input(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Cha
     const Chart::Variable& variable = scope.chart(controller).variables[id];
     const Id<ClosedLoop::Shared> shared = shared_named(scope, variable.name, variable.type, variable.origin);
     ClosedLoop::Shared& known = scope.loop.shared[shared];
+    scope.record.share(variable.origin, known.origin);
     const Span where = scope.loop.controllers[controller].origin;
     if (known.type.boolean != variable.type.boolean) {
         scope.diagnostics.add(
@@ -133,6 +137,7 @@ void share_output(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Ch
     const Chart::Variable& variable = scope.chart(controller).variables[id];
     const Id<ClosedLoop::Shared> shared = shared_named(scope, variable.name, variable.type, variable.origin);
     ClosedLoop::Shared& known = scope.loop.shared[shared];
+    scope.record.share(variable.origin, known.origin);
     if (known.writer.valid()) {
         scope.diagnostics.add(messages::second_writer(scope.loop.controllers[controller].origin, variable.name,
                                                       scope.loop.controllers[known.writer].name,
@@ -229,9 +234,14 @@ std::int64_t count_of(LoopScope& scope, Id<tree::Expr> written) {
 void resolve_property(LoopScope& scope, const tree::Property& written,
                       std::unordered_map<std::string_view, Span>& names) {
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
-    if (!fresh)
+    if (fresh) {
+        scope.record.declare(DeclarationKind::Property, scope.text(written.name), written.name.where, written.where,
+                             scope.loop.origin);
+    } else {
+        scope.record.refer(written.name.where, known->second);
         scope.diagnostics.add(
             messages::duplicate_name(written.name.where, "property", scope.text(written.name), known->second));
+    }
     Property property;
     property.name = scope.text(written.name);
     property.text = written.text;
@@ -296,11 +306,12 @@ void check_driven(LoopScope& scope, Span loop) {
 }  // namespace
 
 std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
-                                       const LoopContext& context, Diagnostics& diagnostics) {
+                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record) {
     const std::size_t errors = diagnostics.errors();
-    LoopScope scope{file, context, diagnostics};
+    LoopScope scope{file, context, diagnostics, record};
     scope.loop.name = file.text(written.name);
     scope.loop.origin = written.name.where;
+    record.declare(DeclarationKind::Loop, scope.loop.name, written.name.where, written.where);
     for (const Id<Chart> id : context.model.charts.ids()) scope.charts.emplace(context.model.charts[id].name, id);
     for (const Id<Component> id : context.model.components.ids())
         scope.components.emplace(context.model.components[id].name, id);

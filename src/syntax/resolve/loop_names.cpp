@@ -114,6 +114,7 @@ std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::str
     const auto internal = internal_named(scope, controller, name);
     if (direct && internal) {
         if (report_step_or_variable(scope, controller, name, where)) return Term{};
+        scope.record.refer(last_name(where, name), chart.variables[*internal].origin);
         return internal_term(scope, controller, *internal);
     }
     const auto steps = name.size() > 1 && name[0] == 'X' ? known.steps.find(name.substr(1)) : known.steps.end();
@@ -122,7 +123,10 @@ std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::str
     for (const Id<Chart::Step> step : steps->second)
         if (!partial || chart.steps[step].chart == *partial) meant.push_back(step);
     if (meant.empty()) return {};
-    if (meant.size() == 1) return symbol_term(scope, ClosedLoop::StepSymbol{controller, meant.front()});
+    if (meant.size() == 1) {
+        scope.record.refer(last_name(where, name), chart.steps[meant.front()].origin);
+        return symbol_term(scope, ClosedLoop::StepSymbol{controller, meant.front()});
+    }
     scope.diagnostics.add(messages::ambiguous(where, name, qualified(scope, controller, step_variable(chart, meant[0])),
                                               qualified(scope, controller, step_variable(chart, meant[1]))));
     return Term{};
@@ -135,22 +139,28 @@ Term own_term(LoopScope& scope, Id<ClosedLoop::Instance> instance, Id<Component:
 }
 
 /// Resolves `Gate_X`. Traces and models use this name for the variable `X` of `Gate`.
-std::optional<Term> display_name(LoopScope& scope, std::string_view name) {
+std::optional<Term> display_name(LoopScope& scope, Span where, std::string_view name) {
     for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
         const ClosedLoop::Instance& instance = scope.loop.instances[id];
         if (!instance.component.valid() || !name.starts_with(instance.name + '_')) continue;
         const Component& component = scope.context.model.components[instance.component];
-        for (const Id<Component::Variable> variable : component.variables.ids())
-            if (component.variables[variable].name == name.substr(instance.name.size() + 1))
-                return own_term(scope, id, variable);
+        for (const Id<Component::Variable> variable : component.variables.ids()) {
+            const Component::Variable& own = component.variables[variable];
+            if (own.name != name.substr(instance.name.size() + 1)) continue;
+            const auto middle = static_cast<std::uint32_t>(where.begin + instance.name.size());
+            scope.record.refer({where.source, where.begin, middle}, instance.origin);
+            scope.record.refer({where.source, middle + 1, where.end}, own.origin);
+            return own_term(scope, id, variable);
+        }
     }
     return {};
 }
 
 Term simple_name(LoopScope& scope, Span where, std::string_view name) {
-    if (const auto constant = constant_named(scope, name)) return *constant;
+    if (const auto constant = constant_named(scope, name, where)) return *constant;
     const auto shared = scope.shared.find(std::string(name));
     if (shared != scope.shared.end()) {
+        scope.record.refer(where, scope.loop.shared[shared->second].origin);
         for (const Id<Controller> controller : scope.loop.controllers.ids())
             if (report_step_or_variable(scope, controller, name, where)) return {};
         return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
@@ -171,7 +181,7 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
         owner = controller;
     }
     if (found) return *found;
-    if (const auto own = display_name(scope, name)) return *own;
+    if (const auto own = display_name(scope, where, name)) return *own;
     if (scope.excused.contains(name)) return {};  // an instance that contains an error may declare the name
     return unknown_name(scope, where, name);
 }
@@ -180,11 +190,15 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
 
 /// Resolves an internal variable of the instance, or the variable that is bound to its output or input `name`.
 std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, const Component& component,
-                                std::string_view name) {
-    for (const Id<Component::Variable> variable : component.variables.ids())
-        if (component.variables[variable].name == name) return own_term(scope, instance, variable);
+                                std::string_view name, Span where) {
+    for (const Id<Component::Variable> variable : component.variables.ids()) {
+        if (component.variables[variable].name != name) continue;
+        scope.record.refer(where, component.variables[variable].origin);
+        return own_term(scope, instance, variable);
+    }
     for (const Id<Component::Parameter> id : component.parameters.ids()) {
         if (component.parameters[id].name != name) continue;
+        scope.record.refer(where, component.parameters[id].origin);
         const auto& argument = scope.loop.instances[instance].arguments[id.index];
         if (const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument))
             return symbol_term(scope, ClosedLoop::SharedSymbol{*shared}, scope.loop.shared[*shared].type.boolean);
@@ -197,23 +211,26 @@ std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> insta
 
 /// Resolves `Gate.open` and `Gate in open` to a location, and `Gate.X` to a variable, unless a location has this name.
 Term state_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, const tree::Expr& node) {
-    const Span where = node.where;
+    const Span where = node.where, last = last_name(where, name);
     const Id<Component> id = scope.loop.instances[instance].component;
     if (!id.valid()) return {};
     const Component& component = scope.context.model.components[id];
     Nearest nearest(name);
     for (const Id<Component::Location> location : component.locations.ids()) {
-        if (component.locations[location].name == name)
+        if (component.locations[location].name == name) {
+            scope.record.refer(last, component.locations[location].origin);
             return symbol_term(scope, ClosedLoop::LocationSymbol{instance, location});
+        }
         nearest.offer(component.locations[location].name);
     }
     const bool place = node.op == tree::Op::In;
     if (!place) {
-        if (const auto variable = variable_of(scope, instance, component, name)) return *variable;
+        if (const auto variable = variable_of(scope, instance, component, name, last)) return *variable;
         for (const Component::Variable& variable : component.variables) nearest.offer(variable.name);
     }
     for (const Component::Clock& clock : component.clocks) {
         if (clock.name != name) continue;
+        scope.record.refer(last, clock.origin);
         scope.diagnostics.add(messages::clock_in_property(where, name));
         return {};
     }
@@ -226,7 +243,10 @@ Term observed(LoopScope& scope, Id<ClosedLoop::Observer> observer, std::string_v
     Nearest nearest(name);
     const Table<ClosedLoop::ObserverLocation>& locations = scope.loop.observers[observer].locations;
     for (const Id<ClosedLoop::ObserverLocation> location : locations.ids()) {
-        if (locations[location].name == name) return symbol_term(scope, ClosedLoop::ObserverSymbol{observer, location});
+        if (locations[location].name == name) {
+            scope.record.refer(last_name(where, name), locations[location].origin);
+            return symbol_term(scope, ClosedLoop::ObserverSymbol{observer, location});
+        }
         nearest.offer(locations[location].name);
     }
     scope.diagnostics.add(messages::unknown(where, "location", name, nearest.best()));
@@ -272,6 +292,7 @@ std::optional<Term> cell_term(LoopScope& scope, const tree::Expr& node) {
             const auto cell = internal_named(scope, controller, name);
             if (!cell) continue;
             if (report_step_or_variable(scope, controller, name, node.where)) return Term{};
+            scope.record.refer(node.where, scope.chart(controller).variables[*cell].origin);
             term = internal_term(scope, controller, *cell);
             break;
         }
@@ -300,7 +321,11 @@ Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_vie
         }
         found = controller;
     }
-    if (found) return inside_or_unknown(scope, *found, name, scope.inside[found->index].partials.at(partial), where);
+    if (found) {
+        const Id<Chart::PartialChart> id = scope.inside[found->index].partials.at(partial);
+        scope.record.refer(owner.where, scope.chart(*found).partial_charts[id].origin);
+        return inside_or_unknown(scope, *found, name, id, where);
+    }
     if (report_step_member(scope, partial, name, where)) return {};
     Nearest nearest(partial);
     for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
@@ -324,19 +349,25 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     const std::string_view name = scope.file.text(node.word);
     if (owner.op == tree::Op::Name) {
         const auto instance = scope.instances.find(scope.file.text(owner.word));
-        if (instance != scope.instances.end()) return state_of(scope, instance->second, name, node);
+        if (instance != scope.instances.end()) {
+            scope.record.refer(owner.where, scope.loop.instances[instance->second].origin);
+            return state_of(scope, instance->second, name, node);
+        }
         const auto observer = scope.observers.find(scope.file.text(owner.word));
-        if (observer != scope.observers.end()) return observed(scope, observer->second, name, node.where);
+        if (observer != scope.observers.end()) {
+            scope.record.refer(owner.where, scope.loop.observers[observer->second].origin);
+            return observed(scope, observer->second, name, node.where);
+        }
         if (node.op == tree::Op::In) return no_such_instance(scope, owner);
         const auto controller = scope.controllers.find(scope.file.text(owner.word));
         if (controller != scope.controllers.end()) {
+            const Chart& chart = scope.chart(controller->second);
+            scope.record.refer(owner.where, chart.origin);
             // If several steps have this name, `chart.X2` denotes the step that is declared directly in the grafcet.
             const auto& steps = scope.inside[controller->second.index].steps;
             const auto same = name.size() > 1 ? steps.find(name.substr(1)) : steps.end();
             const bool repeated = name[0] == 'X' && same != steps.end() && same->second.size() > 1;
-            const bool has_unnamed =
-                scope.chart(controller->second).partial_charts[Id<Chart::PartialChart>{0}].name.empty();
-            if (repeated && has_unnamed)
+            if (repeated && chart.partial_charts[Id<Chart::PartialChart>{0}].name.empty())
                 return inside_or_unknown(scope, controller->second, name, Id<Chart::PartialChart>{0}, node.where);
             return inside_or_unknown(scope, controller->second, name, {}, node.where);
         }
@@ -353,6 +384,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
                                                 scope.file.text(outer.word.valid() ? outer.word : owner.word), ""));
         return {};
     }
+    scope.record.refer(outer.where, scope.chart(controller->second).origin);
     const auto& partials = scope.inside[controller->second.index].partials;
     const auto partial = partials.find(scope.file.text(owner.word));
     if (partial == partials.end()) {
@@ -364,6 +396,8 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
             messages::unknown(owner.where, "partial chart", scope.file.text(owner.word), nearest.best()));
         return {};
     }
+    scope.record.refer(last_name(owner.where, partial->first),
+                       scope.chart(controller->second).partial_charts[partial->second].origin);
     return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
 }
 
@@ -396,10 +430,12 @@ Terms port_terms(LoopScope& scope) {
     terms.name = [&scope](const tree::Expr& node) {
         const std::string_view name = scope.file.text(node.word);
         if (node.op == tree::Op::Name) {
-            if (const auto constant = constant_named(scope, name)) return *constant;
-            if (const auto shared = scope.shared.find(std::string(name)); shared != scope.shared.end())
-                return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
-                                   scope.loop.shared[shared->second].type.boolean);
+            if (const auto constant = constant_named(scope, name, node.where)) return *constant;
+            if (const auto known = scope.shared.find(std::string(name)); known != scope.shared.end()) {
+                const ClosedLoop::Shared& shared = scope.loop.shared[known->second];
+                scope.record.refer(node.where, shared.origin);
+                return symbol_term(scope, ClosedLoop::SharedSymbol{known->second}, shared.type.boolean);
+            }
         }
         return no_signal(scope, node, name);
     };

@@ -22,6 +22,7 @@ struct LoopScope {
     const tree::File& file;
     const LoopContext& context;
     Diagnostics& diagnostics;
+    Recorder record = {};
     ClosedLoop loop = {};
 
     std::unordered_map<std::string_view, Id<Chart>> charts = {};
@@ -32,10 +33,12 @@ struct LoopScope {
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
     /// For each shared variable: the name of the instance that writes it; empty if no instance writes it.
     std::vector<std::string> instance_writers = {};
-    std::unordered_set<std::string_view> excused = {};    ///< names that instances with errors bind and may drive
-    std::unordered_set<std::string_view> below = {};      ///< constants that have not been declared yet
-    std::unordered_set<std::string_view> valueless = {};  ///< constants with an error
-    bool incomplete = false;  ///< true if an element to which the loop refers contains an error
+    std::unordered_set<std::string_view> excused = {};          ///< names that instances with errors bind and may drive
+    std::unordered_set<std::string_view> below = {};            ///< constants that have not been declared yet
+    std::unordered_set<std::string_view> valueless = {};        ///< constants with an error
+    std::unordered_map<std::string_view, Span> constants = {};  ///< positions of all constants
+    /// True if an element to which the loop refers contains an error; never true beyond errors.
+    bool incomplete = false;
 
     /// The steps, internal variables and partial charts of each controller, by name.
     struct Inside {
@@ -60,8 +63,9 @@ std::string location_list(const Component& component);
 /// other names are known, and reports conflicts of constants with these names.
 void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written);
 void check_constant_names(LoopScope& scope);
-/// Returns the value of a constant as a term, or nothing if there is no such constant.
-std::optional<Term> constant_named(LoopScope& scope, std::string_view name);
+/// Returns the value of the constant `name`, which occurs at `where`, as a term, or nothing if there is no such
+/// constant.
+std::optional<Term> constant_named(LoopScope& scope, std::string_view name, Span where);
 /// Returns the resolver of terms that read only constants. `user` is named in errors.
 Terms constant_terms(LoopScope& scope, std::string_view user);
 // -- instances.cpp

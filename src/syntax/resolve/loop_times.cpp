@@ -97,7 +97,7 @@ std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node) {
                       milliseconds(scope.file, written.fall, scope.diagnostics)};
     const bool wrong = (written.rise.valid() && times.rise_ms == 0) || (written.fall.valid() && times.fall_ms == 0);
     const Id<Expr> watched = property_terms(scope).resolve(written.watched, TermKind::Boolean, "a time condition");
-    if (!watched.valid() || wrong) return Term{};
+    if (!watched.valid() || wrong || scope.record.beyond_errors()) return Term{};
     std::vector<Timer> found;
     std::vector<std::string> others;
     for (const Timer& timer : timers_over(scope, watched)) {

@@ -16,7 +16,10 @@ using ObserverLocation = ClosedLoop::ObserverLocation;
 Id<ObserverLocation> location_named(LoopScope& scope, const Observer& observer, tree::Name name) {
     Nearest nearest(scope.text(name));
     for (const Id<ObserverLocation> id : observer.locations.ids()) {
-        if (observer.locations[id].name == scope.text(name)) return id;
+        if (observer.locations[id].name == scope.text(name)) {
+            scope.record.refer(name.where, observer.locations[id].origin);
+            return id;
+        }
         nearest.offer(observer.locations[id].name);
     }
     scope.diagnostics.add(messages::unknown(name.where, "location", scope.text(name), nearest.best()));
@@ -27,11 +30,13 @@ void declare_location(LoopScope& scope, Observer& observer, const tree::Location
     const std::string name(scope.text(written.name));
     for (const ObserverLocation& other : observer.locations)
         if (other.name == name) {
+            scope.record.refer(written.name.where, other.origin);
             scope.diagnostics.add(messages::duplicate_name(written.name.where, "location", name, other.origin));
             return;
         }
     if (written.invariant.valid())
         scope.diagnostics.add(messages::observer_blocks(scope.file.exprs[written.invariant].where, observer.name));
+    scope.record.declare(DeclarationKind::Location, name, written.name.where, written.where, observer.origin);
     const Id<ObserverLocation> location = observer.locations.add({name, written.name.where});
     if (!written.initial) return;
     if (observer.initial.valid())
@@ -51,9 +56,14 @@ void declare_observer(LoopScope& scope, const tree::Observer& written) {
         scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name,
                                                        scope.loop.instances[instance->second].origin));
     const auto [known, fresh] = scope.observers.try_emplace(scope.text(written.name));
-    if (!fresh)
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name,
-                                                       scope.loop.observers[known->second].origin));
+    if (fresh) {
+        scope.record.declare(DeclarationKind::Observer, observer.name, observer.origin, written.where,
+                             scope.loop.origin);
+    } else {
+        const Span first = scope.loop.observers[known->second].origin;
+        scope.record.refer(observer.origin, first);
+        scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name, first));
+    }
     const Id<Observer> id = scope.loop.observers.add(std::move(observer));
     if (fresh) known->second = id;
 }
@@ -176,7 +186,7 @@ void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written) {
         if (!condition.valid() || !reads_inputs_only(scope, condition, constraint->where)) continue;
         add_constraint(scope, {.condition = condition, .origin = constraint->where}, "", ++number);
     }
-    if (scope.diagnostics.errors() > 0) return;
+    if (scope.diagnostics.errors() > 0 || scope.record.beyond_errors()) return;
     take_chart_constraints(scope);
     take_component_constraints(scope);
 }

@@ -33,11 +33,30 @@ TermKind kind_of(ValueKind kind) {
     unreachable();
 }
 
-void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol) {
+namespace {
+
+DeclarationKind kind_of(const Component& component, const ComponentScope::Symbol& symbol) {
+    if (std::holds_alternative<Id<Component::Clock>>(symbol)) return DeclarationKind::Clock;
+    const auto* parameter = std::get_if<Id<Component::Parameter>>(&symbol);
+    if (parameter == nullptr) return DeclarationKind::Own;
+    switch (component.parameters[*parameter].kind) {
+    case Component::ParameterKind::Input: return DeclarationKind::InputParameter;
+    case Component::ParameterKind::Output: return DeclarationKind::OutputParameter;
+    case Component::ParameterKind::Constant: return DeclarationKind::Constant;
+    }
+    unreachable();
+}
+
+}  // namespace
+
+void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol, Span whole) {
     const auto [known, fresh] = scope.symbols.try_emplace(name.word, symbol);
-    if (!fresh)
-        scope.diagnostics.add(
-            messages::duplicate_name(name.where, "name", scope.text(name), origin(scope.component, known->second)));
+    if (fresh)
+        return scope.record.declare(kind_of(scope.component, symbol), scope.text(name), name.where, whole,
+                                    scope.component.origin);
+    const Span first = origin(scope.component, known->second);
+    scope.record.refer(name.where, first);
+    scope.diagnostics.add(messages::duplicate_name(name.where, "name", scope.text(name), first));
 }
 
 // -- names -----------------------------------------------------------------------------------------------------------
@@ -59,7 +78,8 @@ Term unknown_name(ComponentScope& scope, const tree::Expr& node) {
     return {};
 }
 
-Term symbol_term(ComponentScope& scope, const ComponentScope::Symbol& symbol) {
+Term symbol_term(ComponentScope& scope, const tree::Expr& node, const ComponentScope::Symbol& symbol) {
+    scope.record.refer(node.where, origin(scope.component, symbol));
     return std::visit(overloaded{
                           [&](Id<Component::Parameter> id) {
                               return Term{scope.component.exprs.leaf(Op::Parameter, id.index),
@@ -87,7 +107,7 @@ Terms all_terms(ComponentScope& scope) {
     Terms terms(scope.file, scope.component.exprs, scope.diagnostics);
     terms.name = [&scope](const tree::Expr& node) {
         const auto found = node.op == tree::Op::Name ? scope.symbols.find(node.word) : scope.symbols.end();
-        return found == scope.symbols.end() ? unknown_name(scope, node) : symbol_term(scope, found->second);
+        return found == scope.symbols.end() ? unknown_name(scope, node) : symbol_term(scope, node, found->second);
     };
     return terms;
 }
@@ -97,7 +117,8 @@ Terms constant_terms(ComponentScope& scope, std::string_view user) {
     terms.name = [&scope, user = std::string(user)](const tree::Expr& node) {
         const auto found = node.op == tree::Op::Name ? scope.symbols.find(node.word) : scope.symbols.end();
         if (found == scope.symbols.end()) return unknown_name(scope, node);
-        if (is_constant_symbol(scope.component, found->second)) return symbol_term(scope, found->second);
+        const Term term = symbol_term(scope, node, found->second);
+        if (is_constant_symbol(scope.component, found->second)) return term;
         scope.diagnostics.add(messages::not_constant(node.where, user));
         return Term{};
     };
@@ -260,7 +281,7 @@ void resolve_parameters(ComponentScope& scope, const tree::Component& written) {
             parameter.origin = variable.name.where;
             if (group.kind != tree::VariableKind::Constant) parameter.value = value_kind(scope, variable);
             const Id<Component::Parameter> id = scope.component.parameters.add(std::move(parameter));
-            declare(scope, variable.name, id);
+            declare(scope, variable.name, id, variable.where);
             if (group.kind == tree::VariableKind::Input) check_input(scope, variable);
             if (group.kind == tree::VariableKind::Output) outputs.emplace_back(&variable, id);
             if (group.kind == tree::VariableKind::Constant) {
@@ -284,7 +305,7 @@ void resolve_own_variables(ComponentScope& scope, const tree::Variables& written
         own.value = value_kind(scope, variable);
         own.origin = variable.name.where;
         resolve_range(scope, variable, own);
-        declare(scope, variable.name, scope.component.variables.add(std::move(own)));
+        declare(scope, variable.name, scope.component.variables.add(std::move(own)), variable.where);
     }
 }
 

@@ -18,14 +18,21 @@
 #include "grafverif/ir/component.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/references.hpp"
 
 namespace grafverif {
 
+// All functions add the declarations and references of the tree to `record`. Beyond errors, they return a result that
+// lacks the parts with errors.
+
 /// Resolves a chart; empty after at least one error. The result also represents constructs that a later stage rejects.
-std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics);
+std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
+                                   Recorder record = {});
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
-                                           Diagnostics& diagnostics);
+                                           Diagnostics& diagnostics, Recorder record = {});
+
+DeclarationKind declaration_kind(Chart::VariableKind kind);
 
 /// Charts and components to which a closed loop can refer. Charts and components with errors are known by name, so that
 /// references to them cause no further errors.
@@ -40,6 +47,6 @@ struct LoopContext {
 
 /// Resolves a closed loop; empty after at least one error, possibly in a chart or component to which the loop refers.
 std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
-                                       const LoopContext& context, Diagnostics& diagnostics);
+                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record = {});
 
 }  // namespace grafverif

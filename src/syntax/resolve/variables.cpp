@@ -3,6 +3,7 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
 
@@ -85,6 +86,15 @@ std::int64_t initial_of(ChartScope& scope, const tree::Variable& written, tree::
 
 }  // namespace
 
+DeclarationKind declaration_kind(Chart::VariableKind kind) {
+    switch (kind) {
+    case Chart::VariableKind::Input: return DeclarationKind::Input;
+    case Chart::VariableKind::Output: return DeclarationKind::Output;
+    case Chart::VariableKind::Internal: return DeclarationKind::Internal;
+    }
+    unreachable();
+}
+
 void resolve_variables(ChartScope& scope, const tree::Variables& written) {
     for (const tree::Variable& variable : written.variables) {
         const std::size_t errors = scope.diagnostics.errors();
@@ -97,10 +107,13 @@ void resolve_variables(ChartScope& scope, const tree::Variables& written) {
         resolved.origin = variable.name.where;
         const auto [known, fresh] = scope.variables.try_emplace(variable.name.word);
         if (!fresh) {
-            scope.diagnostics.add(messages::duplicate_name(variable.name.where, "variable", resolved.name,
-                                                           scope.chart.variables[known->second].origin));
+            const Span first = scope.chart.variables[known->second].origin;
+            scope.record.refer(variable.name.where, first);
+            scope.diagnostics.add(messages::duplicate_name(variable.name.where, "variable", resolved.name, first));
             continue;
         }
+        scope.record.declare(declaration_kind(resolved.kind), resolved.name, resolved.origin, variable.where,
+                             scope.chart.origin);
         known->second = scope.chart.variables.add(std::move(resolved));
     }
     scope.continuous.resize(scope.chart.variables.size());

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// References: the declarations of names, and for each other occurrence of a name the declaration that it denotes. Name
+// resolution records them on request, also beyond errors.
+//
+// The position of its name identifies a declaration, and not an entity of an IR. Therefore a declaration that name
+// resolution expands to several entities is recorded once, and all references to these entities refer to it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "grafverif/support/source.hpp"
+
+namespace grafverif {
+
+enum class DeclarationKind {
+    Chart,
+    Component,
+    Loop,
+    Partial,
+    Input,
+    Output,
+    Internal,
+    Step,
+    Transition,
+    InputParameter,
+    OutputParameter,
+    Constant,
+    Own,
+    Clock,
+    Location,
+    Instance,
+    PlantVariable,
+    Property,
+    Observer,
+    Fault,
+};
+
+struct References {
+    struct Declaration {
+        DeclarationKind kind = DeclarationKind::Chart;
+        std::string name = {};
+        Span where = {};  ///< position of the name
+        Span whole = {};  ///< position of the declaration
+        Span owner = {};  ///< name of the enclosing declaration; without source for a declaration of the file
+    };
+    struct Reference {
+        Span where = {};        ///< position of the occurrence; the `X` of a step variable `X2` precedes the name
+        Span declaration = {};  ///< position of the declared name
+        bool writes = false;    ///< true if the occurrence is the target of an action, assignment or output
+    };
+
+    std::vector<Declaration> declarations = {};
+    std::vector<Reference> references = {};
+    /// Pairs of declarations that must have the same name: a closed loop shares the inputs and outputs of its controllers
+    /// by name, and a fault inherits the arguments of its instance by the names of the parameters.
+    std::vector<std::pair<Span, Span>> shared = {};
+};
+
+/// Records in `References` if there are any. The resolution beyond errors has no other purpose than the record: its
+/// diagnostics and its result are meaningless.
+class Recorder {
+public:
+    Recorder() = default;
+    explicit Recorder(References* references, bool beyond_errors = false)
+        : references_(references), beyond_errors_(beyond_errors) {}
+
+    bool beyond_errors() const { return beyond_errors_; }
+
+    void declare(DeclarationKind kind, std::string_view name, Span where, Span whole, Span owner = {}) const {
+        if (references_ != nullptr && where.source.valid())  // some variables of PLC programs have no position
+            references_->declarations.push_back({kind, std::string(name), where, whole, owner});
+    }
+    void refer(Span where, Span declaration, bool writes = false) const {
+        if (references_ != nullptr && declaration.source.valid())
+            references_->references.push_back({where, declaration, writes});
+    }
+    void share(Span one, Span other) const {
+        if (references_ != nullptr) references_->shared.emplace_back(one, other);
+    }
+
+private:
+    References* references_ = nullptr;
+    bool beyond_errors_ = false;
+};
+
+/// Returns the position of `name` at the end of `where`: that of `X2` in `G2.X2`.
+inline Span last_name(Span where, std::string_view name) {
+    const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(name.size(), where.end - where.begin));
+    return {where.source, where.end - length, where.end};
+}
+
+}  // namespace grafverif
