@@ -167,7 +167,7 @@ Json Session::rename(const Json& params) {
     const Pointed at = pointed(params);
     if (at.element == nullptr) throw RequestError{request_failed, "there is no name here"};
     const Declaration* element = at.element;
-    if (!element->file->path.starts_with('<')) {
+    if (element->file->is_renamable) {
         const auto file = workspace_.parsed(element->file->path);
         const std::uint32_t begin = element->where.begin;
         // The names include those of all files that include the file of the declaration.

@@ -89,7 +89,7 @@ Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<c
     std::map<const Parsed*, std::vector<Span>> edits;
     for (const FileUse& each : names.everywhere(element)) {
         if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", element.name)};
-        if (!each.file->is_language)
+        if (!each.file->is_renamable)
             return {{},
                     fmt::format("`{}` occurs in `{}`, which is not a text of the grafcet language; change all files "
                                 "manually",

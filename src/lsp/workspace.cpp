@@ -122,7 +122,7 @@ std::shared_ptr<const Parsed> Workspace::parsed(const std::string& path) {
     if (format == FileFormat::Grafcet || format == FileFormat::Unknown) {
         Sources sources;
         Diagnostics diagnostics;
-        parsed->is_language = true;
+        parsed->is_renamable = true;
         parsed->tree = parse_file(sources.add({path, text->bytes()}), sources, diagnostics);
         parsed->broken = parsed->tree.broken;
     }

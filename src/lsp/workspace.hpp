@@ -35,7 +35,7 @@ struct Parsed {
     std::shared_ptr<const Text> text = {};
     tree::File tree = {};
     bool broken = false;
-    bool is_language = false;  ///< false for files in other formats
+    bool is_renamable = false;  ///< false for files in other formats and of the component library
 
     std::string_view bytes(Span where) const {
         return std::string_view(text->bytes()).substr(where.begin, where.end - where.begin);

@@ -44,6 +44,8 @@ TextRead read(Id<Source> file, Sources& sources, bool lossy) {
     ReadContext context;
     context.load = [](const std::string&, std::string& why) { return why = "there are no files here", std::nullopt; };
     context.lossy = lossy;
+    References references;
+    context.references = &references;
     TextRead reading{read_text(file, sources, context, diagnostics), {}, {}};
     reading.error_text = result_complaint_of(reading.model.has_value(), diagnostics, sources);
     reading.rendered = shown(diagnostics, sources);

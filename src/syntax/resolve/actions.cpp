@@ -12,10 +12,8 @@ namespace {
 /// Returns the variable of an action; reports an unknown name.
 Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     const auto found = scope.variables.find(name.word);
-    if (found != scope.variables.end()) {
-        scope.record.refer(name.where, scope.chart.variables[found->second].origin, true);
-        return found->second;
-    }
+    if (found != scope.variables.end())
+        return scope.record.refer(name.where, scope.chart.variables[found->second].origin, true), found->second;
     if (scope.diagnostics.full()) return {};
     Nearest nearest(scope.text(name));
     for (const Chart::Variable& variable : scope.chart.variables)

@@ -168,10 +168,8 @@ Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::Par
 
 Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label) {
     const auto found = scope.steps[here.index].find(label.word);
-    if (found != scope.steps[here.index].end()) {
-        scope.record.refer(label.where, scope.chart.steps[found->second].origin);
-        return found->second;
-    }
+    if (found != scope.steps[here.index].end())
+        return scope.record.refer(label.where, scope.chart.steps[found->second].origin), found->second;
     const std::string_view name = scope.text(label);
     if (scope.diagnostics.full()) return {};
     const auto elsewhere = scope.steps_by_name.find(name);
@@ -192,10 +190,8 @@ Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::N
 
 Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name) {
     const auto found = scope.partials.find(name.word);
-    if (found != scope.partials.end()) {
-        scope.record.refer(name.where, scope.chart.partial_charts[found->second].origin);
-        return found->second;
-    }
+    if (found != scope.partials.end())
+        return scope.record.refer(name.where, scope.chart.partial_charts[found->second].origin), found->second;
     if (scope.diagnostics.full()) return {};
     Nearest nearest(scope.text(name));
     for (const Chart::PartialChart& partial : scope.chart.partial_charts)

@@ -113,11 +113,9 @@ void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written) {
             for (const tree::Variable& variable : group->variables) {
                 all.push_back(&variable);
                 scope.below.insert(scope.text(variable.name));
-                const auto [known, fresh] = scope.constants.try_emplace(scope.text(variable.name), variable.name.where);
-                if (fresh)
-                    scope.record.declare(DeclarationKind::Constant, known->first, known->second, variable.where,
-                                         scope.loop.origin);
-                else scope.record.refer(variable.name.where, known->second);
+                scope.constants.emplace(scope.text(variable.name), variable.name.where);
+                scope.record.declare(DeclarationKind::Constant, scope.text(variable.name), variable.name.where,
+                                     variable.where, scope.loop.origin);
             }
     for (const tree::Variable* variable : all) {
         const std::size_t errors = scope.diagnostics.errors();

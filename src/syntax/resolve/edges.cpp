@@ -79,10 +79,8 @@ void take(ComponentScope& scope, Id<tree::Expr> id, Conjuncts& taken) {
 
 const ComponentScope::Symbol* target_of(ComponentScope& scope, tree::Name name) {
     const auto found = scope.symbols.find(name.word);
-    if (found != scope.symbols.end()) {
-        scope.record.refer(name.where, origin(scope.component, found->second), true);
-        return &found->second;
-    }
+    if (found != scope.symbols.end())
+        return scope.record.refer(name.where, origin(scope.component, found->second), true), &found->second;
     if (scope.diagnostics.full()) return nullptr;
     Nearest nearest(scope.text(name));
     for (const auto& parameter : scope.component.parameters)
@@ -130,10 +128,8 @@ void reset(ComponentScope& scope, const tree::Assignment& written, Id<Component:
 
 Id<Component::Location> location_named(ComponentScope& scope, tree::Name name) {
     const auto found = scope.locations.find(name.word);
-    if (found != scope.locations.end()) {
-        scope.record.refer(name.where, scope.component.locations[found->second].origin);
-        return found->second;
-    }
+    if (found != scope.locations.end())
+        return scope.record.refer(name.where, scope.component.locations[found->second].origin), found->second;
     if (scope.diagnostics.full()) return {};
     Nearest nearest(scope.text(name));
     for (const auto& location : scope.component.locations) nearest.offer(location.name);
@@ -145,15 +141,13 @@ Id<Component::Location> location_named(ComponentScope& scope, tree::Name name) {
 
 void declare_location(ComponentScope& scope, const tree::Location& written) {
     const auto [known, fresh] = scope.locations.try_emplace(written.name.word);
-    if (!fresh) {
-        const Span first = scope.component.locations[known->second].origin;
-        scope.record.refer(written.name.where, first);
-        scope.diagnostics.add(
-            messages::duplicate_name(written.name.where, "location", scope.text(written.name), first));
-        return;
-    }
     scope.record.declare(DeclarationKind::Location, scope.text(written.name), written.name.where, written.where,
                          scope.component.origin);
+    if (!fresh) {
+        scope.diagnostics.add(messages::duplicate_name(written.name.where, "location", scope.text(written.name),
+                                                       scope.component.locations[known->second].origin));
+        return;
+    }
     known->second = scope.component.locations.add({std::string(scope.text(written.name)), {}, {}, written.name.where});
     if (!written.initial) return;
     if (scope.component.initial.valid())

@@ -40,10 +40,8 @@ void fail(LoopScope& scope, Binding& binding, Diagnostic diagnostic) {
 
 Id<Component> component_named(LoopScope& scope, tree::Name name) {
     const auto found = scope.components.find(scope.text(name));
-    if (found != scope.components.end()) {
-        scope.record.refer(name.where, scope.context.model.components[found->second].origin);
-        return found->second;
-    }
+    if (found != scope.components.end())
+        return scope.record.refer(name.where, scope.context.model.components[found->second].origin), found->second;
     scope.incomplete = !scope.record.beyond_errors();
     if (scope.context.components_in_error.contains(std::string(scope.text(name)))) return {};
     Nearest nearest(scope.text(name));
@@ -286,7 +284,8 @@ void excuse(LoopScope& scope, const tree::Instance& written) {
     }
 }
 
-Binding begin(LoopScope& scope, const tree::Instance& written) {
+Binding begin(LoopScope& scope, const tree::Instance& written, DeclarationKind kind, Span whole) {
+    scope.record.declare(kind, scope.text(written.name), written.name.where, whole, scope.loop.origin);
     Binding binding;
     binding.written = &written;
     binding.instance.name = scope.text(written.name);
@@ -312,16 +311,12 @@ bool bind_constants(LoopScope& scope, Binding& binding) {
 }
 
 Binding bind_instance(LoopScope& scope, const tree::Instance& written) {
-    Binding binding = begin(scope, written);
+    Binding binding = begin(scope, written, DeclarationKind::Instance, written.where);
     const auto [known, fresh] = scope.instances.try_emplace(scope.text(written.name));
-    if (fresh) {
-        scope.record.declare(DeclarationKind::Instance, binding.instance.name, written.name.where, written.where,
-                             scope.loop.origin);
-    } else if (known->second.valid()) {
-        const Span first = scope.loop.instances[known->second].origin;
-        scope.record.refer(written.name.where, first);
-        fail(scope, binding, messages::duplicate_name(written.name.where, "instance", binding.instance.name, first));
-    }
+    if (!fresh && known->second.valid())
+        fail(scope, binding,
+             messages::duplicate_name(written.name.where, "instance", binding.instance.name,
+                                      scope.loop.instances[known->second].origin));
     if (!binding.instance.component.valid()) {
         binding.wrong = true;
         return binding;
@@ -431,19 +426,14 @@ void bind_fault(LoopScope& scope, Binding& binding) {
 
 /// `bindings` are the instances, in the order of the table of the loop.
 void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vector<Binding>& bindings) {
-    Binding binding = begin(scope, written.behaviour);
+    Binding binding = begin(scope, written.behaviour, DeclarationKind::Fault, written.where);
     const auto& known = scope.loop.faults;
     const auto first = std::ranges::find_if(
         known, [&](const ClosedLoop::Fault& each) { return each.behaviour.name == binding.instance.name; });
-    if (first == known.end()) {
-        scope.record.declare(DeclarationKind::Fault, binding.instance.name, written.behaviour.name.where, written.where,
-                             scope.loop.origin);
-    } else {
-        scope.record.refer(written.behaviour.name.where, first->behaviour.origin);
+    if (first != known.end())
         fail(scope, binding,
              messages::duplicate_name(written.behaviour.name.where, "fault", binding.instance.name,
                                       first->behaviour.origin));
-    }
     const auto of = scope.instances.find(scope.text(written.of));
     if (of == scope.instances.end() || !of->second.valid()) {
         Nearest nearest(scope.text(written.of));

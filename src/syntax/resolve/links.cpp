@@ -27,12 +27,10 @@ public:
         if (!written.name.valid()) return names_.fresh("t" + std::to_string(position));
         const std::string_view name = scope_->text(written.name);
         const Span first = written_.at(std::string(name));
-        if (first.begin != written.name.where.begin) {
-            scope_->record.refer(written.name.where, first);
+        scope_->record.declare(DeclarationKind::Transition, name, written.name.where, written.where,
+                               scope_->chart.origin);
+        if (first.begin != written.name.where.begin)
             scope_->diagnostics.add(messages::duplicate_name(written.name.where, "transition", name, first));
-        } else {
-            scope_->record.declare(DeclarationKind::Transition, name, first, written.where, scope_->chart.origin);
-        }
         return std::string(name);
     }
 

@@ -44,10 +44,8 @@ std::optional<Value> choice(LoopScope& scope, tree::Name name, std::string_view 
 
 Id<Chart> chart_named(LoopScope& scope, tree::Name name) {
     const auto found = scope.charts.find(scope.text(name));
-    if (found != scope.charts.end()) {
-        scope.record.refer(name.where, scope.context.model.charts[found->second].origin);
-        return found->second;
-    }
+    if (found != scope.charts.end())
+        return scope.record.refer(name.where, scope.context.model.charts[found->second].origin), found->second;
     scope.incomplete = !scope.record.beyond_errors();
     if (scope.context.charts_in_error.contains(std::string(scope.text(name)))) return {};
     Nearest nearest(scope.text(name));
@@ -234,14 +232,11 @@ std::int64_t count_of(LoopScope& scope, Id<tree::Expr> written) {
 void resolve_property(LoopScope& scope, const tree::Property& written,
                       std::unordered_map<std::string_view, Span>& names) {
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
-    if (fresh) {
-        scope.record.declare(DeclarationKind::Property, scope.text(written.name), written.name.where, written.where,
-                             scope.loop.origin);
-    } else {
-        scope.record.refer(written.name.where, known->second);
+    scope.record.declare(DeclarationKind::Property, scope.text(written.name), written.name.where, written.where,
+                         scope.loop.origin);
+    if (!fresh)
         scope.diagnostics.add(
             messages::duplicate_name(written.name.where, "property", scope.text(written.name), known->second));
-    }
     Property property;
     property.name = scope.text(written.name);
     property.text = written.text;

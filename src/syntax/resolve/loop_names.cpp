@@ -349,15 +349,13 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     const std::string_view name = scope.file.text(node.word);
     if (owner.op == tree::Op::Name) {
         const auto instance = scope.instances.find(scope.file.text(owner.word));
-        if (instance != scope.instances.end()) {
-            scope.record.refer(owner.where, scope.loop.instances[instance->second].origin);
-            return state_of(scope, instance->second, name, node);
-        }
+        if (instance != scope.instances.end())
+            return scope.record.refer(owner.where, scope.loop.instances[instance->second].origin),
+                   state_of(scope, instance->second, name, node);
         const auto observer = scope.observers.find(scope.file.text(owner.word));
-        if (observer != scope.observers.end()) {
-            scope.record.refer(owner.where, scope.loop.observers[observer->second].origin);
-            return observed(scope, observer->second, name, node.where);
-        }
+        if (observer != scope.observers.end())
+            return scope.record.refer(owner.where, scope.loop.observers[observer->second].origin),
+                   observed(scope, observer->second, name, node.where);
         if (node.op == tree::Op::In) return no_such_instance(scope, owner);
         const auto controller = scope.controllers.find(scope.file.text(owner.word));
         if (controller != scope.controllers.end()) {

@@ -16,10 +16,8 @@ using ObserverLocation = ClosedLoop::ObserverLocation;
 Id<ObserverLocation> location_named(LoopScope& scope, const Observer& observer, tree::Name name) {
     Nearest nearest(scope.text(name));
     for (const Id<ObserverLocation> id : observer.locations.ids()) {
-        if (observer.locations[id].name == scope.text(name)) {
-            scope.record.refer(name.where, observer.locations[id].origin);
-            return id;
-        }
+        if (observer.locations[id].name == scope.text(name))
+            return scope.record.refer(name.where, observer.locations[id].origin), id;
         nearest.offer(observer.locations[id].name);
     }
     scope.diagnostics.add(messages::unknown(name.where, "location", scope.text(name), nearest.best()));
@@ -28,15 +26,14 @@ Id<ObserverLocation> location_named(LoopScope& scope, const Observer& observer, 
 
 void declare_location(LoopScope& scope, Observer& observer, const tree::Location& written) {
     const std::string name(scope.text(written.name));
+    scope.record.declare(DeclarationKind::Location, name, written.name.where, written.where, observer.origin);
     for (const ObserverLocation& other : observer.locations)
         if (other.name == name) {
-            scope.record.refer(written.name.where, other.origin);
             scope.diagnostics.add(messages::duplicate_name(written.name.where, "location", name, other.origin));
             return;
         }
     if (written.invariant.valid())
         scope.diagnostics.add(messages::observer_blocks(scope.file.exprs[written.invariant].where, observer.name));
-    scope.record.declare(DeclarationKind::Location, name, written.name.where, written.where, observer.origin);
     const Id<ObserverLocation> location = observer.locations.add({name, written.name.where});
     if (!written.initial) return;
     if (observer.initial.valid())
@@ -47,6 +44,7 @@ void declare_location(LoopScope& scope, Observer& observer, const tree::Location
 
 void declare_observer(LoopScope& scope, const tree::Observer& written) {
     Observer observer{.name = std::string(scope.text(written.name)), .origin = written.name.where};
+    scope.record.declare(DeclarationKind::Observer, observer.name, observer.origin, written.where, scope.loop.origin);
     for (const tree::ObserverItem& item : written.items)
         if (const auto* location = std::get_if<tree::Location>(&item)) declare_location(scope, observer, *location);
     if (!observer.initial.valid())
@@ -56,14 +54,9 @@ void declare_observer(LoopScope& scope, const tree::Observer& written) {
         scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name,
                                                        scope.loop.instances[instance->second].origin));
     const auto [known, fresh] = scope.observers.try_emplace(scope.text(written.name));
-    if (fresh) {
-        scope.record.declare(DeclarationKind::Observer, observer.name, observer.origin, written.where,
-                             scope.loop.origin);
-    } else {
-        const Span first = scope.loop.observers[known->second].origin;
-        scope.record.refer(observer.origin, first);
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name, first));
-    }
+    if (!fresh)
+        scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name,
+                                                       scope.loop.observers[known->second].origin));
     const Id<Observer> id = scope.loop.observers.add(std::move(observer));
     if (fresh) known->second = id;
 }

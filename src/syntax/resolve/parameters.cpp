@@ -51,12 +51,10 @@ DeclarationKind kind_of(const Component& component, const ComponentScope::Symbol
 
 void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol, Span whole) {
     const auto [known, fresh] = scope.symbols.try_emplace(name.word, symbol);
-    if (fresh)
-        return scope.record.declare(kind_of(scope.component, symbol), scope.text(name), name.where, whole,
-                                    scope.component.origin);
-    const Span first = origin(scope.component, known->second);
-    scope.record.refer(name.where, first);
-    scope.diagnostics.add(messages::duplicate_name(name.where, "name", scope.text(name), first));
+    scope.record.declare(kind_of(scope.component, symbol), scope.text(name), name.where, whole, scope.component.origin);
+    if (!fresh)
+        scope.diagnostics.add(
+            messages::duplicate_name(name.where, "name", scope.text(name), origin(scope.component, known->second)));
 }
 
 // -- names -----------------------------------------------------------------------------------------------------------

@@ -3,7 +3,8 @@
 // resolution records them on request, also beyond errors.
 //
 // The position of its name identifies a declaration, and not an entity of an IR. Therefore a declaration that name
-// resolution expands to several entities is recorded once, and all references to these entities refer to it.
+// resolution expands to several entities is recorded once, and all references to these entities refer to it. If several
+// declarations have the same name, which is an error, each is recorded, and references refer to the first.
 #pragma once
 
 #include <algorithm>

@@ -26,16 +26,15 @@ Id<Chart::PartialChart> add_partial(ChartScope& scope, std::string_view name, Ch
 }
 
 void declare_step(ChartScope& scope, const tree::Step& written, Id<Chart::PartialChart> partial, WrittenChart& all) {
+    scope.record.declare(DeclarationKind::Step, scope.text(written.name), written.name.where, written.where,
+                         scope.chart.partial_charts[partial].origin);
     const auto [known, fresh] = scope.steps[partial.index].try_emplace(written.name.word);
     if (!fresh) {
-        const Span first = scope.chart.steps[known->second].origin;
-        scope.record.refer(written.name.where, first);
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "step", scope.text(written.name), first));
+        scope.diagnostics.add(messages::duplicate_name(written.name.where, "step", scope.text(written.name),
+                                                       scope.chart.steps[known->second].origin));
         if (scope.record.beyond_errors()) all.steps.push_back({&written, known->second});
         return;
     }
-    scope.record.declare(DeclarationKind::Step, scope.text(written.name), written.name.where, written.where,
-                         scope.chart.partial_charts[partial].origin);
     Chart::Step step;
     step.name = scope.text(written.name);
     step.kind = kind_of(written.kind);
@@ -55,17 +54,15 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
 
 void declare_partial(ChartScope& scope, const tree::Partial& written, WrittenChart& all) {
     const bool expansion = written.kind == tree::PartialKind::Expansion;
+    scope.record.declare(DeclarationKind::Partial, scope.text(written.name), written.name.where, written.where,
+                         scope.chart.origin);
     const auto [known, fresh] = scope.partials.try_emplace(written.name.word);
     if (!fresh) {
-        const Span first = scope.chart.partial_charts[known->second].origin;
-        scope.record.refer(written.name.where, first);
-        scope.diagnostics.add(
-            messages::duplicate_name(written.name.where, "partial chart", scope.text(written.name), first));
+        scope.diagnostics.add(messages::duplicate_name(written.name.where, "partial chart", scope.text(written.name),
+                                                       scope.chart.partial_charts[known->second].origin));
         if (scope.record.beyond_errors()) declare_items(scope, written.items, known->second, all);
         return;
     }
-    scope.record.declare(DeclarationKind::Partial, scope.text(written.name), written.name.where, written.where,
-                         scope.chart.origin);
     known->second =
         add_partial(scope, scope.text(written.name),
                     expansion ? Chart::PartialKind::Expansion : Chart::PartialKind::Plain, written.name.where);

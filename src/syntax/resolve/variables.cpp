@@ -105,15 +105,14 @@ void resolve_variables(ChartScope& scope, const tree::Variables& written) {
         if (scope.diagnostics.errors() == errors)
             resolved.initial = initial_of(scope, variable, written.kind, resolved.type);
         resolved.origin = variable.name.where;
-        const auto [known, fresh] = scope.variables.try_emplace(variable.name.word);
-        if (!fresh) {
-            const Span first = scope.chart.variables[known->second].origin;
-            scope.record.refer(variable.name.where, first);
-            scope.diagnostics.add(messages::duplicate_name(variable.name.where, "variable", resolved.name, first));
-            continue;
-        }
         scope.record.declare(declaration_kind(resolved.kind), resolved.name, resolved.origin, variable.where,
                              scope.chart.origin);
+        const auto [known, fresh] = scope.variables.try_emplace(variable.name.word);
+        if (!fresh) {
+            scope.diagnostics.add(messages::duplicate_name(variable.name.where, "variable", resolved.name,
+                                                           scope.chart.variables[known->second].origin));
+            continue;
+        }
         known->second = scope.chart.variables.add(std::move(resolved));
     }
     scope.continuous.resize(scope.chart.variables.size());

@@ -77,6 +77,17 @@ bool holds(const std::vector<std::string>& labels, const char* label) {
     return std::ranges::find(labels, label) != labels.end();
 }
 
+/// Applies edits, which are sorted by position, to a text.
+std::string edited(std::string text, const Json& edits) {
+    for (auto each = edits.rbegin(); each != edits.rend(); ++each) {
+        const auto at = [&](const char* end) {
+            return Position{(*each)["range"][end]["line"], (*each)["range"][end]["character"]};
+        };
+        text = changed(Text(text), {Range{at("start"), at("end")}, (*each)["newText"]});
+    }
+    return text;
+}
+
 TEST(LspNames, LeadToTheirDeclarationAcrossIncludes) {
     Editor editor;
     const auto line = [&](const std::string& text) {
@@ -126,17 +137,8 @@ TEST(LspNames, AreRenamedEverywhereAtOnce) {
     const Json edit =
         editor.at("textDocument/rename", "press.grafcet", with(press, "step 1", "step @1"), {{"newName", "7"}});
     std::vector<std::string> texts;
-    for (const auto& [name, before] : {std::pair("press.grafcet", press), std::pair("loop.grafcet", loop)}) {
-        std::string text = before;
-        Json edits = edit["changes"][editor.folder.uri(name)];
-        for (auto each = edits.rbegin(); each != edits.rend(); ++each) {
-            const auto at = [&](const char* end) {
-                return Position{(*each)["range"][end]["line"], (*each)["range"][end]["character"]};
-            };
-            text = changed(Text(text), {Range{at("start"), at("end")}, (*each)["newText"]});
-        }
-        texts.push_back(text);
-    }
+    for (const auto& [name, before] : {std::pair("press.grafcet", press), std::pair("loop.grafcet", loop)})
+        texts.push_back(edited(before, edit["changes"][editor.folder.uri(name)]));
     EXPECT_EQ(texts[0],
               with(with(with(with(press, "step 1", "step 7"), "0 -> 1", "0 -> 7"), "!X1", "!X7"), "t1: 1", "t1: 7"));
     EXPECT_EQ(texts[1], with(loop, "X1 leads", "X7 leads"));
@@ -177,6 +179,90 @@ TEST(LspNames, HaveTheirDeclarationCommentAndEquationShown) {
     EXPECT_NE(shown("press.grafcet", with(press, "N := 1", "@N := 1")).find("internal N: int 0..5"), std::string::npos);
     EXPECT_NE(shown("loop.grafcet", with(loop, "= push_button", "= push@_button")).find("button"), std::string::npos);
     EXPECT_NE(shown("loop.grafcet", with(loop, "(ON = MOVE", "(O@N = MOVE")).find("input"), std::string::npos);
+}
+
+/// A file in which names occur in unusual positions. `@` and `#` mark the occurrences of two names.
+const std::string notations =
+    "component gate(input OPEN; output CLOSED) {\n"
+    "    variable #POS: int 0..2;\n"
+    "    initial location still;\n"
+    "    urgent still -> still when OPEN && #POS < 2 do #POS := #POS + 1;\n"
+    "}\n"
+    "component stuck(input OPEN; output CLOSED) {\n"
+    "    initial location still with CLOSED := true;\n"
+    "}\n"
+    "grafcet control {\n"
+    "    input CLOSED;\n"
+    "    output MOVE;\n"
+    "    initial step 0;\n"
+    "    step 1 { MOVE; }\n"
+    "    transition t0: 0 -> 1 when !(CLOSED) || 2s/(X1);\n"
+    "    transition t1: 1 -> 0 when (CLOSED);\n"
+    "    accept step-never-active X1 \"test\";\n"
+    "}\n"
+    "closed_loop machine {\n"
+    "    controller control;\n"
+    "    plant @Gate = gate(OPEN = MOVE, CLOSED = CLOSED);\n"
+    "    fault Stuck of @Gate: stuck();\n"
+    "    property p: never @Gate_#POS == 2 && control.X1;\n"
+    "    property q: never @Gate.#POS == 2 || @Gate in still;\n"
+    "}\n";
+
+std::string named(const std::string& gate, const std::string& position) {
+    std::string text = notations;
+    for (const auto& [old, fresh] : {std::pair("@Gate", gate), std::pair("#POS", position)})
+        while (text.find(old) != std::string::npos) text = with(text, old, fresh);
+    return text;
+}
+
+TEST(LspNames, AreRenamedInEveryNotation) {
+    Editor editor;
+    const std::string before = named("Gate", "POS");
+    const auto renamed = [&](const std::string& what, const std::string& cursor, const std::string& name) {
+        const Json edit =
+            editor.at("textDocument/rename", "all.grafcet", with(before, what, cursor), {{"newName", name}});
+        return edited(before, edit["changes"][editor.folder.uri("all.grafcet")]);
+    };
+    EXPECT_EQ(renamed("plant Gate", "plant Ga@te", "Door"), named("Door", "POS"));
+    EXPECT_EQ(renamed("Gate_POS", "Gate_P@OS", "PLACE"), named("Gate", "PLACE"));
+    std::string closed = before, step = before;
+    for (const char* const place : {"input CLOSED", "!(CLOSED", "(CLOSED", "= CLOSED"})
+        closed = with(closed, place, std::string(place, std::string(place).size() - 6) + "SHUT");
+    EXPECT_EQ(renamed("!(CLOSED", "!(CLO@SED", "SHUT"), closed);
+    for (const auto& [old, fresh] : std::vector<std::pair<std::string, std::string>>{{"step 1", "step 7"},
+                                                                                     {"-> 1", "-> 7"},
+                                                                                     {"(X1)", "(X7)"},
+                                                                                     {"t1: 1", "t1: 7"},
+                                                                                     {"X1 \"", "X7 \""},
+                                                                                     {"l.X1", "l.X7"}})
+        step = with(step, old, fresh);
+    EXPECT_EQ(renamed("X1 \"", "X@1 \"", "7"), step);
+    // A fault inherits the arguments of its instance by the names of its parameters.
+    std::string inherited = before;
+    for (const char* const place : {"gate(input OPEN", "when OPEN", "stuck(input OPEN", "gate(OPEN"})
+        inherited = with(inherited, place, std::string(place, std::string(place).size() - 4) + "DRIVE");
+    EXPECT_EQ(renamed("gate(OPEN", "gate(OP@EN", "DRIVE"), inherited);
+}
+
+TEST(LspNames, OfAProgramLeadToItsFileAndAreNotRenamed) {
+    Editor editor;
+    editor.folder.write("main.st",
+                        "PROGRAM main\nVAR_INPUT\n  go : BOOL;\nEND_VAR\nVAR_OUTPUT\n  lit : BOOL;\nEND_VAR\n"
+                        "lit := go;\nEND_PROGRAM\n");
+    const std::string text =
+        "program main = \"main.st\";\nclosed_loop lamp {\n    controller main every 10ms;\n"
+        "    environment Go = free(OUT = go);\n    property p: never lit && !go;\n}\n";
+    const Json found = editor.at("textDocument/definition", "lamp.grafcet", with(text, "OUT = go", "OUT = g@o"));
+    EXPECT_EQ(found["uri"], editor.folder.uri("main.st"));
+    EXPECT_EQ(found["range"]["start"]["line"], 2);
+    const Marked here = marked(with(text, "OUT = go", "OUT = g@o"));
+    const Json answer = editor.client.answer(editor.client.send_request(
+        "textDocument/rename", {{"textDocument", {{"uri", editor.folder.uri("lamp.grafcet")}}},
+                                {"position", here.position},
+                                {"newName", "start"}}));
+    EXPECT_EQ(answer["error"]["message"], "`go` occurs in `" + editor.folder.file("main.st") +
+                                              "`, which is not a text of the grafcet language; change all files "
+                                              "manually");
 }
 
 /// A loop with a constant in every place that may contain one.
