@@ -91,14 +91,15 @@ const Declaration* Names::find(DeclarationKind kind, std::string_view name) cons
     return nullptr;
 }
 
-const Declaration* Names::part(const Declaration* owner, std::string_view name, Kinds kinds) const {
+const Declaration* Names::part(const Declaration* owner, std::string_view name, Kinds permitted) const {
     if (owner == nullptr) return nullptr;
     for (const Declaration* const element : parts(owner))
-        if (element->name == name && (kinds.size() == 0 || std::ranges::find(kinds, element->kind) != kinds.end()))
+        if (element->name == name &&
+            (permitted.size() == 0 || std::ranges::find(permitted, element->kind) != permitted.end()))
             return element;
     for (const Declaration* const element : parts(owner))
         if (element->kind == DeclarationKind::Partial)
-            if (const Declaration* const inner = part(element, name, kinds); inner != nullptr) return inner;
+            if (const Declaration* const inner = part(element, name, permitted); inner != nullptr) return inner;
     return nullptr;
 }
 

@@ -2,8 +2,8 @@
 // Names: the declarations in a set of files, and all occurrences of their names, as name resolution records them. The
 // record also contains the names in incomplete texts, as far as the parser and name resolution get.
 //
-// Declarations that must have the same name, such as the inputs of the controllers of a loop, which the loop shares by
-// name, are treated as one element in searches for references.
+// Declarations that must have the same name are one element in searches for references. Examples are the inputs of the
+// controllers of a loop, which the loop shares by name.
 #pragma once
 
 #include <cstddef>
@@ -72,9 +72,9 @@ public:
     const Declaration* meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
     /// Returns the chart, component or loop with this name, or null if there is none.
     const Declaration* find(DeclarationKind kind, std::string_view name) const;
-    /// Returns the element `name` of `owner`, which may be null, or of its partial charts, or null if there is none.
-    /// `kinds` are the permitted kinds; if empty, all are.
-    const Declaration* part(const Declaration* owner, std::string_view name, Kinds kinds = {}) const;
+    /// Returns the element `name` of `owner`, which may be null, or of its partial charts, or null if there is none. If
+    /// `permitted` is not empty, it contains the kind of the element.
+    const Declaration* part(const Declaration* owner, std::string_view name, Kinds permitted = {}) const;
     /// Return the elements of `owner`, or of all files if it is null (`parts`), or the charts, components or loops
     /// (`all`), sorted by name.
     const std::vector<const Declaration*>& parts(const Declaration* owner) const;

@@ -223,7 +223,7 @@ TEST(LspNames, AreRenamedInEveryNotation) {
             editor.at("textDocument/rename", "all.grafcet", with(before, what, cursor), {{"newName", name}});
         return edited(before, edit["changes"][editor.folder.uri("all.grafcet")]);
     };
-    EXPECT_EQ(renamed("plant Gate", "plant Ga@te", "Door"), named("Door", "POS"));
+    EXPECT_EQ(renamed("plant Gate", "plant G@ate", "Door"), named("Door", "POS"));
     EXPECT_EQ(renamed("Gate_POS", "Gate_P@OS", "PLACE"), named("Gate", "PLACE"));
     std::string closed = before, step = before;
     for (const char* const place : {"input CLOSED", "!(CLOSED", "(CLOSED", "= CLOSED"})
