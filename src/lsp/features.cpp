@@ -176,6 +176,8 @@ Json Session::rename(const Json& params) {
     }
     if (element == nullptr) throw RequestError{request_failed, "there is no name here"};
     if (workspace_.cut_short()) throw RequestError{request_failed, "the workspace is too large to find all references"};
+    if (!std::ranges::all_of(named_, [this](const auto& root) { return workspace_.holds(root->inputs); }))
+        throw RequestError{request_failed, "a file that may contain the name cannot be read"};
     Renaming renaming = renamed(workspace_, named_, *names_, *element, name);
     if (!renaming.obstacle.empty()) throw RequestError{request_failed, renaming.obstacle};
     return json_of(renaming.edits, uris());
