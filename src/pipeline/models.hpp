@@ -63,6 +63,19 @@ AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnos
 /// Returns a TransitionSystem as BTOR2. Warns about properties that BTOR2 cannot express.
 std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics);
 
+/// Returns the same as the public structured_text_of, in any dialect.
+std::optional<std::string> structured_text_of(const Equations& equations, const structured_text::Options& options,
+                                              Diagnostics& diagnostics);
+
+/// A controller in C99 (emit/c).
+struct CCode {
+    std::string header = {}, source = {};
+};
+/// Returns the controller of a chart, or nullopt after an error. The source includes the header by the name
+/// `header_name`, or follows its text in one file if this name is empty.
+std::optional<CCode> c_code_of(const Equations& equations, ExecutionMode mode, std::uint32_t max_evolutions,
+                               std::string_view header_name, Diagnostics& diagnostics);
+
 /// Returns a TestSequence as Structured Text.
 std::string structured_text_test(const TestSequence& test, structured_text::Form form);
 

@@ -7,6 +7,8 @@
 #include "draw/chart.hpp"
 #include "draw/svg.hpp"
 #include "emit/btor2/btor2.hpp"
+#include "emit/c/c.hpp"
+#include "emit/controller/code.hpp"
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/pins/pins.hpp"
 #include "emit/uppaal/uppaal.hpp"
@@ -97,11 +99,23 @@ std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics
     return written([&](std::ostream& out) { nusmv::emit(narrow, out); });
 }
 
+std::optional<std::string> structured_text_of(const Equations& equations, const structured_text::Options& options,
+                                              Diagnostics& diagnostics) {
+    if (!structured_text::expressible(equations, diagnostics)) return {};
+    return written([&](std::ostream& out) { structured_text::emit(equations, options, out); });
+}
+
 std::optional<std::string> structured_text_of(const Equations& equations, ExecutionMode mode, Diagnostics& diagnostics,
                                               bool plcopen_xml, std::uint32_t max_evolutions) {
-    if (!structured_text::expressible(equations, diagnostics)) return {};
     const auto form = plcopen_xml ? structured_text::Form::PlcopenXml : structured_text::Form::Text;
-    return written([&](std::ostream& out) { structured_text::emit(equations, {mode, max_evolutions, form}, out); });
+    return structured_text_of(equations, {mode, max_evolutions, form}, diagnostics);
+}
+
+std::optional<CCode> c_code_of(const Equations& equations, ExecutionMode mode, std::uint32_t max_evolutions,
+                               std::string_view header_name, Diagnostics& diagnostics) {
+    if (!controller::expressible(equations, messages::not_in_c, diagnostics)) return {};
+    const controller::Code code = controller::code_of(equations, {mode, max_evolutions}, Target::C);
+    return CCode{c::header_of(code), c::source_of(code, header_name)};
 }
 
 std::string structured_text_test(const TestSequence& test, structured_text::Form form) {

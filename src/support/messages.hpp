@@ -105,6 +105,7 @@ Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view pl
 // (src/support/messages_test.cpp)
 /// `what` is the element that the block cannot compute according to the equations.
 Diagnostic not_in_structured_text(Span where, std::string_view what);
+Diagnostic not_in_c(Span where, std::string_view what);
 Diagnostic cannot_run(std::string_view command);
 Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what);
 Diagnostic empty_test(Span where);

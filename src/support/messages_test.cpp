@@ -16,6 +16,11 @@ Diagnostic not_in_structured_text(Span where, std::string_view what) {
         fmt::format("{} cannot be translated to Structured Text with the same result on every PLC; rewrite it", what));
 }
 
+Diagnostic not_in_c(Span where, std::string_view what) {
+    return error("not-in-c", where,
+                 fmt::format("{} cannot be translated to C that has no undefined behaviour; rewrite it", what));
+}
+
 Diagnostic cannot_run(std::string_view command) {
     return error("cannot-run", {},
                  fmt::format("the shell cannot run `{}`; pass a command that starts the controller", command));

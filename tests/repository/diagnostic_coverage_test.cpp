@@ -39,7 +39,7 @@ const std::set<std::string> of_the_world = {
     "not-a-state-file",  "other-format",    "threads-refused",    "not-in-program",         "recursive-unit",
     "program-too-large", "unbounded-loop",  "no-program",         "several-programs",       "bad-property",
     "deprecated-option", "not-standard",    "cycle-without-time", "undocumented-reading",   "bad-log",
-    "unrecorded",        "no-faults"};
+    "unrecorded",        "no-faults",       "not-in-c"};
 
 TEST(Repository, EveryDiagnosticHasATest) {
     const std::set<std::string> all = codes();

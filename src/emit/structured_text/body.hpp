@@ -4,17 +4,12 @@
 
 #include <string>
 
-#include "emit/structured_text/names.hpp"
+#include "emit/controller/code.hpp"
+#include "emit/structured_text/dialects.hpp"
 
 namespace grafverif::structured_text {
 
-struct Body {
-    std::string text = {};
-    std::vector<bool> waits = {};  ///< for each variable: true if its new value needs a temporary variable
-};
-
-/// Returns the statements of one PLC cycle. Requires verify(equations).empty() and that the equations are expressible.
-Body body_of(const Equations& equations, const Names& names, const Options& options);
+std::string body_of(const controller::Code& code, const DialectRow& dialect);
 
 /// Returns a literal such as `T#3s`.
 std::string time_literal(std::int64_t milliseconds);

@@ -32,10 +32,15 @@ namespace grafverif::structured_text {
 
 enum class Form { Text, PlcopenXml };  ///< textual unit, or project in PLCopen TC6 XML 2.01
 
+/// Structured Text of the standard and of vendors (see dialects.hpp). Twincat and Siemens have their own file formats
+/// and ignore Form.
+enum class Dialect { Iec, Codesys, Twincat, Siemens };
+
 struct Options {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::uint32_t max_evolutions = 1000;  ///< maximum number of evolutions in one cycle under stability search
     Form form = Form::PlcopenXml;
+    Dialect dialect = Dialect::Iec;
 };
 
 /// True if the block can compute `equations`. Otherwise reports each division by a divisor that is not constant, each

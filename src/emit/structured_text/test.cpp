@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "emit/controller/names.hpp"
 #include "emit/structured_text/body.hpp"
-#include "emit/structured_text/names.hpp"
 #include "emit/structured_text/structured_text.hpp"
 #include "emit/structured_text/unit.hpp"
 #include "support/printable.hpp"
@@ -29,7 +29,7 @@ std::string value_text(const TestSequence::Variable& variable, std::int64_t valu
 
 /// Names of the variables of the test program. For example, `E_V1` is the expected value of output V1.
 struct TestNames {
-    InterfaceNames interface = {};
+    controller::InterfaceNames interface = {};
     std::vector<std::string> inputs = {}, expected = {};
     std::vector<std::string> controllers = {};  ///< one instance per sequence
     std::string program = {}, row = {}, scan = {}, scans = {}, sequence = {}, pause = {}, wait = {}, done = {},
@@ -41,7 +41,7 @@ TestNames test_names(const TestSequence& test) {
     std::vector<std::string> inputs, outputs, preferred_names;
     for (const TestSequence::Variable& input : test.inputs) inputs.push_back(input.name);
     for (const TestSequence::Variable& output : test.outputs) outputs.push_back(output.name);
-    names.interface = interface_names(test.chart, inputs, outputs);
+    names.interface = controller::interface_names(test.chart, inputs, outputs, Target::StructuredText);
     for (const std::string& input : inputs) preferred_names.push_back("I_" + input);
     for (const std::string& output : outputs) preferred_names.push_back("E_" + output);
     for (std::size_t k = 0; k < test.sequences.size(); ++k)
@@ -203,6 +203,8 @@ private:
 
 }  // namespace
 
-void emit_test(const TestSequence& test, Form form, std::ostream& out) { print(TestWriter(test).unit(), form, out); }
+void emit_test(const TestSequence& test, Form form, std::ostream& out) {
+    print(TestWriter(test).unit(), form, row_of(Dialect::Iec), out);
+}
 
 }  // namespace grafverif::structured_text

@@ -3,8 +3,11 @@
 // in the file is constant, so that the same input yields the same file.
 #include "emit/structured_text/unit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <ostream>
 #include <sstream>
 #include <string_view>
@@ -29,11 +32,13 @@ constexpr std::array sections = {
     SectionWords{Section::Local, "VAR", "<localVars>"},
 };
 
-void print_text(const Unit& unit, std::ostream& out) {
-    const std::string_view word = unit.is_program ? "PROGRAM" : "FUNCTION_BLOCK";
+std::string_view word_of(const Unit& unit) { return unit.is_program ? "PROGRAM" : "FUNCTION_BLOCK"; }
+
+/// Prints the comment, the first line and the variables.
+void print_declaration(const Unit& unit, const DialectRow& dialect, std::ostream& out) {
     std::istringstream lines(comment_text(unit.comment));
     for (std::string line; std::getline(lines, line);) out << "(* " << line << " *)\n";
-    out << word << ' ' << unit.name << '\n';
+    out << word_of(unit) << ' ' << dialect.quote << unit.name << dialect.quote << '\n' << dialect.attributes;
     for (const SectionWords& words : sections) {
         bool open = false;
         for (const UnitVariable& variable : unit.variables) {
@@ -47,7 +52,30 @@ void print_text(const Unit& unit, std::ostream& out) {
         }
         if (open) out << "END_VAR\n";
     }
-    out << '\n' << unit.body << "\nEND_" << word << '\n';
+}
+
+void print_text(const Unit& unit, const DialectRow& dialect, std::ostream& out) {
+    print_declaration(unit, dialect, out);
+    out << dialect.begin << '\n' << unit.body << "\nEND_" << word_of(unit) << '\n';
+}
+
+/// Returns an identifier for the file, which depends only on the name (FNV-1a with 64 bits, for two initial values).
+std::string file_id(std::string_view name) {
+    std::array<std::uint64_t, 2> halves = {0xcbf29ce484222325, 0x84222325cbf29ce4};
+    for (std::uint64_t& half : halves)
+        for (const char c : name) half = (half ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    const std::string digits = fmt::format("{:016x}{:016x}", halves[0], halves[1]);
+    return fmt::format("{{{}-{}-{}-{}-{}}}", digits.substr(0, 8), digits.substr(8, 4), digits.substr(12, 4),
+                       digits.substr(16, 4), digits.substr(20));
+}
+
+/// Prints a file of a TwinCAT project. The texts contain no `]]>`, because names have only letters, digits and `_`.
+void print_pou_file(const Unit& unit, const DialectRow& dialect, std::ostream& out) {
+    out << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<TcPlcObject Version=\"1.1.0.1\">\n  <POU Name=\"" << unit.name
+        << "\" Id=\"" << file_id(unit.name) << "\" SpecialFunc=\"None\">\n    <Declaration><![CDATA[";
+    print_declaration(unit, dialect, out);
+    out << "]]></Declaration>\n    <Implementation>\n      <ST><![CDATA[" << unit.body
+        << "]]></ST>\n    </Implementation>\n  </POU>\n</TcPlcObject>\n";
 }
 
 std::string data(std::string_view text) {
@@ -116,12 +144,17 @@ std::string comment_text(std::string text) {
     return text;
 }
 
-void print(const Unit& unit, Form form, std::ostream& out) {
+void print(const Unit& unit, Form form, const DialectRow& dialect, std::ostream& out) {
     Unit wrapped = unit;
     std::ostringstream body;
     print_wrapped(body, unit.body, "(*");
     wrapped.body = std::move(body).str();
-    if (form == Form::Text) print_text(wrapped, out);
+    switch (dialect.file) {
+    case FileForm::PouFile: return print_pou_file(wrapped, dialect, out);
+    case FileForm::Source: return print_text(wrapped, dialect, out);
+    case FileForm::Standard: break;
+    }
+    if (form == Form::Text) print_text(wrapped, dialect, out);
     else print_plcopen(wrapped, out);
 }
 

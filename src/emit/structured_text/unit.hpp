@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "emit/structured_text/structured_text.hpp"
+#include "emit/controller/code.hpp"
+#include "emit/structured_text/dialects.hpp"
 
 namespace grafverif::structured_text {
 
-enum class Section { Input, Output, Local, Constant };
+using controller::Section;
 
 struct UnitVariable {
     Section section = Section::Local;
@@ -33,6 +34,7 @@ struct Unit {
 /// Returns `text` for use inside a comment: a blank is inserted between the characters of `(*` and `*)`.
 std::string comment_text(std::string text);
 
-void print(const Unit& unit, Form form, std::ostream& out);
+/// Prints the unit in the file format of the dialect. `form` selects one of the standard formats.
+void print(const Unit& unit, Form form, const DialectRow& dialect, std::ostream& out);
 
 }  // namespace grafverif::structured_text

@@ -122,6 +122,21 @@ Spelling structured_text_spelling(Op op) {
     }
 }
 
+Spelling scl_spelling(Op op) {
+    Spelling spelling = structured_text_spelling(op);
+    if (op == Op::Conditional) spelling.arguments = {"G := ", "IN0 := ", "IN1 := "};
+    return spelling;
+}
+
+// The operand of `!` has brackets unless it is a leaf, and so has `!` in comparisons, about which compilers warn.
+Spelling c_language_spelling(Op op) {
+    switch (op) {
+    case Op::Not: return {"!", comparison_level};
+    case Op::Conditional: return {"?", atom_precedence};
+    default: return c_spelling(op);
+    }
+}
+
 namespace {
 
 struct Printer {
@@ -176,11 +191,11 @@ struct Printer {
 
     /// Prints a conditional as a function call. The value for `false` is the second argument.
     void selection(std::span<const Id<Expr>> operands, Spelling spelling) const {
-        out << spelling.token << '(';
+        out << spelling.token << '(' << spelling.arguments[0];
         term(operands[0]);
-        out << ", ";
+        out << ", " << spelling.arguments[1];
         term(operands[2]);
-        out << ", ";
+        out << ", " << spelling.arguments[2];
         term(operands[1]);
         out << ')';
     }

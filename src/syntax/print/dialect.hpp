@@ -7,6 +7,7 @@
 // c` does not. Comparisons are not associative, so that a comparison of comparisons always has brackets.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -26,6 +27,9 @@ struct Spelling {
     std::string_view token = {};
     int precedence = 0;
     std::string_view open = {}, close = {};
+    /// For a Conditional that is printed as a call: the text before the condition, the value for false, and the value
+    /// for true.
+    std::array<std::string_view, 3> arguments = {};
 };
 
 inline constexpr int atom_precedence = 10;
@@ -37,7 +41,9 @@ Spelling plain_spelling(Op op);            ///< equations as plain text: `a and 
 Spelling latex_spelling(Op op);            ///< LaTeX equations: `a \wedge \neg b`
 Spelling uppaal_spelling(Op op);           ///< UPPAAL: `a && !b`, `c ? a : b`
 Spelling nusmv_spelling(Op op);            ///< NuSMV: `a & !b`, `(c ? a : b)`
+Spelling c_language_spelling(Op op);       ///< C99: `a && !b`, `(c ? a : b)`
 Spelling structured_text_spelling(Op op);  ///< IEC 61131-3: `a AND NOT b`, `SEL(c, b, a)`
+Spelling scl_spelling(Op op);              ///< Structured Text of Siemens: `SEL(G := c, IN0 := b, IN1 := a)`
 
 /// Prints one leaf: Variable, Step, Timed, Parameter or At.
 using LeafPrinter = std::function<void(std::ostream&, const Expr&)>;

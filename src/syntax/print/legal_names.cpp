@@ -5,7 +5,8 @@
 // and types. A variable with the name of a query keyword can be declared but not used in queries. NuSMV: the list
 // contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files. Single capital letters in the list are
 // operators of temporal logic. Structured Text: the list contains the keywords, elementary types, standard functions
-// and function blocks of IEC 61131-3.
+// and function blocks of IEC 61131-3. C: the list contains the keywords of C and C++ up to 2023, and macros of common
+// headers and compilers.
 #include "syntax/print/legal_names.hpp"
 
 #include <algorithm>
@@ -78,6 +79,24 @@ constexpr auto structured_text_keywords = std::to_array<std::string_view>({
     "WSTRING", "XOR",
 });
 
+constexpr auto c_keywords = std::to_array<std::string_view>({
+    "EOF", "I", "INT16_C", "INT16_MAX", "INT16_MIN", "INT32_C", "INT32_MAX", "INT32_MIN", "INT64_C", "INT64_MAX",
+    "INT64_MIN", "INT8_C", "INT8_MAX", "INT8_MIN", "INTMAX_C", "INTMAX_MAX", "INTMAX_MIN", "INTPTR_MAX", "INTPTR_MIN",
+    "NULL", "PTRDIFF_MAX", "PTRDIFF_MIN", "SIG_ATOMIC_MAX", "SIG_ATOMIC_MIN", "SIZE_MAX", "UINT16_C", "UINT16_MAX",
+    "UINT32_C", "UINT32_MAX", "UINT64_C", "UINT64_MAX", "UINT8_C", "UINT8_MAX", "UINTMAX_C", "UINTMAX_MAX",
+    "UINTPTR_MAX", "WCHAR_MAX", "WCHAR_MIN", "WINT_MAX", "WINT_MIN", "alignas", "alignof", "and", "and_eq", "asm",
+    "assert", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char", "char16_t", "char32_t", "char8_t",
+    "class", "co_await", "co_return", "co_yield", "compl", "complex", "concept", "const", "const_cast", "consteval",
+    "constexpr", "constinit", "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else",
+    "enum", "errno", "explicit", "export", "extern", "false", "far", "float", "for", "fortran", "friend", "goto", "huge",
+    "i386", "if", "imaginary", "inline", "int", "interrupt", "linux", "long", "mutable", "namespace", "near", "new",
+    "noexcept", "not", "not_eq", "nullptr", "offsetof", "operator", "or", "or_eq", "private", "protected", "public",
+    "register", "reinterpret_cast", "requires", "restrict", "return", "short", "signed", "sizeof", "static",
+    "static_assert", "static_cast", "stderr", "stdin", "stdout", "struct", "switch", "template", "this", "thread_local",
+    "throw", "true", "try", "typedef", "typeid", "typename", "typeof", "typeof_unqual", "union", "unix", "unsigned",
+    "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
+});
+
 /// A set of words. For most names that are not in the set, the first letter and the length are sufficient to determine
 /// this.
 class Words {
@@ -115,13 +134,22 @@ bool has_single_underscores(std::string_view name) {
     return !name.ends_with('_') && name.find("__") == std::string_view::npos;
 }
 
+/// True if a name of the target must not contain `__` or end with `_`. C++ reserves names with `__`.
+bool has_plain_underscores(Target target) { return target == Target::StructuredText || target == Target::C; }
+
+/// True if C reserves the name: `_` and a capital letter.
+bool has_reserved_beginning(std::string_view name) {
+    return name.size() > 1 && name[0] == '_' && name[1] >= 'A' && name[1] <= 'Z';
+}
+
 /// Returns `name`, in which all characters that are not allowed in identifiers are replaced.
 std::string spelled(Target target, std::string_view name) {
     const std::string ascii = in_ascii(name);
     std::string text;
     if (ascii.empty() || is_digit(ascii.front())) text += '_';
     for (const char c : ascii) text += is_letter(c) || is_digit(c) ? c : '_';
-    if (target != Target::StructuredText) return text;
+    if (!has_plain_underscores(target)) return text;
+    if (target == Target::C && has_reserved_beginning(text)) text.insert(0, "v");
     std::string single;
     for (const char c : text)
         if (c != '_' || !single.ends_with('_')) single += c;
@@ -134,7 +162,7 @@ template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {
         std::string name = base;
-        if (tried == 1) name += '_';  // a trailing `_` is always rejected for Structured Text
+        if (tried == 1) name += '_';  // a trailing `_` is always rejected for Structured Text and C
         if (tried >= 2) name += '_' + std::to_string(tried);
         if (free(name)) return name;
     }
@@ -144,19 +172,21 @@ std::string first_free(const std::string& base, std::unordered_map<std::string, 
 
 bool is_reserved(Target target, std::string_view name) {
     static const Words uppaal(uppaal_keywords), queries(uppaal_query_words), nusmv(nusmv_keywords),
-        structured_text(structured_text_keywords);
+        structured_text(structured_text_keywords), c(c_keywords);
     switch (target) {
     case Target::Uppaal: return uppaal.contains(name) || queries.contains(name);
     case Target::UppaalLocal: return uppaal.contains(name);
     case Target::Nusmv: return nusmv.contains(name);
     case Target::StructuredText: return structured_text.contains(key_of(target, name));
+    case Target::C: return c.contains(name);
     }
     unreachable();
 }
 
 bool is_legal(Target target, std::string_view name) {
     if (name.empty() || !is_letter(name.front())) return false;
-    if (target == Target::StructuredText && !has_single_underscores(name)) return false;
+    if (has_plain_underscores(target) && !has_single_underscores(name)) return false;
+    if (target == Target::C && has_reserved_beginning(name)) return false;
     return std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); }) && !is_reserved(target, name);
 }
 
@@ -172,7 +202,7 @@ std::vector<std::string> legal_names(Target target, std::span<const std::string>
     }
     std::unordered_map<std::string, std::size_t> next;
     const auto free = [&](const std::string& name) {
-        return (target != Target::StructuredText || has_single_underscores(name)) && !is_reserved(target, name) &&
+        return (!has_plain_underscores(target) || has_single_underscores(name)) && !is_reserved(target, name) &&
                !used.contains(key_of(target, name));
     };
     for (std::size_t i = 0; i < names.size(); ++i) {

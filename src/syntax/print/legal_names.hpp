@@ -18,7 +18,8 @@ namespace grafverif {
 
 /// UppaalLocal: names that cannot occur in queries, such as parameters of a template. Such names can be keywords of
 /// queries. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing `_`.
-enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText };
+/// C: identifiers without double or trailing `_` that are not keywords of C or C++, for members of structs.
+enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText, C };
 
 /// True if `name` has another meaning in the target: a keyword, a built-in, or an operator of its properties.
 bool is_reserved(Target target, std::string_view name);
@@ -29,7 +30,7 @@ bool is_legal(Target target, std::string_view name);
 /// Returns legal identifiers for `names`, which share one scope. No result is in `taken`. Letters of other scripts are
 /// transliterated to ASCII (`Förderer`: `Foerderer`), characters that are not allowed in identifiers become `_`, and a
 /// number gets a leading `_`. A reserved or used name gets a trailing `_`, then `_2`, `_3`, ... until it is unused (in
-/// Structured Text immediately `_2`).
+/// Structured Text and C immediately `_2`).
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken = {});
 

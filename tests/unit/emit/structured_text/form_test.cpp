@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "emit/structured_text/dialects.hpp"
 #include "emit/structured_text/structured_text.hpp"
 #include "support/play.hpp"
 #include "support/run_structured_text.hpp"
@@ -100,6 +101,75 @@ TEST(StructuredTextForm, IsTheSameEachTimeAndHasNoLongLines) {
     EXPECT_EQ(text, controller(lamp, Form::PlcopenXml));
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 240u) << line;
+}
+
+// -- dialects ---------------------------------------------------------------------------------------------------------
+
+using structured_text::Dialect;
+
+std::string in_dialect(std::string_view declarations, Dialect dialect) {
+    std::ostringstream out;
+    structured_text::emit(equations(declarations), {ExecutionMode::StabilitySearch, 1000, Form::Text, dialect}, out);
+    return std::move(out).str();
+}
+
+std::string without(std::string text, const std::string& part, const std::string& replacement = "") {
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + replacement.size()))
+        text.replace(at, part.size(), replacement);
+    return text;
+}
+
+/// A chart with both timers, a term with cases, and a term with `SEL`.
+constexpr std::string_view timed =
+    "input go; output L, M: int 0..7; internal N: int 0..3; initial step 0; step 1 { L if 1s/go/2s; M := N + 1 on "
+    "activation; M := 2 on deactivation; } transition a: 0 -> 1 when go && 3s/X0; transition b: 1 -> 0 when !go;";
+
+TEST(StructuredTextDialects, SiemensDiffersOnlyInTheRowOfTheTable) {
+    const std::string source = in_dialect(timed, Dialect::Siemens);
+    EXPECT_NE(source.find("\nFUNCTION_BLOCK \"chart\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\nVAR_INPUT\n"),
+              std::string::npos)
+        << source;
+    EXPECT_NE(source.find("    T_X0_3s : TON_TIME;\n"), std::string::npos) << source;
+    EXPECT_NE(source.find("\nEND_VAR\nBEGIN\nIF #FAULT <> 0 THEN RETURN; END_IF;\n"), std::string::npos) << source;
+    EXPECT_NE(source.find("#T_X0_3s(IN := #X_0, PT := T#3s);\n"), std::string::npos) << source;
+    EXPECT_NE(source.find("#T_X0_3s_Q := #T_X0_3s.Q;\n"), std::string::npos) << source;
+    std::string plain = without(source, "\"chart\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n", "chart\n");
+    plain = without(without(without(plain, "\nBEGIN\n", "\n\n"), "_TIME;", ";"), "T#", "@");
+    plain = without(without(plain, "#"), "@", "T#");
+    EXPECT_EQ(plain, in_dialect(timed, Dialect::Iec));
+}
+
+TEST(StructuredTextDialects, SelHasNamedArgumentsForSiemens) {
+    Exprs exprs;
+    const Id<Expr> choice = exprs.conditional(exprs.leaf(Op::Variable, 0), exprs.integer(1), exprs.integer(2));
+    const auto name = [](std::ostream& out, const Expr&) { out << "#a"; };
+    EXPECT_EQ(expr_text(exprs, choice, structured_text::row_of(Dialect::Siemens).spelling, name),
+              "SEL(G := #a, IN0 := 2, IN1 := 1)");
+    EXPECT_EQ(expr_text(exprs, choice, structured_text::row_of(Dialect::Codesys).spelling, name), "SEL(#a, 2, 1)");
+}
+
+TEST(StructuredTextDialects, TwincatFileContainsDeclarationAndStatements) {
+    pugi::xml_document file;
+    ASSERT_TRUE(file.load_string(in_dialect(timed, Dialect::Twincat).c_str()));
+    const pugi::xml_node pou = file.child("TcPlcObject").child("POU");
+    EXPECT_STREQ(pou.attribute("Name").value(), "chart");
+    EXPECT_EQ(std::string(pou.attribute("Id").value()).size(), 38U);
+    const std::string declaration = pou.child("Declaration").text().get();
+    const std::string body = pou.child("Implementation").child("ST").text().get();
+    EXPECT_EQ(declaration + "\n" + body + "\nEND_FUNCTION_BLOCK\n", in_dialect(timed, Dialect::Iec));
+}
+
+TEST(StructuredTextDialects, EachDialectRenamesItsReservedWords) {
+    constexpr std::string_view names = "input Pointer, begin, persistent; output OK; initial step 0 { OK if Pointer; }";
+    for (const auto& [dialect, renamed] :
+         {std::pair(Dialect::Iec, ""), std::pair(Dialect::Codesys, "Pointer persistent"),
+          std::pair(Dialect::Twincat, "Pointer persistent"), std::pair(Dialect::Siemens, "Pointer begin OK")}) {
+        const std::string text = in_dialect(names, dialect);
+        std::string found;
+        for (const std::string name : {"Pointer", "begin", "persistent", "OK"})
+            if (text.find(name + " is " + name + "_2") != std::string::npos) found += (found.empty() ? "" : " ") + name;
+        EXPECT_EQ(found, renamed) << text;
+    }
 }
 
 TEST(StructuredTextForm, TermsThatAPlcMayComputeDifferentlyAreRejected) {

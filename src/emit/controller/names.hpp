@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The names of a controller in Structured Text.
+// The names of a controller in a target language.
 #pragma once
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "emit/structured_text/structured_text.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "syntax/print/legal_names.hpp"
 
-namespace grafverif::structured_text {
+namespace grafverif::controller {
 
 /// The names that a tester and a controller share. These names are assigned first, so that no internal name conflicts
 /// with them.
@@ -19,7 +19,8 @@ struct InterfaceNames {
     std::vector<std::string> variables = {};  ///< names of inputs, followed by names of outputs
 };
 InterfaceNames interface_names(const std::string& chart, std::span<const std::string> inputs,
-                               std::span<const std::string> outputs);
+                               std::span<const std::string> outputs, Target target,
+                               std::span<const std::string_view> reserved = {});
 
 struct TimerNames {
     std::string on = {};  ///< name of the TON; empty if there is no rise time
@@ -37,6 +38,7 @@ struct Names {
     std::string started = {}, stable = {}, evolutions = {}, limit = {}, fault = {};
     std::vector<Renaming> changed = {};
 };
-Names names_of(const Equations& equations);
+/// Returns names that are legal in the target and differ from `reserved`.
+Names names_of(const Equations& equations, Target target, std::span<const std::string_view> reserved = {});
 
-}  // namespace grafverif::structured_text
+}  // namespace grafverif::controller

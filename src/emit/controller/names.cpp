@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "emit/structured_text/names.hpp"
+#include "emit/controller/names.hpp"
 
 #include <unordered_set>
 #include <utility>
 
-namespace grafverif::structured_text {
+namespace grafverif::controller {
 
 namespace {
 
@@ -21,10 +21,11 @@ public:
         places_.push_back(&place);
     }
 
-    void grant(const InterfaceNames& interface) {
+    void grant(const InterfaceNames& interface, Target target, std::span<const std::string_view> reserved) {
         std::unordered_set<std::string> taken(interface.variables.begin(), interface.variables.end());
         taken.insert(interface.block);
-        std::vector<std::string> made = legal_names(Target::StructuredText, requested_, taken);
+        for (const std::string_view word : reserved) taken.emplace(word);
+        std::vector<std::string> made = legal_names(target, requested_, taken);
         for (std::size_t k = 0; k < made.size(); ++k) *places_[k] = std::move(made[k]);
     }
 
@@ -46,24 +47,27 @@ void request_timers(const Equations& equations, Inner& inner, Names& names) {
 }  // namespace
 
 InterfaceNames interface_names(const std::string& chart, std::span<const std::string> inputs,
-                               std::span<const std::string> outputs) {
+                               std::span<const std::string> outputs, Target target,
+                               std::span<const std::string_view> reserved) {
     std::vector<std::string> preferred_names(inputs.begin(), inputs.end());
     preferred_names.insert(preferred_names.end(), outputs.begin(), outputs.end());
     preferred_names.push_back(chart);
-    InterfaceNames names{{}, legal_names(Target::StructuredText, preferred_names)};
+    std::unordered_set<std::string> taken;
+    for (const std::string_view word : reserved) taken.emplace(word);
+    InterfaceNames names{{}, legal_names(target, preferred_names, taken)};
     names.block = std::move(names.variables.back());
     names.variables.pop_back();
     return names;
 }
 
-Names names_of(const Equations& equations) {
+Names names_of(const Equations& equations, Target target, std::span<const std::string_view> reserved) {
     std::vector<std::string> inputs, outputs, all;
     for (const Equations::Variable& variable : equations.variables) {
         all.push_back(variable.name);
         if (variable.role == Role::Input) inputs.push_back(variable.name);
         if (variable.role == Role::Output) outputs.push_back(variable.name);
     }
-    const InterfaceNames interface = interface_names(equations.name, inputs, outputs);
+    const InterfaceNames interface = interface_names(equations.name, inputs, outputs, target, reserved);
     Names names;
     names.block = interface.block;
     names.variables.resize(all.size());
@@ -87,11 +91,11 @@ Names names_of(const Equations& equations) {
     inner.request("evolutions", names.evolutions);
     inner.request("MAX_EVOLUTIONS", names.limit);
     inner.request("FAULT", names.fault);
-    inner.grant(interface);
+    inner.grant(interface, target, reserved);
     for (std::size_t k = 0; k < all.size(); ++k)
         if (names.storage[k].empty()) names.storage[k] = names.variables[k];
     names.changed = renamings(all, names.variables);
     return names;
 }
 
-}  // namespace grafverif::structured_text
+}  // namespace grafverif::controller

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Writes Equations as a controller in C99: a header and a source file without other dependencies than <stdbool.h> and
+// <stdint.h>. They contain the same statements as the function block in Structured Text (emit/controller).
+//
+//   NAME_inputs   struct of the inputs
+//   NAME_state    struct of the outputs, the internal variables and the timers
+//   NAME_init     sets the state at power-on
+//   NAME_scan     executes one PLC cycle: reads the inputs, and changes the state. Its argument `elapsed_ms` is the time
+//                 since the previous call
+//
+// Integers have fixed widths. The code allocates no memory, has no recursion and no global data. Its only loop is the
+// stability search, which executes at most NAME_MAX_EVOLUTIONS evolutions.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "emit/controller/code.hpp"
+
+namespace grafverif::c {
+
+/// Returns the content of the header.
+std::string header_of(const controller::Code& code);
+
+/// Returns the content of the source file. `header` is the name of the header, or empty if the source follows the text
+/// of the header in the same file.
+std::string source_of(const controller::Code& code, std::string_view header);
+
+}  // namespace grafverif::c

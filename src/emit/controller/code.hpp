@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Code of a controller: statements that compute one PLC cycle of a chart, as the common source of Structured Text and C.
+//
+//   every-cycle mode:                         with stability search:
+//     sample the timers                         sample the timers
+//     one evolution                             one evolution and an update of the timers, repeated until stable
+//     outputs                                   outputs
+//     update the timers                         update the timers
+//
+// Time is constant within a cycle, as in the equations: the output of a timer is sampled once, at the start of the
+// cycle, and later changes only as a consequence of evolutions. A TON whose input becomes FALSE and TRUE again within
+// one cycle restarts.
+//
+// New values are computed from old values. If an assignment would change an operand of a later assignment, the new
+// value is stored in a temporary cell (N_...).
+//
+// A language prints the statements literally. It provides Booleans, integers of 16 and 32 bits, and two timers:
+//   TON   true once its input has been true for the preset time
+//   TOF   true while its input is true, and after that for the preset time
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/execution.hpp"
+#include "grafverif/support/diagnostic.hpp"
+#include "syntax/print/legal_names.hpp"
+
+namespace grafverif::controller {
+
+enum class Section { Input, Output, Local, Constant };
+enum class Word { Bool, Int16, Int32, Unsigned32 };
+
+struct Timer;
+
+struct Cell {
+    Section section = Section::Local;
+    std::string name = {};
+    Word word = Word::Bool;
+    std::int64_t initial = 0;
+    bool initialized = true;  ///< false for a temporary cell, which is assigned before it is read
+    std::string comment = {};
+    Id<Timer> timer = {};  ///< if valid, the cell is the output of this timer, and has no declaration
+};
+
+struct Timer {
+    std::string name = {};
+    bool off_delay = false;  ///< true for a TOF, false for a TON
+    Id<Cell> input = {};
+    std::int64_t preset_ms = 0;
+    Id<Cell> output = {};
+};
+
+struct Statement {
+    enum class Kind {
+        Comment,  ///< `comment`
+        Assign,   ///< target := value
+        Cases,    ///< target := value, which is a Conditional; one branch for each of its cases
+        Guard,    ///< if condition then target := value
+        Stop,     ///< if condition then the call ends
+        Call,     ///< executes `timer`
+        If,       ///< begins a block, which Else or End ends
+        While,    ///< begins a block, which End ends
+        Else,     ///< ends the block of an If, and begins the other one
+        EndIf,
+        EndWhile
+    };
+    Kind kind = Kind::Comment;
+    Id<Cell> target = {};
+    Id<Expr> value = {}, condition = {};
+    Id<Timer> timer = {};
+    std::string comment = {};
+};
+
+struct Code {
+    std::string name = {};     ///< name of the block
+    std::string comment = {};  ///< several lines for the user of the block
+    Exprs exprs = {};          ///< terms whose leaves are cells
+    Table<Cell> cells = {};
+    Table<Timer> timers = {};
+    std::vector<std::variant<Id<Cell>, Id<Timer>>> declarations = {};  ///< in the order of the text
+    std::vector<Statement> body = {};
+};
+
+struct Options {
+    ExecutionMode mode = ExecutionMode::StabilitySearch;
+    std::uint32_t max_evolutions = 1000;  ///< maximum number of evolutions in one cycle under stability search
+};
+
+/// Returns the code, with names that are legal in `target` and differ from `reserved`. Requires
+/// verify(equations).empty(), and that the equations are expressible.
+Code code_of(const Equations& equations, const Options& options, Target target,
+             std::span<const std::string_view> reserved = {});
+
+/// True if 32-bit integers and timers compute `equations` exactly. Otherwise reports each division by a divisor that is
+/// not constant, each value beyond 32 bits, and each duration beyond 31 bits of milliseconds. A division is reported
+/// even if a previous operand excludes a zero divisor, because `and` and `or` in Structured Text may evaluate all
+/// operands. `message` returns the error for a construct.
+bool expressible(const Equations& equations, Diagnostic (*message)(Span where, std::string_view what),
+                 Diagnostics& diagnostics);
+
+}  // namespace grafverif::controller

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The dialects of Structured Text: one row per dialect contains all differences from the standard.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "emit/structured_text/structured_text.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif::structured_text {
+
+/// File format of a dialect. Standard: text or PLCopen XML. PouFile: a file of a TwinCAT project. Source: text for the
+/// importer of the vendor.
+enum class FileForm { Standard, PouFile, Source };
+
+struct DialectRow {
+    Dialect dialect = Dialect::Iec;
+    FileForm file = FileForm::Standard;
+    std::string_view on_delay = "TON", off_delay = "TOF";  ///< types of the timers
+    std::string_view prefix = {};                          ///< precedes each variable and instance in statements
+    std::string_view quote = {};                           ///< encloses the name of the block in its first line
+    std::string_view attributes = {};                      ///< lines after the first line
+    std::string_view begin = {};                           ///< line before the statements
+    grafverif::Dialect spelling = structured_text_spelling;
+    std::span<const std::string_view> reserved = {};  ///< words, in addition to those of the standard, in capitals
+};
+
+const DialectRow& row_of(Dialect dialect);
+
+}  // namespace grafverif::structured_text
