@@ -40,6 +40,7 @@ ExitCode replay(CommandContext& job, const Streams& streams);
 ExitCode monitor(CommandContext& job, const Streams& streams);
 ExitCode plc(CommandContext& job, const Streams& streams);
 ExitCode st(CommandContext& job, const Streams& streams);
+ExitCode c(CommandContext& job, const Streams& streams);
 ExitCode test(CommandContext& job, const Streams& streams);
 ExitCode manual(CommandContext& job, const Streams& streams);
 ExitCode completion(CommandContext& job, const Streams& streams);
@@ -76,12 +77,16 @@ CliCommand replay_usage();
 CliCommand monitor_usage();
 CliCommand plc_usage();
 CliCommand st_usage();
+CliCommand c_usage();
 CliCommand test_usage();
 CliCommand manual_usage();
 CliCommand completion_usage();
 
 /// Appends a list of the written files to the closing text. `build` calls it after it has written its results.
 void list_products(CommandContext& job);
+
+/// Returns the exit code for the result of a comparison.
+ExitCode exit_code(const Comparison& comparison);
 
 /// Writes `content` to the file given by `-o`, or to standard output by default.
 void deliver(const std::string& content, CommandContext& job, const Streams& streams);

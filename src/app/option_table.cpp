@@ -227,8 +227,22 @@ std::vector<Option> options_for_forms() {
                "fold long charts into N columns (default: as many as fit on a page)"),
         choice<Notation>(OptionGroup::Drawing, "notation", {{"iec", Notation::Iec}, {"text", Notation::Text}},
                          &Options::notation, "notation of conditions: IEC 60848 or the text language (default: iec)"),
-        number(OptionGroup::MaxEvolutions, "max-evolutions", "N", {}, &Options::max_evolutions,
-               "maximum number of evolutions of a stable cycle (default: 1000)"),
+        number(
+            OptionGroup::MaxEvolutions, "max-evolutions", "N", {},
+            [](Options & options) -> auto& { return options.st.max_evolutions; },
+            "maximum number of evolutions of a stable cycle (default: 1000)"),
+        choice<structured_text::Dialect>(
+            OptionGroup::StructuredText, "dialect",
+            {{"iec", structured_text::Dialect::Iec},
+             {"codesys", structured_text::Dialect::Codesys},
+             {"twincat", structured_text::Dialect::Twincat},
+             {"siemens", structured_text::Dialect::Siemens}},
+            [](Options & options) -> auto& { return options.st.dialect; }, "dialect of the program (default: iec)"),
+        toggle(
+            OptionGroup::StructuredText, "prove", [](Options & options) -> auto& { return options.st.prove; },
+            "read the generated text back, and write it only if it is proved equivalent to the chart"),
+        time(OptionGroup::StructuredText, "resolution", &Options::resolution_ms,
+             "with --prove: assume that scans occur at multiples of TIME (default: 1ms)"),
     };
 }
 

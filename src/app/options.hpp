@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "compose/compose.hpp"
+#include "emit/structured_text/structured_text.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/drawing.hpp"
 #include "grafverif/ir/execution.hpp"
@@ -61,6 +62,15 @@ struct FaultsOptions {
     std::uint64_t order = 1;  ///< maximum number of faults of a combination
 };
 
+/// Options of `st`.
+struct StOptions {
+    /// Maximum number of evolutions of a stable cycle; at most 32 bits. If it is empty: 1000, or with `prove` the
+    /// smallest number that is found to be sufficient.
+    std::optional<std::uint64_t> max_evolutions = {};
+    structured_text::Dialect dialect = structured_text::Dialect::Iec;
+    bool prove = false;  ///< prove that the program is equivalent to the chart before it is written
+};
+
 struct Options {
     std::vector<std::string> operands = {};  ///< FILE operands, or NAME for `components`
     std::optional<std::string> output = {};  ///< value of -o
@@ -74,7 +84,7 @@ struct Options {
     std::optional<std::string> other_chart = {};      ///< option of `compare`
     bool all_modes = false;                           ///< option of `compare`
     std::optional<std::string> from_situation = {};   ///< option of `compare`: names of steps, separated by commas
-    std::optional<std::uint64_t> resolution_ms = {};  ///< option of `compare`
+    std::optional<std::uint64_t> resolution_ms = {};  ///< option of `compare` and `st`
     bool settled = false;                             ///< option of `compare`: compare after programs have settled
     bool imported_charts = false;                     ///< option of `compare`: import charts of IEC 61131-3
     std::vector<std::string> renamings = {},
@@ -107,6 +117,7 @@ struct Options {
     bool why = false;  ///< option of `check`
     TuneOptions tune = {};
     FaultsOptions faults = {};
+    StOptions st = {};
     bool help = false;
 
     std::vector<std::string> properties = {};       ///< option of `check`: names of properties; all if empty
@@ -142,7 +153,6 @@ struct Options {
     /// Limit for one response (`test`), for one check (`serve` and `lsp`) or for one call (`mcp`).
     std::optional<std::uint64_t> response_timeout_ms = {};
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
-    std::uint64_t max_evolutions = 1000;               ///< option of `st`; at most 32 bits
     std::optional<std::string> open_psa = {};          ///< option of `faults`
     std::optional<std::string> log = {};               ///< option of `replay`
     std::optional<std::uint64_t> jitter_ms = {};       ///< option of `replay` and `monitor`
@@ -232,6 +242,7 @@ enum class OptionGroup {
     Sequence,
     FormatXml,
     MaxEvolutions,
+    StructuredText,
     Analysis,
     FormatDiagram,
     FormatTest,

@@ -67,6 +67,7 @@ constexpr std::array entries = {
     Entry{replay_usage, replay},
     Entry{monitor_usage, monitor},
     Entry{st_usage, st},
+    Entry{c_usage, c},
     Entry{manual_usage, manual},
     Entry{completion_usage, completion},
 };

@@ -96,6 +96,21 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     return validate_streams(verb, options);
 }
 
+namespace {
+
+std::string validate_structured_text(const Options& options, const std::function<bool(const char* name)>& given) {
+    using structured_text::Dialect;
+    if (given("resolution") && !options.st.prove) return "`--resolution` requires `--prove`; add it";
+    if (options.st.prove && options.sequence) return "`--prove` and `--sequence` are mutually exclusive; remove one";
+    if (options.st.dialect == Dialect::Iec || options.st.dialect == Dialect::Codesys) return {};
+    if (given("format")) return "`--format` applies only to the dialects `iec` and `codesys`; remove it";
+    if (options.st.prove)
+        return "`--prove` can read only the dialects `iec` and `codesys`; remove it or select one of these dialects";
+    return {};
+}
+
+}  // namespace
+
 std::string validate_combinations(const CliCommand& verb, const Options& options,
                                   const std::function<bool(const char* name)>& given) {
     constexpr std::array needs = {std::pair("from", "trace-svg"), std::pair("to", "trace-svg"),
@@ -104,9 +119,11 @@ std::string validate_combinations(const CliCommand& verb, const Options& options
         if (given(one) && !given(other)) return fmt::format("`--{}` requires `--{}`; add it", one, other);
     if (accepts(verb, OptionGroup::Walk) && given("junit") && !given("script"))
         return "`--junit` requires `--script`; add it";
-    constexpr std::array excludes = {std::pair("chart", "loop"), std::pair("chart", "grain"),
-                                     std::pair("script", "random"), std::pair("sequence", "cover"),
-                                     std::pair("sequence", "hold")};
+    if (accepts(verb, OptionGroup::StructuredText))
+        if (std::string error_text = validate_structured_text(options, given); !error_text.empty()) return error_text;
+    constexpr std::array excludes = {std::pair("dialect", "sequence"), std::pair("chart", "loop"),
+                                     std::pair("chart", "grain"),      std::pair("script", "random"),
+                                     std::pair("sequence", "cover"),   std::pair("sequence", "hold")};
     const bool of_loops = accepts(verb, OptionGroup::Loop) || accepts(verb, OptionGroup::Bench);
     for (const auto& [one, other] : excludes)
         if (given(one) && given(other) && (of_loops || one != std::string_view("chart")))
@@ -126,7 +143,8 @@ std::string validate_combinations(const CliCommand& verb, const Options& options
 }
 
 std::string validate_limits(Options& options) {
-    if (options.max_evolutions == 0 || options.max_evolutions > std::numeric_limits<std::uint32_t>::max())
+    const std::uint64_t evolutions = options.st.max_evolutions.value_or(1);
+    if (evolutions == 0 || evolutions > std::numeric_limits<std::uint32_t>::max())
         return "invalid value of `--max-evolutions`; use a number from 1 to 4294967295";
     return {};
 }

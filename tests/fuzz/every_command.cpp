@@ -40,6 +40,10 @@ std::vector<VerbRun> all_runs() {
         {{"st", "FILE"}, Plcopen},
         {{"st", "FILE", "--format", "text"}, StructuredText},
         {{"st", "FILE", "--format", "text", "--mode", "every-cycle"}, StructuredText},
+        {{"st", "FILE", "--dialect", "twincat"}, Xml},
+        {{"st", "FILE", "--dialect", "siemens"}},
+        {{"c", "FILE"}},
+        {{"c", "FILE", "--mode", "every-cycle"}},
         {{"nusmv", "FILE"}, Nusmv},
         {{"nusmv", "FILE", "--mode", "every-cycle"}, Nusmv},
         {{"components"}},
@@ -72,6 +76,7 @@ std::vector<VerbRun> all_runs() {
     bounded({"analyse", "FILE"}, Text, false);
     bounded({"analyse", "FILE", "--format", "json"}, Json, false);
     bounded({"analyse", "FILE", "--format", "sarif", "--mode", "every-cycle"}, Json, false);
+    bounded({"st", "FILE", "--prove", "--format", "text", "--resolution", "1s"}, Text, false);
     for (const char* verb : {"automaton", "mealy"}) {
         bounded({verb, "FILE"}, Text, false);
         bounded({verb, "FILE", "--format", "json", "--mode", "every-cycle"}, Json, false);

@@ -1,26 +1,107 @@
 // SPDX-License-Identifier: MIT
-// `st`: writes a chart, or a test of it, as a PLC program.
+// `st` and `c`: write a chart as a PLC program or in C. `st` also writes a test of the chart.
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+
 #include "app/commands.hpp"
+#include "app/outputs.hpp"
+#include "app/stop_text.hpp"
+#include "app/system/watchdog.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/program/prove.hpp"
+#include "report/charts/comparison.hpp"
 
 namespace grafverif::app {
+
+namespace {
+
+std::uint32_t max_evolutions(const Options& options) {
+    return static_cast<std::uint32_t>(options.st.max_evolutions.value_or(1000));
+}
+
+/// Writes the program if it is proved equivalent to the chart. In each case, prints the result of the comparison: to
+/// standard output, or to standard error if the program is written to standard output.
+ExitCode write_if_proved(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
+    const ResourceLimits bounds(job.options, streams);
+    ProofOptions how{.mode = execution_mode(model, chart, job),
+                     .form = structured_text_form(job.options),
+                     .dialect = job.options.st.dialect,
+                     .limits = bounds.limits()};
+    if (const auto most = job.options.st.max_evolutions) how.max_evolutions = static_cast<std::uint32_t>(*most);
+    if (const auto time = job.options.resolution_ms) how.resolution_ms = static_cast<std::int64_t>(*time);
+    auto found = proved_structured_text(model, chart, how, job.sources, job.diagnostics);
+    if (!found) return ExitCode::Input;
+    Comparison& comparison = found->comparison;
+    comparison.reason = with_who_stopped(std::move(comparison.reason), bounds.interrupted(), job.options);
+    const ExitCode code = app::exit_code(comparison);
+    const bool to_output = !job.options.output || names_output(*job.options.output);
+    std::ostream& out = to_output ? streams.err : streams.out;
+    std::ostringstream text;
+    print_result(comparison, colour_on(to_output ? streams.err_screen : streams.out_screen, job.options), text);
+    if (how.mode == ExecutionMode::StabilitySearch && code == ExitCode::Done)
+        text << "  the program executes at most " << found->max_evolutions << " evolutions per scan\n";
+    if (code != ExitCode::Done) text << "  the program is not proved, so it is not written\n";
+    work_is_done();
+    out << std::move(text).str();
+    print_failures(comparison.failures, streams);
+    if (code == ExitCode::Done) deliver(found->text, job, streams);
+    else job.options.depfile.reset();
+    return code;
+}
+
+}  // namespace
 
 ExitCode st(CommandContext& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    if (chart && job.options.st.prove) return write_if_proved(*model, *chart, job, streams);
     const auto found = chart ? equations_of(*model, *chart, job) : std::nullopt;
     if (!found) return ExitCode::Input;
     std::string text;
     if (!job.options.sequence) {
-        const bool xml = structured_text_form(job.options) == structured_text::Form::PlcopenXml;
-        text = structured_text_of(*found, execution_mode(*model, *chart, job), job.diagnostics, xml,
-                                  static_cast<std::uint32_t>(job.options.max_evolutions))
+        text = structured_text_of(*found,
+                                  {execution_mode(*model, *chart, job), max_evolutions(job.options),
+                                   structured_text_form(job.options), job.options.st.dialect},
+                                  job.diagnostics)
                    .value_or("");
     } else if (const auto sequence = test_sequence(*model, *chart, job)) {
         text = structured_text_test(*sequence, structured_text_form(job.options));
     }
     if (!job.diagnostics.has_errors()) deliver(text, job, streams);
     return ExitCode::Done;
+}
+
+ExitCode c(CommandContext& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const auto found = chart ? equations_of(*model, *chart, job) : std::nullopt;
+    if (!found) return ExitCode::Input;
+    const std::string output = job.options.output.value_or("-");
+    const bool one_file = names_output(output);
+    const std::filesystem::path header = std::filesystem::path(output).replace_extension(".h");
+    const auto code = c_code_of(*found, execution_mode(*model, *chart, job), max_evolutions(job.options),
+                                one_file ? "" : header.filename().string(), job.diagnostics);
+    if (!code) return ExitCode::Input;
+    std::vector<OutputFile> files = {{output, one_file ? code->header + '\n' + code->source : code->source}};
+    if (!one_file) files.push_back({header, code->header});
+    return write_outputs(files, job, streams) ? ExitCode::Done : ExitCode::Input;
+}
+
+CliCommand c_usage() {
+    return {
+        "c",
+        "FILE",
+        1,
+        1,
+        "generate C99 for a chart",
+        "Writes a chart of FILE as a controller in C99, with the statements of the function block that `st` writes.\n"
+        "With -o NAME.c, the header is NAME.h; standard output receives both as one file. NAME_init sets the state\n"
+        "at power-on. NAME_scan executes one PLC cycle; its arguments are the state, the inputs and the time since\n"
+        "the previous cycle. The code uses only <stdbool.h> and <stdint.h>, and allocates no memory.",
+        {"grafverif c samples/tanks/tanks.grafcet -o tanks.c",
+         "grafverif c samples/tanks/tanks.grafcet --mode every-cycle"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::MaxEvolutions}};
 }
 
 CliCommand st_usage() {
@@ -33,12 +114,23 @@ CliCommand st_usage() {
         "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), derived from the verified\n"
         "equations. One call of the block is one PLC cycle. With --sequence, `st` writes a program that executes the\n"
         "test on this function block, one scan per call, and compares its outputs in each scan. Formats: PLCopen XML\n"
-        "(TC6 2.01), text.",
+        "(TC6 2.01), text.\n"
+        "\n"
+        "The dialects `twincat` (a .TcPOU file) and `siemens` (a source in SCL for TIA Portal) have their own "
+        "formats.\n"
+        "The dialect `codesys` has the formats of `iec`; only its reserved words differ.\n"
+        "\n"
+        "With --prove, `st` reads the generated text as a PLC program and compares it with the chart, as `compare`\n"
+        "does. The text is written only if both are proved equivalent. Exit code 1: different; 3: inconclusive\n"
+        "(--timeout, --max-memory, Ctrl-C). In both cases, nothing is written. Without --max-evolutions, the limit is\n"
+        "the first of 8, 16, ..., 128 within which each search of the chart ends.",
         {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
          "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
+         "grafverif st samples/tanks/tanks.grafcet --prove -o tanks.xml",
+         "grafverif st samples/tanks/tanks.grafcet --dialect siemens -o tanks.scl",
          "grafverif st samples/tanks/tanks.grafcet --sequence samples/tanks/table2.csv -o test.xml"},
         {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatXml, OptionGroup::Sequence,
-         OptionGroup::MaxEvolutions}};
+         OptionGroup::MaxEvolutions, OptionGroup::StructuredText}};
 }
 
 }  // namespace grafverif::app

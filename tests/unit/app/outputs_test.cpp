@@ -59,13 +59,14 @@ TEST(Depfile, IsWrittenByEveryCommandThatWritesFiles) {
     const std::string main = folder.write("main.grafcet", chart("c") + loop("l", "c"));
     const std::string pairs = folder.write("pairs.csv", "variable1,variable2,reason\n");
     const std::string out = folder.file("out"), depfile = folder.file("out.d");
-    for (const char* verb : {"uppaal", "nusmv", "aiger", "btor2", "pins", "draw", "equations", "report", "analyse",
+    for (const char* verb : {"uppaal", "nusmv", "aiger", "btor2", "pins", "c", "draw", "equations", "report", "analyse",
                              "automaton", "mealy", "testgen", "st", "fmt"}) {
         SCOPED_TRACE(verb);
         fs::remove(depfile);
         EXPECT_EQ(grafverif({verb, main, "-o", out, "--depfile", depfile}).code, ExitCode::Done);
-        EXPECT_TRUE(folder.read("out.d").starts_with(out + (std::string(verb) == "aiger" ? " " + out + ".json" : "") +
-                                                     ": \\\n  " + main + "\n"))
+        const std::string second = verb == std::string("aiger") ? ".json" : verb == std::string("c") ? ".h" : "";
+        const std::string outputs = second.empty() ? out : out + " " + out + second;
+        EXPECT_TRUE(folder.read("out.d").starts_with(outputs + ": \\\n  " + main + "\n"))
             << folder.read("out.d");
     }
     EXPECT_EQ(grafverif({"analyse", main, "--exclusions", pairs, "-o", out, "--depfile", depfile}).code,

@@ -91,17 +91,6 @@ bool set_program_options(const CompareOperand& a, const CompareOperand& b, Comma
     return job.diagnostics.errors() == before;
 }
 
-ExitCode exit_code(const Comparison& comparison) {
-    if (!comparison.failures.empty()) return ExitCode::Failure;
-    if (comparison.faulty) return ExitCode::Verdict;
-    switch (comparison.outcome) {
-    case Comparison::Outcome::Equal: return ExitCode::Done;
-    case Comparison::Outcome::Different: return ExitCode::Verdict;
-    case Comparison::Outcome::Unknown: return ExitCode::Unknown;
-    }
-    return ExitCode::Failure;
-}
-
 /// Returns the requested modes. An empty mode stands for the mode of the loops of FILE that contain the chart.
 std::vector<std::optional<ExecutionMode>> requested_modes(const Options& options) {
     if (!options.all_modes) return {options.mode};
@@ -122,6 +111,17 @@ void print(const std::vector<Comparison>& all, const Options& options, Colour co
 }
 
 }  // namespace
+
+ExitCode exit_code(const Comparison& comparison) {
+    if (!comparison.failures.empty()) return ExitCode::Failure;
+    if (comparison.faulty) return ExitCode::Verdict;
+    switch (comparison.outcome) {
+    case Comparison::Outcome::Equal: return ExitCode::Done;
+    case Comparison::Outcome::Different: return ExitCode::Verdict;
+    case Comparison::Outcome::Unknown: return ExitCode::Unknown;
+    }
+    return ExitCode::Failure;
+}
 
 ExitCode compare(CommandContext& job, const Streams& streams) {
     ComparedFile a, b;

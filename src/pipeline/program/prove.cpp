@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/program/prove.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "emit/controller/names.hpp"
+#include "emit/structured_text/dialects.hpp"
+#include "pipeline/variants/compare.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// True if the program stops in a scan that the chart completes.
+bool only_program_stops(const Comparison& comparison) {
+    return comparison.outcome == Comparison::Outcome::Different && comparison.answers[0].back().stop.empty() &&
+           !comparison.answers[1].back().stop.empty();
+}
+
+}  // namespace
+
+std::optional<Comparison> compare_with_text(const Model& model, Id<Chart> chart, const Equations& equations,
+                                            const std::string& text, const ProofOptions& options, Sources& sources,
+                                            Diagnostics& diagnostics) {
+    const controller::Names names =
+        controller::names_of(equations, Target::StructuredText, structured_text::row_of(options.dialect).reserved);
+    ProgramCompareOptions of_program;
+    of_program.stop = {names.fault};
+    for (const Id<Equations::Variable> id : equations.variables.ids()) {
+        const Equations::Variable& variable = equations.variables[id];
+        const bool shared = variable.role == Equations::Role::Input || variable.role == Equations::Role::Output;
+        if (shared && variable.name != names.variables[id.index])
+            of_program.map.emplace_back(variable.name, names.variables[id.index]);
+    }
+    CompareOptions how;
+    how.mode = options.mode;
+    how.resolution_ms = options.resolution_ms;
+    how.limits = options.limits;
+    const Id<Source> source = sources.add({names.block + " (generated)", text});
+    return compare({&model, chart, {}}, {nullptr, {}, source}, how, of_program, sources, diagnostics);
+}
+
+std::optional<ProvedText> proved_structured_text(const Model& model, Id<Chart> chart, const ProofOptions& options,
+                                                 Sources& sources, Diagnostics& diagnostics) {
+    const auto equations = equations_of(model, chart, diagnostics);
+    if (!equations || !structured_text::expressible(*equations, diagnostics)) return {};
+    const bool searches = options.mode == ExecutionMode::StabilitySearch && !options.max_evolutions;
+    for (ProvedText made{{}, searches ? 8 : options.max_evolutions.value_or(1), {}};; made.max_evolutions *= 2) {
+        std::ostringstream out;
+        structured_text::emit(*equations, {options.mode, made.max_evolutions, options.form, options.dialect}, out);
+        made.text = std::move(out).str();
+        auto found = compare_with_text(model, chart, *equations, made.text, options, sources, diagnostics);
+        if (!found) return {};
+        made.comparison = std::move(*found);
+        const bool more = searches && made.max_evolutions < most_proved_evolutions;
+        if (!more || !only_program_stops(made.comparison)) return made;
+    }
+}
+
+}  // namespace grafverif

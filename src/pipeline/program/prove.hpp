@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// proved_structured_text: writes a chart as Structured Text, reads the text as a PLC program, and compares this program
+// with the chart.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "emit/structured_text/structured_text.hpp"
+#include "grafverif/grafverif.hpp"
+
+namespace grafverif {
+
+/// Largest maximum number of evolutions that is tried if none is given.
+inline constexpr std::uint32_t most_proved_evolutions = 128;
+
+struct ProofOptions {
+    ExecutionMode mode = ExecutionMode::StabilitySearch;
+    structured_text::Form form = structured_text::Form::PlcopenXml;
+    structured_text::Dialect dialect = structured_text::Dialect::Iec;  ///< Iec or Codesys, which can be read
+    /// Maximum number of evolutions per cycle. If it is empty, 8, 16, ..., most_proved_evolutions are tried, up to the
+    /// first number with which the program stops in no cycle that the chart completes.
+    std::optional<std::uint32_t> max_evolutions = {};
+    std::optional<std::int64_t> resolution_ms = {};  ///< time between scans is a multiple of this; 1 ms if empty
+    Limits limits = {};
+};
+
+struct ProvedText {
+    std::string text = {};
+    std::uint32_t max_evolutions = 0;  ///< the number that `text` contains
+    Comparison comparison = {};  ///< the chart (a) and the program (b); `text` is proved if and only if it is Equal
+};
+
+/// Compares exactly the returned text with the rules of the chart. The program stops in the scan in which its output
+/// FAULT is not zero. `sources` receives the text, because diagnostics can refer to it. The result is empty after an
+/// error: the chart cannot be expressed, or the text cannot be read as a program or compared.
+std::optional<ProvedText> proved_structured_text(const Model& model, Id<Chart> chart, const ProofOptions& options,
+                                                 Sources& sources, Diagnostics& diagnostics);
+
+/// Compares a text with the chart that it implements, whose equations determine the names in the text.
+std::optional<Comparison> compare_with_text(const Model& model, Id<Chart> chart, const Equations& equations,
+                                            const std::string& text, const ProofOptions& options, Sources& sources,
+                                            Diagnostics& diagnostics);
+
+}  // namespace grafverif
