@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/command_context.hpp"
+#include "pipeline/models.hpp"
 #include "support/print_model.hpp"
 #include "support/print_network.hpp"
 #include "syntax/print/equations.hpp"
@@ -87,6 +88,15 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     const auto report = grafverif::check(*model, *loop, {}, options, job.diagnostics);
     ASSERT_TRUE(report);
     expect_golden(folder / "6-verdicts.txt", text_of(*report));
+    if (stem == "blinker" || stem == "oven_door") {
+        const ExecutionMode mode = execution_mode(*model, *chart, job);
+        const auto program = structured_text_of(*equations, {mode, 1000, structured_text::Form::Text}, job.diagnostics);
+        const auto code = c_code_of(*equations, mode, 1000, stem + ".h", job.diagnostics);
+        ASSERT_TRUE(program && code);
+        expect_golden(folder / "7-controller.st", *program);
+        expect_golden(folder / "7-controller.h", code->header);
+        expect_golden(folder / "7-controller.c", code->source);
+    }
     EXPECT_FALSE(job.diagnostics.has_errors());
 }
 

@@ -30,16 +30,21 @@ std::set<std::string> codes() {
 /// Codes whose test needs more than a chart: files that are missing, are too large or cannot be written, options of the
 /// command line, programs that are not installed, and restrictions of one target. The tests in unit_app check these
 /// codes.
-const std::set<std::string> of_the_world = {
-    "cannot-read",       "cannot-write",    "too-large",          "no-closed-loop",         "no-such-choice",
-    "ambiguous-choice",  "not-expressible", "bad-sequence",       "not-in-structured-text", "cannot-run",
-    "nothing-to-test",   "stopped",         "out-of-memory",      "bound-reached",          "nothing-to-import",
-    "left-out",          "missing-program", "cure-left-out",      "output-is-input",        "output-twice",
-    "cannot-listen",     "missing-folder",  "not-in-depfile",     "not-comparable",         "beyond-32-bits",
-    "not-a-state-file",  "other-format",    "threads-refused",    "not-in-program",         "recursive-unit",
-    "program-too-large", "unbounded-loop",  "no-program",         "several-programs",       "bad-property",
-    "deprecated-option", "not-standard",    "cycle-without-time", "undocumented-reading",   "bad-log",
-    "unrecorded",        "no-faults",       "not-in-c"};
+const std::set<std::string> of_the_world = {"cannot-read",       "cannot-write",       "too-large",
+                                            "no-closed-loop",    "no-such-choice",     "ambiguous-choice",
+                                            "not-expressible",   "bad-sequence",       "not-in-structured-text",
+                                            "cannot-run",        "nothing-to-test",    "stopped",
+                                            "out-of-memory",     "bound-reached",      "nothing-to-import",
+                                            "left-out",          "missing-program",    "cure-left-out",
+                                            "output-is-input",   "output-twice",       "cannot-listen",
+                                            "missing-folder",    "not-in-depfile",     "not-comparable",
+                                            "beyond-32-bits",    "not-a-state-file",   "other-format",
+                                            "threads-refused",   "not-in-program",     "recursive-unit",
+                                            "program-too-large", "unbounded-loop",     "no-program",
+                                            "several-programs",  "bad-property",       "deprecated-option",
+                                            "not-standard",      "cycle-without-time", "undocumented-reading",
+                                            "bad-log",           "unrecorded",         "no-faults",
+                                            "not-in-c"};
 
 TEST(Repository, EveryDiagnosticHasATest) {
     const std::set<std::string> all = codes();

@@ -66,8 +66,7 @@ TEST(Depfile, IsWrittenByEveryCommandThatWritesFiles) {
         EXPECT_EQ(grafverif({verb, main, "-o", out, "--depfile", depfile}).code, ExitCode::Done);
         const std::string second = verb == std::string("aiger") ? ".json" : verb == std::string("c") ? ".h" : "";
         const std::string outputs = second.empty() ? out : out + " " + out + second;
-        EXPECT_TRUE(folder.read("out.d").starts_with(outputs + ": \\\n  " + main + "\n"))
-            << folder.read("out.d");
+        EXPECT_TRUE(folder.read("out.d").starts_with(outputs + ": \\\n  " + main + "\n")) << folder.read("out.d");
     }
     EXPECT_EQ(grafverif({"analyse", main, "--exclusions", pairs, "-o", out, "--depfile", depfile}).code,
               ExitCode::Done);
