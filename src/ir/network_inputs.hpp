@@ -10,7 +10,8 @@
 //   Chosen    its location, clocks and outputs are not stored. Each sampling chooses one of its reachable output
 //             valuations, independently of earlier samplings. All outputs are chosen jointly: a selector never has two
 //             positions.
-//   Untimed   its location and outputs are stored; its clocks and its urgency are ignored, so it may move at any time.
+//   Untimed   its location and outputs are stored; its clocks are ignored. An edge with a clock constraint is not urgent
+//             and may be taken at any time.
 //   Paced     for autonomous instances only: upper bounds are ignored, and lower bounds are one time unit of the
 //             search, so that the instance does not change twice within one instant.
 //   Complete  the process is unchanged.
@@ -24,7 +25,8 @@
 //   - a PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and the other edges have the
 //     same guard as in N.
 //   - an edge of an Untimed or Paced process has the same guard as in N, over the same values (a process that a stored
-//     process reads is also stored). The edge needs no more time than in N and does not stop time in A.
+//     process reads is also stored). The edge needs no more time than in N. It stops time in A only if it also stops
+//     time in N: if it is urgent in A, its guard has no clock constraint in N.
 //   - if N is quiescent, A is quiescent: the condition for A omits only the conjuncts that read a Chosen instance.
 // Therefore, if `always`, `never` or `exactly one of` holds in A, it holds in N. A `reachable` that is violated in A is
 // violated in N. Both statements are also true with `at stable`. A run of A is not necessarily a run of N.
@@ -49,8 +51,9 @@ struct InputAblations {
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
     bool ignore_readers = false;      ///< a process that reads a Chosen instance reads its initial outputs
     bool own_guards_only = false;     ///< valuations are computed for the initial values of other variables
-    bool all_can_rest = false;     ///< instances with invariants or urgent edges are abstracted as if they could rest
-    bool keep_quiescence = false;  ///< the condition of quiescence still reads Chosen instances
+    bool all_can_rest = false;      ///< instances with invariants or urgent edges are abstracted as if they could rest
+    bool keep_quiescence = false;   ///< the condition of quiescence still reads Chosen instances
+    bool urgent_on_clocks = false;  ///< urgent edges of Untimed processes stay urgent if they have a clock constraint
     // Premises of lets_time_pass (check/inputs/resting.hpp):
     bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
     bool ignore_evolutions = false;  ///< evolutions need not end
@@ -135,6 +138,9 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
 /// that unit. Requires that `network` is expanded.
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {},
                         const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
+
+/// Removes all clock constraints, invariants and resets of `automaton`. Edges with a clock constraint become non-urgent.
+void ignore_clocks(Network::Template& automaton);
 
 /// Replaces each lower bound in `automaton` by `unit`, or by 0 if the bound is shorter than `unit`. Removes upper
 /// bounds and makes all edges non-urgent.

@@ -327,6 +327,7 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
           Premise{"guards on other variables may hold", &InputAblations::own_guards_only},
           Premise{"an abstracted instance can rest", &InputAblations::all_can_rest, {"follower"}, 1061},
           Premise{"bounds are left", &InputAblations::ignore_bounds, {"stuck"}},
+          Premise{"edges that wait are not urgent", &InputAblations::urgent_on_clocks},
           Premise{"urgent edges end", &InputAblations::ignore_moves, {"spin"}},
           Premise{"evolutions end", &InputAblations::ignore_evolutions},
           Premise{"each bound may be the first", &InputAblations::one_bound, {"race"}, 1036},

@@ -41,16 +41,12 @@ private:
 
     void make_untimed(Id<Network::Process> id) {
         const bool is_timer = made_.network.processes[id].kind == Network::ProcessKind::Timer;
-        ignore_clocks(automaton(id), is_timer && lifetime_ == ChoiceLifetime::Evolution);
-    }
-
-    static void ignore_clocks(Network::Template& automaton, bool stays_urgent = false) {
-        for (Network::Location& location : automaton.locations) location.invariant.clear();
-        for (Network::Edge& edge : automaton.edges) {
-            edge.urgent = edge.urgent && stays_urgent;
-            edge.constraint.clear();
-            edge.resets.clear();
+        const bool by_evolutions = lifetime_ == ChoiceLifetime::Evolution;
+        for (Network::Edge& edge : automaton(id).edges) {
+            if (by_evolutions && !is_timer) edge.urgent = false;
+            if (by_evolutions || ablations_.urgent_on_clocks) edge.constraint.clear();  // and remains urgent
         }
+        ignore_clocks(automaton(id));
     }
 
     void remove(std::size_t instance) {
@@ -282,6 +278,15 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
                                  const std::vector<InputLevel>& levels, const InputAblations& ablations,
                                  ChoiceLifetime lifetime) {
     return Abstracter(network, instances, levels, ablations, lifetime).build();
+}
+
+void ignore_clocks(Network::Template& automaton) {
+    for (Network::Location& location : automaton.locations) location.invariant.clear();
+    for (Network::Edge& edge : automaton.edges) {
+        edge.urgent = edge.urgent && edge.constraint.empty();
+        edge.constraint.clear();
+        edge.resets.clear();
+    }
 }
 
 void pace(const Network& network, const Network::Process& process, Network::Template& automaton, std::int64_t unit,
