@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <queue>
 #include <set>
 #include <string>
@@ -31,6 +32,7 @@ struct Stage {
 /// One sampling of a PLC, with the valuations of each instance that are possible after its cycle.
 struct Sampling {
     std::size_t at = 0;  // index in the path
+    Id<Network::Process> plc = {};
     std::vector<Word> possible = {};
 };
 
@@ -59,7 +61,7 @@ std::vector<Sampling> samplings(const AbstractRun& run) {
         if (controller == nullptr) continue;
         std::size_t& number = last[controller->process.index];
         if (samples(run, run.path[at])) {
-            found.push_back({at, std::vector<Word>(run.instances.size(), ~Word{0})});
+            found.push_back({at, controller->process, std::vector<Word>(run.instances.size(), ~Word{0})});
             number = found.size();
         }
         if (number == 0) continue;
@@ -159,9 +161,14 @@ public:
         }
     }
 
-    /// Keeps only states that have one of the valuations.
+    /// Keeps only states that have one of the valuations, possibly after moves.
     void show(Word possible) {
         move();
+        keep(possible);
+    }
+
+    /// Keeps only states that have one of the valuations.
+    void keep(Word possible) {
         std::erase_if(states_, [&](const std::vector<Word>& words) {
             std::vector<std::int64_t> values;
             for (const Id<Network::Variable> output : process_.outputs)
@@ -206,10 +213,13 @@ private:
                 const Id<Network::Variable> target{static_cast<std::uint32_t>(network.exprs[assignment.target].value)};
                 return std::ranges::find(made.outputs, target) == made.outputs.end();
             });
-            edge.guard = known_guard(network, made, edge.guard, known);
-            if (level == InputLevel::Untimed) edge.constraint.clear();
+            const Id<Expr> guard = known_guard(network, made, edge.guard, known);
+            // The edge must be taken only if the other conjuncts are also true.
+            edge.urgent = edge.urgent && guard == edge.guard;
+            edge.guard = guard;
         }
-        if (level != InputLevel::Complete) pace(complete, process, automaton, unit, network.exprs);
+        if (level == InputLevel::Untimed) ignore_clocks(automaton);
+        if (level == InputLevel::Paced) pace(complete, process, automaton, unit, network.exprs);
         return network;
     }
 
@@ -421,16 +431,30 @@ std::optional<SpuriousMove> impossible(const Network& complete, const AbstractRu
         SingleProcess alone(complete, abstract.instances[instance], level, units, known);
         if (waits) alone.wait();
         auto next = all.begin();
+        std::map<Id<Network::Process>, Word> sampled;  // per PLC, the valuations of its last sampling
+        // A PLC samples each change at once. Therefore, an instance has the sampled valuation while time passes in a
+        // stable situation.
+        const auto keep_sampled = [&](const NetworkState& state) {
+            if (now != InputLevel::Chosen || !is_stable(abstract, state)) return;
+            for (const auto& [plc, possible] : sampled) alone.keep(possible);
+        };
         for (std::size_t at = 0; at < abstract.path.size(); ++at) {
-            if (const Delay* const delay = std::get_if<Delay>(&abstract.path[at].move))
+            const NetworkState& state = abstract.path[at].state;
+            if (const Delay* const delay = std::get_if<Delay>(&abstract.path[at].move)) {
                 alone.pass_time(delay->units * units);
-            const bool sampled = next != all.end() && next->at == at;
-            if (now != InputLevel::Chosen) alone.match(abstract.path[at].state);
-            else if (sampled) alone.show(next->possible[instance]);
-            if (sampled) ++next;
+                keep_sampled(state);
+            }
+            if (now != InputLevel::Chosen) alone.match(state);
+            if (next != all.end() && next->at == at) {
+                if (now == InputLevel::Chosen) alone.show(next->possible[instance]);
+                sampled[next->plc] = next->possible[instance];
+                ++next;
+            }
             if (alone.is_nowhere()) return SpuriousMove{at, level};
-            alone.give(abstract.path[at].state.variables);
-            if (waits && is_stable(abstract, abstract.path[at].state)) alone.wait();
+            alone.give(state.variables);
+            if (!waits || !is_stable(abstract, state)) continue;
+            alone.wait();
+            keep_sampled(state);
         }
         return {};
     };
