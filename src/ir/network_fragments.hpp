@@ -47,6 +47,9 @@ struct LocalAblations {
     bool steady = false;     ///< free variables keep their initial values
     bool break_off = false;  ///< model errors in a fragment, and unexplored fragments, are ignored
     bool unproven = false;   ///< properties of other fragments are assumed before they are proved
+    /// Not a premise: the value of each auxiliary variable of a PLC, such as the request of a timer, is one free choice
+    /// if it reads free variables. Otherwise this coarser abstraction is used only for edges that read many of them.
+    bool joint = false;
 };
 
 /// An over-approximation of a network by some fragments and the PLCs that execute their charts. If a run of the

@@ -4,6 +4,7 @@
 // And or Or that read only free variables form one joint choice. The edge is then instantiated for each combination of
 // values of its choices.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -22,6 +23,13 @@ namespace {
 
 /// Flags of a term: it reads a kept variable or location; it reads a free variable or location.
 enum : std::uint8_t { Kept = 1, Free = 2 };
+
+/// True for Boolean variables by which a PLC, its timers and its cycles interact. Their values are often large terms.
+bool is_auxiliary(const Network::Variable& variable) {
+    using enum Network::Role;
+    constexpr std::array auxiliary{Flag, TimerPending, Watched, Previous};
+    return variable.type.boolean && std::ranges::find(auxiliary, variable.role) != auxiliary.end();
+}
 
 class LocalBuilder {
 public:
@@ -91,6 +99,9 @@ private:
     Id<Expr> over_choices(Id<Expr> term);
     Id<Expr> mixed(Id<Expr> term);
     Id<Expr> choice(std::vector<Id<Expr>> terms, Op op);
+    Id<Expr> choice_of_value(Id<Expr> value);
+    void read(Id<Network::Variable> variable);
+    Network::Edge free_edge(const Slots& slots, const Network::Edge& edge, bool of_rest);
     std::optional<Network::Assignment> assignment(const Network::Assignment& written);
     std::vector<Id<Network::Variable>> free_in(Id<Expr> invariant) const;
     Id<Expr> known_of_choices(const std::vector<std::size_t>& informative);
@@ -118,6 +129,7 @@ private:
     std::size_t writes_ = 0;                                     // current number of writes to free variables
     bool loose_ = false;    // true if the current term is the value of a flag or belongs to `rest`
     bool at_rest_ = false;  // true if the current term is evaluated in states in which time passes
+    bool joint_ = false;    // true if the value of an auxiliary variable is a single choice if it reads free variables
     using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
     std::set<Copy> copies_ = {};  // copies of the edge that were already added
 };
@@ -240,12 +252,24 @@ Id<Expr> LocalBuilder::choice(std::vector<Id<Expr>> terms, Op op) {
             const Id<Network::Variable> variable = variable_of(leaf);
             if (const auto written = written_.find(variable); written != written_.end())
                 writes = std::max(writes, written->second);
-            const std::uint32_t cell = cells_.of_variable[variable.index];
-            if (cell == none || chosen(cell)) continue;
-            tied_.insert(cell);
-            if (!loose_) borders_.insert(cell);
+            read(variable);
         }
     return choices_.leaf(std::move(terms), op, writes);
+}
+
+/// Returns a choice of the value of a term. The term may read kept variables, which other assignments of the edge may
+/// change; therefore, the choice is independent of all other choices.
+Id<Expr> LocalBuilder::choice_of_value(Id<Expr> value) {
+    for (const Id<Expr> leaf : leaves(whole_.exprs, value)) read(variable_of(leaf));
+    return choices_.leaf({value}, Op::And, ++writes_);
+}
+
+/// Records the fragment that a choice reads.
+void LocalBuilder::read(Id<Network::Variable> variable) {
+    const std::uint32_t cell = cells_.of_variable[variable.index];
+    if (cell == none || chosen(cell)) return;
+    tied_.insert(cell);
+    if (!loose_) borders_.insert(cell);
 }
 
 /// Translates an assignment. The result is empty if the assignment does not write a kept variable. Races on omitted
@@ -263,6 +287,8 @@ std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assig
         for (const Id<Expr> reason : operands_of(whole_.exprs, written.value, Op::Or))
             if (reads_[reason.index] != Free) reasons.push_back(over_choices(reason));
         made.value = made_.network.exprs.disjunction(reasons);
+    } else if (joint_ && is_auxiliary(whole_.variables[target]) && (reads_[written.value.index] & Free) != 0) {
+        made.value = choice_of_value(written.value);
     } else {
         made.value = over_choices(written.value);
     }
@@ -280,6 +306,16 @@ Id<Expr> LocalBuilder::enabled_by_all(Id<Expr> guard) {
     return ablations_.urgent_where_possible ? exprs.disjunction(all) : exprs.conjunction(all);
 }
 
+/// Returns the guard and the assignments of an edge over choices.
+Network::Edge LocalBuilder::free_edge(const Slots& slots, const Network::Edge& edge, bool of_rest) {
+    start_edge();
+    loose_ = of_rest;
+    Network::Edge free{.from = {0}, .to = {0}, .guard = over_choices(edge.guard)};
+    for (const Network::Assignment& written : slots.assignments(edge))
+        if (auto made = assignment(written)) free.assignments.push_back(*made);
+    return free;
+}
+
 void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool of_rest, Network::Template& to) {
     Id<Expr> always = made_.network.exprs.constant(false);
     if (edge.urgent && !of_rest) {
@@ -290,11 +326,12 @@ void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool 
         if (!choices_.few()) return void(made_.made = false);
         always = enabled_by_all(guard);
     }
-    start_edge();
-    loose_ = of_rest;
-    Network::Edge free{.from = {0}, .to = {0}, .guard = over_choices(edge.guard)};
-    for (const Network::Assignment& written : slots.assignments(edge))
-        if (auto made = assignment(written)) free.assignments.push_back(*made);
+    Network::Edge free = free_edge(slots, edge, of_rest);
+    if (ablations_.joint || !choices_.few()) {
+        joint_ = true;
+        free = free_edge(slots, edge, of_rest);
+        joint_ = false;
+    }
     if (of_rest && free.assignments.empty()) return;
     if (!choices_.few()) return void(made_.made = false);
     if (!of_rest) {
