@@ -10,8 +10,8 @@
 //   Chosen    its location, clocks and outputs are not stored. Each sampling chooses one of its reachable output
 //             valuations, independently of earlier samplings. All outputs are chosen jointly: a selector never has two
 //             positions.
-//   Untimed   its location and outputs are stored; its clocks are ignored. An edge with a clock constraint is not urgent
-//             and may be taken at any time.
+//   Untimed   its location and outputs are stored; its clocks are ignored. Urgent edges remain urgent; an edge with a
+//             clock constraint is never urgent, and may be taken at any time.
 //   Paced     for autonomous instances only: upper bounds are ignored, and lower bounds are one time unit of the
 //             search, so that the instance does not change twice within one instant.
 //   Complete  the process is unchanged.
@@ -25,8 +25,9 @@
 //   - a PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and the other edges have the
 //     same guard as in N.
 //   - an edge of an Untimed or Paced process has the same guard as in N, over the same values (a process that a stored
-//     process reads is also stored). The edge needs no more time than in N. It stops time in A only if it also stops
-//     time in N: if it is urgent in A, its guard has no clock constraint in N.
+//     process reads is also stored). The edge needs no more time than in N.
+//     An urgent edge has no clock constraint and keeps the invariant of its target (see verify). Therefore it is
+//     enabled in A only if it is enabled in N, and time passes in A whenever it passes in N.
 //   - if N is quiescent, A is quiescent: the condition for A omits only the conjuncts that read a Chosen instance.
 // Therefore, if `always`, `never` or `exactly one of` holds in A, it holds in N. A `reachable` that is violated in A is
 // violated in N. Both statements are also true with `at stable`. A run of A is not necessarily a run of N.
@@ -53,7 +54,7 @@ struct InputAblations {
     bool own_guards_only = false;     ///< valuations are computed for the initial values of other variables
     bool all_can_rest = false;      ///< instances with invariants or urgent edges are abstracted as if they could rest
     bool keep_quiescence = false;   ///< the condition of quiescence still reads Chosen instances
-    bool urgent_on_clocks = false;  ///< urgent edges of Untimed processes stay urgent if they have a clock constraint
+    bool urgent_on_clocks = false;  ///< edges of Untimed processes with a clock constraint become urgent
     // Premises of lets_time_pass (check/inputs/resting.hpp):
     bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
     bool ignore_evolutions = false;  ///< evolutions need not end
@@ -139,7 +140,7 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {},
                         const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
 
-/// Removes all clock constraints, invariants and resets of `automaton`. Edges with a clock constraint become non-urgent.
+/// Removes all clock constraints, invariants and resets of `automaton`.
 void ignore_clocks(Network::Template& automaton);
 
 /// Replaces each lower bound in `automaton` by `unit`, or by 0 if the bound is shorter than `unit`. Removes upper

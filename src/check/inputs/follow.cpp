@@ -200,8 +200,12 @@ private:
                         const std::set<Id<Network::Variable>>& known) {
         Network network = complete;
         network.properties = {};
+        std::set<Id<Network::Variable>> of_observers;
         for (const Id<Network::Process> id : network.processes.ids()) {
             if (id == made.process) continue;
+            if (network.processes[id].kind == Network::ProcessKind::Observer)
+                for (const Id<Network::Variable> variable : Slots(complete, id).written())
+                    of_observers.insert(variable);
             Network::Template& automaton = network.templates[network.processes[id].automaton];
             automaton.edges = {};
             for (Network::Location& location : automaton.locations) location.invariant.clear();
@@ -213,10 +217,7 @@ private:
                 const Id<Network::Variable> target{static_cast<std::uint32_t>(network.exprs[assignment.target].value)};
                 return std::ranges::find(made.outputs, target) == made.outputs.end();
             });
-            const Id<Expr> guard = known_guard(network, made, edge.guard, known);
-            // The edge must be taken only if the other conjuncts are also true.
-            edge.urgent = edge.urgent && guard == edge.guard;
-            edge.guard = guard;
+            edge.guard = known_guard(network, made, edge, known, of_observers);
         }
         if (level == InputLevel::Untimed) ignore_clocks(automaton);
         if (level == InputLevel::Paced) pace(complete, process, automaton, unit, network.exprs);
@@ -224,17 +225,25 @@ private:
     }
 
     /// Returns the conjuncts of the guard over outputs and known variables. The other conjuncts are assumed to be true.
-    static Id<Expr> known_guard(Network& network, const AbstractableProcess& made, Id<Expr> guard,
-                                const std::set<Id<Network::Variable>>& known) {
+    /// Because the edge must be taken only if they are true, it is no longer urgent, unless only observers write the
+    /// variables that they read: these conjuncts are true whenever time passes.
+    static Id<Expr> known_guard(Network& network, const AbstractableProcess& made, Network::Edge& edge,
+                                const std::set<Id<Network::Variable>>& known,
+                                const std::set<Id<Network::Variable>>& of_observers) {
         std::vector<Id<Expr>> kept;
         const Exprs from = network.exprs;
-        for (const Id<Expr> operand : operands_of(from, guard, Op::And)) {
-            const auto is_known = [&](Id<Expr> leaf) {
-                const Id<Network::Variable> variable{static_cast<std::uint32_t>(from[leaf].value)};
-                return from[leaf].op != Op::Variable || known.contains(variable) ||
-                       std::ranges::find(made.outputs, variable) != made.outputs.end();
+        for (const Id<Expr> operand : operands_of(from, edge.guard, Op::And)) {
+            const auto reads_only = [&](const auto& accepts) {
+                return std::ranges::all_of(leaves(from, operand), [&](Id<Expr> leaf) {
+                    return from[leaf].op != Op::Variable || accepts({static_cast<std::uint32_t>(from[leaf].value)});
+                });
             };
-            if (std::ranges::all_of(leaves(from, operand), is_known)) kept.push_back(operand);
+            const auto is_known = [&](Id<Network::Variable> variable) {
+                return known.contains(variable) || std::ranges::find(made.outputs, variable) != made.outputs.end();
+            };
+            if (reads_only(is_known)) kept.push_back(operand);
+            else if (!reads_only([&](Id<Network::Variable> variable) { return of_observers.contains(variable); }))
+                edge.urgent = false;
         }
         return network.exprs.conjunction(kept);
     }
@@ -432,8 +441,8 @@ std::optional<SpuriousMove> impossible(const Network& complete, const AbstractRu
         if (waits) alone.wait();
         auto next = all.begin();
         std::map<Id<Network::Process>, Word> sampled;  // per PLC, the valuations of its last sampling
-        // A PLC samples each change at once. Therefore, an instance has the sampled valuation while time passes in a
-        // stable situation.
+        // A PLC samples each change at once. Therefore, an instance is assumed to have the sampled valuation while time
+        // passes in a stable situation. (The abstract run may omit samplings without effect.)
         const auto keep_sampled = [&](const NetworkState& state) {
             if (now != InputLevel::Chosen || !is_stable(abstract, state)) return;
             for (const auto& [plc, possible] : sampled) alone.keep(possible);
@@ -455,6 +464,7 @@ std::optional<SpuriousMove> impossible(const Network& complete, const AbstractRu
             if (!waits || !is_stable(abstract, state)) continue;
             alone.wait();
             keep_sampled(state);
+            if (alone.is_nowhere()) return SpuriousMove{at, level};
         }
         return {};
     };

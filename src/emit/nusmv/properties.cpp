@@ -42,10 +42,11 @@ struct Printer {
         return '(' + bracketed(system.settled) + " & " + bracketed(term) + ')';
     }
 
+    /// Operands with operators are in parentheses, because the grammar of NuSMV 2.5 requires them.
     std::string exactly_one(const Property& property) const {
         if (property.operands.size() == 1) return text(property.operands[0]);
         std::string list;
-        for (const Id<Expr> operand : property.operands) list += (list.empty() ? "" : ", ") + text(operand);
+        for (const Id<Expr> operand : property.operands) list += (list.empty() ? "" : ", ") + bracketed(operand);
         return "count(" + list + ") = 1";
     }
 

@@ -21,7 +21,7 @@ public:
     /// Returns a Parameter leaf that represents the choice of the value of `terms`, connected by `op`. The writes of
     /// the edge to omitted variables are numbered from 1; `writes` is the number of the last of them that changes a
     /// variable read by `terms`, or 0 if there is none. A choice of the same terms before this write may have another
-    /// value.
+    /// value. A number that no other choice has makes the choice independent of the others.
     Id<Expr> leaf(std::vector<Id<Expr>> terms, Op op, std::size_t writes);
     /// True if the value combinations of all choices are few enough to enumerate.
     bool few() const;

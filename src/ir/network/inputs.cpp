@@ -41,10 +41,9 @@ private:
 
     void make_untimed(Id<Network::Process> id) {
         const bool is_timer = made_.network.processes[id].kind == Network::ProcessKind::Timer;
-        const bool by_evolutions = lifetime_ == ChoiceLifetime::Evolution;
         for (Network::Edge& edge : automaton(id).edges) {
-            if (by_evolutions && !is_timer) edge.urgent = false;
-            if (by_evolutions || ablations_.urgent_on_clocks) edge.constraint.clear();  // and remains urgent
+            if (lifetime_ == ChoiceLifetime::Evolution && !is_timer) edge.urgent = false;
+            if (ablations_.urgent_on_clocks && !edge.constraint.empty()) edge.urgent = true;
         }
         ignore_clocks(automaton(id));
     }
@@ -283,7 +282,6 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
 void ignore_clocks(Network::Template& automaton) {
     for (Network::Location& location : automaton.locations) location.invariant.clear();
     for (Network::Edge& edge : automaton.edges) {
-        edge.urgent = edge.urgent && edge.constraint.empty();
         edge.constraint.clear();
         edge.resets.clear();
     }

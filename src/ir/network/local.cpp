@@ -2,7 +2,7 @@
 // Builds a localized network. A term that reads free variables becomes a term over *choices*, which are Parameter
 // leaves while an edge is built. Each maximal subterm that reads only free variables is one choice. The operands of an
 // And or Or that read only free variables form one joint choice. The edge is then instantiated for each combination of
-// values of its choices.
+// values of its choices. If there are too many combinations, the values of auxiliary variables are single choices.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -126,10 +126,10 @@ private:
     // The state of the construction of the current edge.
     Choices choices_{whole_, made_.network.exprs};
     std::map<Id<Network::Variable>, std::size_t> written_ = {};  // number of the last write to each free variable
-    std::size_t writes_ = 0;                                     // current number of writes to free variables
-    bool loose_ = false;    // true if the current term is the value of a flag or belongs to `rest`
-    bool at_rest_ = false;  // true if the current term is evaluated in states in which time passes
-    bool joint_ = false;    // true if the value of an auxiliary variable is a single choice if it reads free variables
+    std::size_t writes_ = 0;  // current number of writes to free variables and of joint choices
+    bool loose_ = false;      // true if the current term is the value of a flag or belongs to `rest`
+    bool at_rest_ = false;    // true if the current term is evaluated in states in which time passes
+    bool joint_ = false;  // true if the value of an auxiliary variable is a single choice if it reads free variables
     using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
     std::set<Copy> copies_ = {};  // copies of the edge that were already added
 };
@@ -287,7 +287,7 @@ std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assig
         for (const Id<Expr> reason : operands_of(whole_.exprs, written.value, Op::Or))
             if (reads_[reason.index] != Free) reasons.push_back(over_choices(reason));
         made.value = made_.network.exprs.disjunction(reasons);
-    } else if (joint_ && is_auxiliary(whole_.variables[target]) && (reads_[written.value.index] & Free) != 0) {
+    } else if (joint_ && is_auxiliary(whole_.variables[target]) && reads_[written.value.index] == (Kept | Free)) {
         made.value = choice_of_value(written.value);
     } else {
         made.value = over_choices(written.value);

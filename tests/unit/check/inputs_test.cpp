@@ -83,6 +83,17 @@ TEST(InputAbstraction, PropertyWithManySearchesWaitsForTheNextRound) {
     EXPECT_GT(rounds_until_decided(1), 1U);
 }
 
+TEST(InputAbstraction, TimerWithoutDurationAcceptsItsRequestAtOnce) {
+    const Verdict found = decided(loop("input A; output L;",
+                                       "initial step 0; step 1 { L; } step 2; transition t0: 0 -> 1 when A; "
+                                       "transition t1: 1 -> 2 when 2s/X1; transition t2: 2 -> 0 when 1s/X2;",
+                                       "environment EA = free(OUT = A);", "L holds at most 2s"));
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    ASSERT_TRUE(found.abstraction);
+    EXPECT_EQ(found.abstraction->untimed, std::vector<std::string>{"T_X2_1s"})
+        << "otherwise time passes after step 2 is active and before L is false";
+}
+
 TEST(InputAbstraction, FollowsAViolationOnTheCompleteLoop) {
     const Verdict found =
         decided(loop("input A, B; output L;",

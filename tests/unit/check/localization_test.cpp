@@ -51,6 +51,23 @@ TEST(Localization, AbstractionKeepsItsFragmentAndTheEffectsOfTheRest) {
     EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "this edge causes a cycle of the PLC";
 }
 
+TEST(Localization, FragmentOfAPlcWithManyTimersIsSearched) {
+    std::string text =
+        "grafcet c {\ninput E; output L;\npartial GS { initial step S0; step S1 { force GP := {}; } "
+        "transition s0: S0 -> S1 when E; transition s1: S1 -> S0 when !E; }\npartial GP {\n";
+    for (int step = 0; step < 6; ++step) {
+        const std::string name = std::to_string(step), next = std::to_string((step + 1) % 6);
+        text += (step == 0 ? "initial step " : "step ") + name + ";\ntransition t" + name + ": " + name + " -> " +
+                next + " when 1s/X" + name + ";\n";
+    }
+    text +=
+        "}\n}\nclosed_loop station {\ncontroller c;\nenvironment Stop = push_button(OUT = E);\n"
+        "property one: exactly one of {GS.XS0, GS.XS1};\n}\n";
+    const Verdict found = verdict(by_cells(expand(read_loop(text).network)), "one");
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    EXPECT_EQ(found.scope.searched, std::vector<std::string>{"GS"});
+}
+
 TEST(Localization, UrgentEdgeStopsTimeOnlyIfEveryFreeValueEnablesIt) {
     Sketch s;
     const auto x = s.boolean("x"), done = s.boolean("done");

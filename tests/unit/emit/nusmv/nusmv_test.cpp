@@ -137,7 +137,7 @@ TEST(EmitNusmv, WritesPatternsOfSeveralOperands) {
     expect_lines(emitted(settled.system), "SPEC NAME P := AG ((press.X_1 & a) -> AF (press.X_1 & b));\n");
     Small one;
     one.add_property(Pattern::ExactlyOneOf, {one.a(), one.system.exprs.disjunction(one.b(), one.c())});
-    expect_lines(emitted(one.system), "INVARSPEC NAME P := count(a, b | c) = 1;\n");
+    expect_lines(emitted(one.system), "INVARSPEC NAME P := count(a, (b | c)) = 1;\n");
     Small alone;
     alone.add_property(Pattern::ExactlyOneOf, {alone.a()}, true);
     expect_lines(emitted(alone.system), "INVARSPEC NAME P := press.X_1 -> (a);\n");
