@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests of the recorded references of names. If every recorded occurrence of a declared name is replaced by a
-// new name, the text has the same model except for this name. Every name in a text is recorded.
+// Randomized tests of the recorded references of names. If every recorded occurrence of a declared name is replaced by
+// a new name, the text has the same model except for this name. Every name in a text is recorded.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,12 +28,12 @@ struct Read {
     std::optional<Model> model = {};
 };
 
-Read read(const std::string& text, const std::string& path) {
+Read read(const std::string& text, const std::string& path, bool recorded = true) {
     Read result;
     const Id<Source> file = result.sources.add({path, text});
     ReadContext context;
     context.library = library();
-    context.references = &result.references;
+    if (recorded) context.references = &result.references;
     context.load = [](const std::string& included, std::string&) -> std::optional<std::string> {
         std::ifstream in(included, std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(in), {});
@@ -203,10 +203,10 @@ TEST(RandomizedNames, RenamingByRecordedReferencesKeepsTheModel) {
     EXPECT_GT(renamed, 60);
 }
 
-/// Returns the paths of all samples.
-std::vector<std::string> samples() {
+/// Returns the paths of all texts below a folder of the repository.
+std::vector<std::string> texts_below(const std::string& folder) {
     std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(GRAFVERIF_SOURCE_DIR "/samples"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(GRAFVERIF_SOURCE_DIR "/" + folder))
         if (entry.path().extension() == ".grafcet") paths.push_back(entry.path().string());
     std::ranges::sort(paths);
     return paths;
@@ -215,7 +215,7 @@ std::vector<std::string> samples() {
 TEST(RandomizedNames, RenamingInSamplesKeepsTheModel) {
     Random random(1);
     int renamed = 0;
-    for (const std::string& path : samples()) {
+    for (const std::string& path : texts_below("samples")) {
         std::ifstream in(path, std::ios::binary);
         const Read before = read(std::string(std::istreambuf_iterator<char>(in), {}), path);
         SCOPED_TRACE(path);
@@ -231,11 +231,24 @@ TEST(RandomizedNames, RenamingInSamplesKeepsTheModel) {
     EXPECT_GT(renamed, 60);
 }
 
+TEST(RandomizedNames, RecordOfARejectedTextIsConsistentAndKeepsItsDiagnostics) {
+    std::size_t references = 0;
+    for (const std::string& path : texts_below("tests/diagnostics")) {
+        SCOPED_TRACE(path);
+        std::ifstream in(path, std::ios::binary);
+        const std::string text(std::istreambuf_iterator<char>(in), {});
+        const Read recorded = read(text, path);
+        references += checked_record(recorded);
+        EXPECT_EQ(with_errors(recorded), with_errors(read(text, path, false)));
+    }
+    EXPECT_GT(references, 2'000U);
+}
+
 TEST(RandomizedNames, RecordOfADamagedTextIsConsistent) {
     const Damage damage{.likely = "{}();,.=:<>-&|!\"X1 \n"};
     std::mt19937 random(1);
     std::size_t references = 0;
-    for (const std::string& path : samples()) {
+    for (const std::string& path : texts_below("samples")) {
         std::ifstream in(path, std::ios::binary);
         const std::string text(std::istreambuf_iterator<char>(in), {});
         for (int k = 0; k < test_size(40); ++k) {

@@ -243,8 +243,10 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
     property.pattern = written.pattern;
     property.raw = written.raw;
     property.watch = written.watch;
-    if (property.watch.kind == Sentence::Kind::Occurrences) property.watch.count = count_of(scope, written.bound);
-    else if (written.bound.valid()) property.watch.duration_ms = duration_of(scope, written.bound);
+    if (written.bound.valid()) {  // beyond errors, the count may be missing
+        if (property.watch.kind == Sentence::Kind::Occurrences) property.watch.count = count_of(scope, written.bound);
+        else property.watch.duration_ms = duration_of(scope, written.bound);
+    }
     property.at_stable = written.at_stable;
     property.expected_violated = written.expected_violated;
     property.origin = written.name.where;

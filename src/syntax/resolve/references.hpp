@@ -58,7 +58,7 @@ struct References {
 
     std::vector<Declaration> declarations = {};
     std::vector<Reference> references = {};
-    /// Pairs of declarations that must have the same name: a closed loop shares the inputs and outputs of its controllers
+    /// Pairs of declarations that must have the same name: a closed loop shares inputs and outputs of its controllers
     /// by name, and a fault inherits the arguments of its instance by the names of the parameters.
     std::vector<std::pair<Span, Span>> shared = {};
 };

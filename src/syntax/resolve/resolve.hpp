@@ -22,8 +22,8 @@
 
 namespace grafverif {
 
-// All functions add the declarations and references of the tree to `record`. Beyond errors, they return a result that
-// lacks the parts with errors.
+// All functions add the declarations and references of the tree to `record`. Beyond errors, charts and components lack
+// their parts with errors instead of being empty.
 
 /// Resolves a chart; empty after at least one error. The result also represents constructs that a later stage rejects.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
