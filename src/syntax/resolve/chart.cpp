@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Resolves a chart: variables first, then steps, then the declarations that refer to both.
 #include <algorithm>
+#include <string>
+#include <unordered_map>
 
 #include "grafverif/ir/finding.hpp"
 #include "support/messages.hpp"
@@ -35,35 +37,55 @@ bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
     return true;
 }
 
-/// Records the transition, variable or step that `accept CODE SUBJECT` names. An unknown subject is not an error here,
-/// because the analysis reports each acceptance without a finding.
-void record_subject(const ChartScope& scope, const tree::Accept& written, const WrittenChart& all) {
+/// The positions of the elements that an acceptance can name: `t1`, `OPEN`, `X2`, `G2.X2`. The key of the partial chart
+/// `G2` is `G2.`.
+using Subjects = std::unordered_map<std::string, Span>;
+
+/// Returns the subjects of a chart. If a transition and a variable have the same name, the transition is the subject.
+Subjects subjects_of(const ChartScope& scope, const WrittenChart& all) {
     const Chart& chart = scope.chart;
-    const std::string_view subject = written.subject;
-    const std::size_t dot = subject.rfind('.') + 1;  // 0 if there is no dot, because npos + 1 is 0
-    const std::string_view name = subject.substr(dot), partial = subject.substr(0, dot == 0 ? 0 : dot - 1);
-    const Span where = last_name(written.subject_where, name);
+    Subjects subjects;
     for (const WrittenTransition& each : all.transitions)
-        if (dot == 0 && each.transition->name.valid() && scope.text(each.transition->name) == name)
-            return scope.record.refer(where, each.transition->name.where);
-    for (const Chart::Variable& variable : chart.variables)
-        if (dot == 0 && variable.name == name) return scope.record.refer(where, variable.origin);
-    for (const Id<Chart::Step> step : chart.steps.ids()) {
-        if (step_variable(chart, step) != subject) continue;
-        const Chart::PartialChart& owner = chart.partial_charts[chart.steps[step].chart];
-        scope.record.refer(where, chart.steps[step].origin);
-        const std::uint32_t begin = written.subject_where.begin,
-                            end = begin + static_cast<std::uint32_t>(partial.size());
-        if (dot != 0) scope.record.refer({where.source, begin, end}, owner.origin);
-        return;
-    }
+        if (const tree::Name name = each.transition->name; name.valid()) subjects.emplace(scope.text(name), name.where);
+    for (const Chart::Variable& variable : chart.variables) subjects.emplace(variable.name, variable.origin);
+    for (const Chart::PartialChart& partial : chart.partial_charts)
+        subjects.emplace(partial.name + '.', partial.origin);
+    for (const Id<Chart::Step> step : chart.steps.ids())
+        subjects.emplace(step_variable(chart, step), chart.steps[step].origin);
+    return subjects;
 }
 
-void resolve_acceptance(ChartScope& scope, const tree::Accept& written, const WrittenChart& all) {
+/// Records the names in the subject of an acceptance. An unknown subject is not an error here, because the analysis
+/// reports each acceptance without a finding.
+void record_subject(const ChartScope& scope, const tree::Accept& written, const Subjects& subjects) {
+    const Span where = written.subject_where;
+    const std::string& subject = written.subject;
+    const std::size_t name = subject.find('.') + 1;  // 0 if there is no dot, because npos + 1 is 0
+    const auto refer = [&](const std::string& key, Span occurrence) {
+        if (const auto found = subjects.find(key); found != subjects.end())
+            scope.record.refer(occurrence, found->second);
+    };
+    if (!subjects.contains(subject)) return;
+    refer(subject, last_name(where, subject.substr(name)));
+    if (name != 0)
+        refer(subject.substr(0, name), {where.source, where.begin, where.begin + static_cast<std::uint32_t>(name - 1)});
+}
+
+void resolve_acceptance(ChartScope& scope, const tree::Accept& written) {
     if (std::ranges::find(finding_kinds(), written.code, &FindingKind::code) == finding_kinds().end())
         scope.diagnostics.add(messages::unknown_finding(written.where, written.code));
-    record_subject(scope, written, all);
     scope.chart.accepted.push_back({written.code, written.subject, written.reason, written.where});
+}
+
+void resolve_acceptances(ChartScope& scope, const tree::Chart& written, const WrittenChart& all) {
+    Subjects subjects;
+    for (const tree::ChartItem& item : written.items) {
+        const auto* accept = std::get_if<tree::Accept>(&item);
+        if (accept == nullptr) continue;
+        if (subjects.empty()) subjects = subjects_of(scope, all);
+        record_subject(scope, *accept, subjects);
+        resolve_acceptance(scope, *accept);
+    }
 }
 
 }  // namespace
@@ -90,8 +112,7 @@ std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& wr
         if (condition.valid() && reads_inputs_only(scope, condition, constraint->where))
             scope.chart.constraints.push_back({condition, constraint->where});
     }
-    for (const tree::ChartItem& item : written.items)
-        if (const auto* accept = std::get_if<tree::Accept>(&item)) resolve_acceptance(scope, *accept, all);
+    resolve_acceptances(scope, written, all);
     if (record.beyond_errors()) return std::move(scope.chart);
     if (diagnostics.errors() != errors) return {};
     check_reachability(scope.chart, diagnostics);
