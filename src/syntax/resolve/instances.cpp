@@ -241,16 +241,15 @@ void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = named->second;
 }
 
-/// Binds the inputs of an instance. Beyond errors, inputs may lack an argument, and the component may be unknown.
+/// Beyond errors, records the names in all arguments, because arguments with errors are not bound.
+void record_arguments(LoopScope& scope, const tree::Instance& written) {
+    if (!scope.record.beyond_errors()) return;
+    for (const tree::Argument& argument : written.arguments) port_terms(scope).resolve(argument.value);
+}
+
 void bind_inputs(LoopScope& scope, Binding& binding) {
-    if (binding.wrong && !scope.record.beyond_errors()) return;
-    if (binding.component == nullptr)
-        for (const tree::Argument& argument : binding.written->arguments) port_terms(scope).resolve(argument.value);
-    else
-        for (const Id<Parameter> id : binding.component->parameters.ids())
-            if (binding.component->parameters[id].kind == Component::ParameterKind::Input &&
-                binding.given[id.index] != nullptr)
-                bind_input(scope, binding, id);
+    for (const Id<Parameter> id : binding.component->parameters.ids())
+        if (binding.component->parameters[id].kind == Component::ParameterKind::Input) bind_input(scope, binding, id);
 }
 
 void choose_location(LoopScope& scope, Binding& binding) {
@@ -424,9 +423,17 @@ void bind_fault(LoopScope& scope, Binding& binding) {
     if (!binding.wrong) check_start(scope, binding);
 }
 
+/// Beyond errors, records the names of parameters and of the initial location in a fault of an instance with errors.
+void record_parameters(LoopScope& scope, Binding& binding) {
+    if (!scope.record.beyond_errors() || !binding.instance.component.valid()) return;
+    bind_constants(scope, binding);
+    choose_location(scope, binding);
+}
+
 /// `bindings` are the instances, in the order of the table of the loop.
 void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vector<Binding>& bindings) {
     Binding binding = begin(scope, written.behaviour, DeclarationKind::Fault, written.where);
+    record_arguments(scope, written.behaviour);
     const auto& known = scope.loop.faults;
     const auto first = std::ranges::find_if(
         known, [&](const ClosedLoop::Fault& each) { return each.behaviour.name == binding.instance.name; });
@@ -439,11 +446,11 @@ void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vect
         Nearest nearest(scope.text(written.of));
         for (const Binding& each : bindings) nearest.offer(each.instance.name);
         scope.diagnostics.add(messages::unknown(written.of.where, "instance", scope.text(written.of), nearest.best()));
-        return;
+        return record_parameters(scope, binding);
     }
     Binding instance = bindings[of->second.index];
     scope.record.refer(written.of.where, instance.instance.origin);
-    if (instance.wrong || !binding.instance.component.valid()) return;
+    if (instance.wrong || !binding.instance.component.valid()) return record_parameters(scope, binding);
     instance.instance = scope.loop.instances[of->second];
     binding.of = &instance;
     binding.instance.environment = instance.instance.environment;
@@ -466,9 +473,10 @@ void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written) {
     }
     for (std::uint32_t index = 0; index < bindings.size(); ++index) {
         Binding& binding = bindings[index];
-        const bool wrong = binding.wrong;
+        record_arguments(scope, *binding.written);
+        if (binding.wrong) continue;
         bind_inputs(scope, binding);
-        if (!wrong) scope.loop.instances[Id<ClosedLoop::Instance>{index}] = binding.instance;
+        scope.loop.instances[Id<ClosedLoop::Instance>{index}] = binding.instance;
     }
     for (const tree::LoopItem& item : written.items)
         if (const auto* fault = std::get_if<tree::Fault>(&item)) resolve_fault(scope, *fault, bindings);
