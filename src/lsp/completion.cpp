@@ -97,7 +97,7 @@ private:
         if (half_.blocks.empty()) return in_file();
         const Words& top = half_.blocks.front();
         const Words& inner = half_.blocks.back();
-        if (top.size() < 2) return;
+        if (top.size() < 2 || inner.size() < 2) return;
         for (const Words& block : half_.blocks)
             if (block.size() > 1 && (block[0] == "partial" || block[0] == "expansion")) partial_ = block[1];
         if (top[0] == "grafcet") {
