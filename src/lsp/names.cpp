@@ -12,7 +12,9 @@ Names::Names(const std::vector<Recording>& recordings) {
     for (const Recording& recording : recordings) take(recording);
     for (const Recording& recording : recordings) take_uses(recording);
     for (auto& [file, uses] : uses_) {
-        const auto place = [](const Use& use) { return std::tuple(use.where.begin, use.where.end, use.element); };
+        const auto place = [](const Use& use) {
+            return std::tuple(use.where.begin, use.where.end, use.element->order);
+        };
         std::ranges::stable_sort(uses, {}, place);
         std::vector<Use> each;
         for (const Use& use : uses) {
@@ -43,14 +45,14 @@ const Declaration* Names::declared(const Recording& recording, Span where) const
 
 void Names::take(const Recording& recording) {
     for (const auto& file : recording.files)
-        if (file != nullptr && std::ranges::find(files_, file) == files_.end()) files_.push_back(file);
+        if (file != nullptr && uses_.try_emplace(file.get()).second) files_.push_back(file);
     for (const References::Declaration& each : recording.references->declarations) {
         const Parsed* const file = file_of(recording, each.where);
         if (file == nullptr) continue;
         const auto [known, fresh] = sites_.try_emplace({file, each.where.begin});
         if (fresh)
-            known->second = &elements_.emplace_back(
-                Declaration{each.kind, each.name, declared(recording, each.owner), file, each.where, each.whole});
+            known->second = &elements_.emplace_back(Declaration{each.kind, each.name, declared(recording, each.owner),
+                                                                file, each.where, each.whole, elements_.size()});
         uses_[file].push_back({known->second, each.where, true, false});
     }
     for (const auto& [one, other] : recording.references->shared) {
@@ -136,7 +138,6 @@ std::vector<const Declaration*> Names::referred(const Declaration* element, Decl
     return found;
 }
 
-/// Returns the representative of all elements that must have the name of `element`, which may be null.
 const Declaration* Names::shared(const Declaration* element) const {
     for (auto next = shared_.find(element); next != shared_.end(); next = shared_.find(element)) element = next->second;
     return element;
@@ -147,7 +148,9 @@ std::vector<FileUse> Names::everywhere(const Declaration& element) const {
     std::vector<FileUse> found;
     for (const auto& file : files_)
         for (const Use& use : uses(*file))
-            if (shared(use.element) == wanted) found.push_back({file.get(), use});
+            if (shared(use.element) == wanted &&
+                (found.empty() || found.back().file != file.get() || found.back().use.where.begin != use.where.begin))
+                found.push_back({file.get(), use});
     return found;
 }
 

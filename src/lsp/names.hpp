@@ -11,7 +11,6 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,8 +27,9 @@ struct Declaration {
     std::string name = {};
     const Declaration* owner = nullptr;  ///< the element that contains it; null for an element of the file
     const Parsed* file = nullptr;
-    Span where = {};  ///< position of its name
-    Span whole = {};  ///< position of its declaration
+    Span where = {};        ///< position of its name
+    Span whole = {};        ///< position of its declaration
+    std::size_t order = 0;  ///< number of elements that were recorded before
 };
 
 /// An occurrence of a name.
@@ -57,7 +57,8 @@ class Names {
 public:
     using Kinds = std::initializer_list<DeclarationKind>;
 
-    /// If several recordings contain the same file, its declarations are the same elements.
+    /// If several recordings contain the same file, its declarations are the same elements. If a name denotes several
+    /// elements, `use_at` prefers that of the last recording.
     explicit Names(const std::vector<Recording>& recordings);
     Names(const Names&) = delete;
     Names& operator=(const Names&) = delete;
@@ -81,11 +82,14 @@ public:
     std::vector<const Declaration*> all(DeclarationKind kind) const;
     /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is none.
     const Declaration* around(const Parsed& file, std::size_t offset) const;
-    /// Returns the elements of one kind to which a declaration refers: the charts that a loop controls, the component of
-    /// an instance.
+    /// Returns the elements of one kind to which a declaration refers: the charts that a loop controls, the component
+    /// of an instance.
     std::vector<const Declaration*> referred(const Declaration* element, DeclarationKind kind) const;
 
-    /// Returns every use of the element, including declarations, file by file.
+    /// Returns the representative of all elements that must have the name of `element`; null if `element` is null.
+    const Declaration* shared(const Declaration* element) const;
+    /// Returns every use of the elements that must have the name of `element`, including declarations, file by file,
+    /// each position once.
     std::vector<FileUse> everywhere(const Declaration& element) const;
 
 private:
@@ -94,7 +98,6 @@ private:
     const Declaration* declared(const Recording& recording, Span where) const;
     void take(const Recording& recording);
     void take_uses(const Recording& recording);
-    const Declaration* shared(const Declaration* element) const;
 
     Files files_ = {};
     std::deque<Declaration> elements_ = {};

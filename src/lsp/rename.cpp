@@ -15,23 +15,37 @@ namespace {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// Returns the reason why an element cannot have any other name. Returns an empty string if it can be renamed.
-std::string obstacle_of(const Names& names, const Declaration& element) {
+/// True if a text contains the name of `element` at a position without recorded meaning.
+bool has_unknown_meaning(const Names& names, const Parsed& file, const Declaration& element) {
+    const std::string_view text = file.text->bytes();
+    const std::string step = element.kind == DeclarationKind::Step ? 'X' + element.name : "";
+    return std::ranges::any_of(words_of(text), [&](const Word& word) {
+        const std::string_view name = text.substr(word.begin, word.end - word.begin);
+        return word.kind == Word::Kind::Name && (name == element.name || name == step) &&
+               names.use_at(file, word.begin) == nullptr;
+    });
+}
+
+/// Returns the reason why an element cannot have any other name. Returns an empty string if it can be renamed. `errors`
+/// is true if a text has errors, so that name resolution may not have found the meaning of some names.
+std::string obstacle_of(const Names& names, const Declaration& element, bool errors) {
     if (is_of_library(*element.file))
         return fmt::format("`{}` belongs to the component library and cannot be renamed", element.name);
     for (const auto& file : names.files()) {
         if (file->broken)
             return fmt::format("`{}` has syntax errors, so some names may not be found; correct them first",
                                file->path);
+        if (errors && file->is_renamable && has_unknown_meaning(names, *file, element))
+            return fmt::format("the errors of `{}` hide the meaning of an occurrence of `{}`; correct them first",
+                               file->path, element.name);
         for (const tree::Declaration& declaration : file->tree.declarations) {
             const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
             for (const tree::LoopItem& item : loop != nullptr ? loop->items : std::vector<tree::LoopItem>()) {
                 const auto* property = std::get_if<tree::Property>(&item);
                 if (property == nullptr) continue;
                 for (const Word& word : words_of(property->raw))
-                    if (std::string_view(property->raw)
-                            .substr(word.begin, word.end - word.begin)
-                            .ends_with(element.name) &&
+                    if (std::string_view(property->raw).substr(word.begin, word.end - word.begin).find(element.name) !=
+                            std::string_view::npos &&
                         word.kind != Word::Kind::Sign)
                         return fmt::format("the formula of property `{}` may contain `{}`; change both manually",
                                            file->tree.text(property->name), element.name);
@@ -41,8 +55,9 @@ std::string obstacle_of(const Names& names, const Declaration& element) {
     return {};
 }
 
-/// Returns a number for each name in all files: names have equal numbers if they denote the same element. Texts that
-/// differ only in the names of elements have equal results.
+/// Returns two numbers for each name in all files. The first numbers of two names are equal if they denote the same
+/// element; the second, if they denote elements that must have the same name. Texts that differ only in the names of
+/// elements have equal results.
 std::vector<std::size_t> shape_of(const Names& names, const std::vector<std::shared_ptr<const Root>>& roots) {
     std::vector<std::size_t> shape;
     std::map<const Declaration*, std::size_t> numbers;
@@ -50,7 +65,8 @@ std::vector<std::size_t> shape_of(const Names& names, const std::vector<std::sha
     for (const auto& file : names.files()) {
         shape.push_back(names.uses(*file).size());
         for (const Use& use : names.uses(*file))
-            shape.push_back(numbers.emplace(use.element, numbers.size()).first->second);
+            for (const Declaration* const element : {use.element, names.shared(use.element)})
+                shape.push_back(numbers.emplace(element, numbers.size()).first->second);
     }
     return shape;
 }
@@ -76,7 +92,13 @@ std::unique_ptr<const Names> names_of(Workspace& workspace, const std::vector<st
             recording.files.push_back(file);
         }
     }
-    return std::make_unique<const Names>(recordings);
+    // Texts without errors are the last, because `use_at` prefers the last recording. Example: a loop does not include
+    // the charts that it controls, and has errors unless another file includes both.
+    std::vector<Recording> ordered;
+    for (const bool erroneous : {true, false})
+        for (std::size_t k = 0; k < roots.size(); ++k)
+            if (roots[k]->reading.diagnostics.has_errors() == erroneous) ordered.push_back(recordings[k]);
+    return std::make_unique<const Names>(ordered);
 }
 
 Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<const Root>>& roots, const Names& names,
@@ -84,7 +106,9 @@ Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<c
     const bool numbers = element.kind == DeclarationKind::Step || element.kind == DeclarationKind::Location ||
                          element.kind == DeclarationKind::Transition;
     if (!is_name(name, numbers)) return {{}, fmt::format("`{}` is not a valid name here", name)};
-    if (std::string obstacle = obstacle_of(names, element); !obstacle.empty()) return {{}, std::move(obstacle)};
+    const bool errors =
+        std::ranges::any_of(roots, [](const auto& root) { return root->reading.diagnostics.has_errors(); });
+    if (std::string obstacle = obstacle_of(names, element, errors); !obstacle.empty()) return {{}, std::move(obstacle)};
     Renaming result;
     std::map<const Parsed*, std::vector<Span>> edits;
     for (const FileUse& each : names.everywhere(element)) {
@@ -104,8 +128,10 @@ Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<c
     std::vector<std::shared_ptr<const Root>> after;
     for (const auto& root : roots) after.push_back(DiagnosticStore().read(root->path, changed));
     if (shape_of(*names_of(changed, after), after) != shape_of(names, roots))
-        return {{},
-                fmt::format("`{}` is already declared in the scope of `{}`; choose another name", name, element.name)};
+        return {
+            {},
+            fmt::format("`{}` has another meaning in the scope of `{}`, or is not allowed there; choose another name",
+                        name, element.name)};
     return result;
 }
 

@@ -58,6 +58,15 @@ public:
     Json of(const std::string& method, const std::string& name) {
         return client.result(method, {{"textDocument", {{"uri", folder.uri(name)}}}});
     }
+    /// Returns the reason why the name at the cursor cannot be replaced by `fresh`, or `none`.
+    std::string obstacle(const std::string& name, const std::string& text, const char* fresh) {
+        const Marked here = marked(text);
+        open(name, here.text);
+        const Json answer = client.answer(client.send_request(
+            "textDocument/rename",
+            {{"textDocument", {{"uri", folder.uri(name)}}}, {"position", here.position}, {"newName", fresh}}));
+        return answer.contains("error") ? answer["error"]["message"].get<std::string>() : "none";
+    }
     std::vector<std::string> labels(const std::string& name, const std::string& text) {
         std::vector<std::string> found;
         const Json all = at("textDocument/completion", name, text);
@@ -147,18 +156,14 @@ TEST(LspNames, AreRenamedEverywhereAtOnce) {
 TEST(LspNames, AreNotRenamedIfTheMeaningWouldChange) {
     Editor editor;
     const auto obstacle = [&](const std::string& text, const char* name) {
-        const Marked here = marked(text);
-        editor.open("press.grafcet", here.text);
-        const Json answer = editor.client.answer(editor.client.send_request(
-            "textDocument/rename", {{"textDocument", {{"uri", editor.folder.uri("press.grafcet")}}},
-                                    {"position", here.position},
-                                    {"newName", name}}));
-        return answer.contains("error") ? answer["error"]["message"].get<std::string>() : "none";
+        return editor.obstacle("press.grafcet", text, name);
     };
     const std::string start = with(press, "input START", "input STA@RT");
     EXPECT_EQ(obstacle(start, "GO"), "none");
-    EXPECT_EQ(obstacle(start, "DOWN"), "`DOWN` is already declared in the scope of `START`; choose another name");
-    EXPECT_EQ(obstacle(start, "X1"), "`X1` is already declared in the scope of `START`; choose another name");
+    EXPECT_EQ(obstacle(start, "DOWN"),
+              "`DOWN` has another meaning in the scope of `START`, or is not allowed there; choose another name");
+    EXPECT_EQ(obstacle(start, "X1"),
+              "`X1` has another meaning in the scope of `START`, or is not allowed there; choose another name");
     EXPECT_EQ(obstacle(start, "when"), "`when` is not a valid name here");
     EXPECT_EQ(obstacle(start, "1"), "`1` is not a valid name here");
     EXPECT_NE(obstacle(start + "grafcet", "GO").find("has syntax errors"), std::string::npos);
@@ -244,6 +249,45 @@ TEST(LspNames, AreRenamedInEveryNotation) {
     EXPECT_EQ(renamed("gate(OPEN", "gate(OP@EN", "DRIVE"), inherited);
 }
 
+TEST(LspNames, AreNotRenamedIfAFaultWouldInheritAnotherArgument) {
+    Editor editor;
+    std::string text =
+        with(named("Gate", "POS"), "gate(input OPEN; output CLOSED)", "gate(input OPEN; output CLOSED; WAIT = 1)");
+    text = with(text, "stuck(input OPEN; output CLOSED)", "stuck(input OPEN; output CLOSED; DELAY = 2)");
+    EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "WAIT", "WA@IT"), "PAUSE"), "none");
+    EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "WAIT", "WA@IT"), "DELAY"),
+              "`DELAY` has another meaning in the scope of `WAIT`, or is not allowed there; choose another name");
+    text = with(text, "property p: ", "property p: uppaal \"A[] !Gate_POS_\"; property r: ");
+    EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "plant Gate", "plant Ga@te"), "Door"),
+              "the formula of property `p` may contain `Gate`; change both manually");
+}
+
+TEST(LspNames, AreRenamedInATextWithErrorsIfTheirMeaningIsKnown) {
+    Editor editor;
+    // The parameter of the instance is unknown. Therefore, the fault has no arguments that it could inherit.
+    const std::string text = with(with(named("Gate", "POS"), "gate(OPEN = MOVE", "gate(OPNE = MOVE"), "Gate: stuck()",
+                                  "Gate: stuck(OPEN = MOVE)");
+    const Json edit = editor.at("textDocument/rename", "all.grafcet", with(text, "output MOVE", "output MO@VE"),
+                                {{"newName", "LIFT"}});
+    std::string renamed = text;
+    for (const char* const place : {"output MOVE", "1 { MOVE", "gate(OPNE = MOVE", "stuck(OPEN = MOVE"})
+        renamed = with(renamed, place, std::string(place, std::string(place).size() - 4) + "LIFT");
+    EXPECT_EQ(edited(text, edit["changes"][editor.folder.uri("all.grafcet")]), renamed);
+    // The value that is assigned to an input is not resolved.
+    const std::string hidden = with(text, "{ MOVE; }", "{ MOVE; CLOSED := MOVE on activation; }");
+    EXPECT_EQ(editor.obstacle("all.grafcet", with(hidden, "output MOVE", "output MO@VE"), "LIFT"),
+              "the errors of `" + editor.folder.file("all.grafcet") +
+                  "` hide the meaning of an occurrence of `MOVE`; correct them first");
+}
+
+TEST(LspNames, OfALoopThatDoesNotIncludeItsChartLeadToTheChart) {
+    Editor editor;
+    editor.folder.write("all.grafcet", "include \"press.grafcet\";\ninclude \"loop.grafcet\";\n");
+    const std::string alone = with(loop, "include \"press.grafcet\";\n", "");
+    const Json found = editor.at("textDocument/definition", "loop.grafcet", with(alone, "OUT = START", "OUT = ST@ART"));
+    EXPECT_EQ(found["uri"], editor.folder.uri("press.grafcet"));
+}
+
 TEST(LspNames, OfAProgramLeadToItsFileAndAreNotRenamed) {
     Editor editor;
     editor.folder.write("main.st",
@@ -255,14 +299,10 @@ TEST(LspNames, OfAProgramLeadToItsFileAndAreNotRenamed) {
     const Json found = editor.at("textDocument/definition", "lamp.grafcet", with(text, "OUT = go", "OUT = g@o"));
     EXPECT_EQ(found["uri"], editor.folder.uri("main.st"));
     EXPECT_EQ(found["range"]["start"]["line"], 2);
-    const Marked here = marked(with(text, "OUT = go", "OUT = g@o"));
-    const Json answer = editor.client.answer(editor.client.send_request(
-        "textDocument/rename", {{"textDocument", {{"uri", editor.folder.uri("lamp.grafcet")}}},
-                                {"position", here.position},
-                                {"newName", "start"}}));
-    EXPECT_EQ(answer["error"]["message"], "`go` occurs in `" + editor.folder.file("main.st") +
-                                              "`, which is not a text of the grafcet language; change all files "
-                                              "manually");
+    EXPECT_EQ(editor.obstacle("lamp.grafcet", with(text, "OUT = go", "OUT = g@o"), "start"),
+              "`go` occurs in `" + editor.folder.file("main.st") +
+                  "`, which is not a text of the grafcet language; change all files "
+                  "manually");
 }
 
 /// A loop with a constant in every place that may contain one.
@@ -384,6 +424,12 @@ TEST(LspCompletion, KnowsDeclarationsOfAnIncompleteChart) {
               (std::vector<std::string>{"0", "1"}));
     EXPECT_TRUE(holds(editor.labels("loop.grafcet", with(loop, "}\n", "    property p: never Start.@")), "idle"));
     EXPECT_TRUE(holds(editor.labels("loop.grafcet", with(loop, "}\n", "    controller press @")), "every"));
+}
+
+TEST(LspCompletion, OffersNothingInABlockWithoutAHead) {
+    Editor editor;
+    for (const char* const block : {"{ @", "observer { @", "force { @"})
+        EXPECT_TRUE(editor.labels("loop.grafcet", with(loop, "plant Lamp", block)).empty()) << block;
 }
 
 TEST(LspCompletion, DescribesParameters) {
