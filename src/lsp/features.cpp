@@ -116,7 +116,6 @@ Json Session::hover(const Json& params) {
     const Pointed at = pointed(params);
     const Declaration* const element = at.element;
     if (element == nullptr) return nullptr;
-    settle();
     const Model* model = nullptr;
     for (const std::string& path : workspace_.roots(at.file->path))
         if (const auto root = board_.root(path); root != nullptr && root->reading.model) model = &*root->reading.model;
