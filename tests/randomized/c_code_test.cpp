@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Randomized test: the C compiler of the system compiles the controllers of random charts without warnings, except for
-// conditions of a chart that compare a variable with itself. The compiled controllers agree with the interpreter scan by
-// scan, in both execution modes, in the outputs, the situation, and the scan in which the controller stops.
+// conditions of a chart that compare a variable with itself. The compiled controllers agree with the interpreter scan
+// by scan, in both execution modes, in the outputs, the situation, and the scan in which the controller stops. A
+// further test compiles a chart with names that are similar to those of the code, in C and in C++.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -15,6 +16,7 @@
 #include "emit/controller/names.hpp"
 #include "run/interpreter.hpp"
 #include "support/messages.hpp"
+#include "support/play.hpp"
 #include "support/random_chart.hpp"
 #include "support/test_size.hpp"
 
@@ -206,6 +208,33 @@ TEST(RandomizedCCode, CompiledControllersAgreeWithTheRulesOfTheStandard) {
     EXPECT_GT(met.out_of_range, 1);
     EXPECT_GT(met.outputs, 100);
     EXPECT_GT(met.timed, 20);
+}
+
+/// The chart `chart` with names that the code derives from its name, and names of <stdint.h>.
+constexpr std::string_view similar_names =
+    "input chart_H, chart_inputs, uint16_t; output chart_timer, chart_MAX_EVOLUTIONS, int32_t; internal N: int 0..7;\n"
+    "initial step 0 { int32_t; } step 1 { chart_timer if 1s/chart_H/2s; chart_MAX_EVOLUTIONS; }\n"
+    "step 2 { N := N + 1 on activation; } transition a: 0 -> 1 when chart_H && 3s/X0;\n"
+    "transition b: 1 -> 2 when uint16_t || chart_inputs; transition c: 2 -> 0 when N < 5;";
+
+/// True if the compiler accepts `text` without warnings.
+bool compiles(const std::string& compiler, const std::string& text) {
+    FILE* input = ::popen((compiler + " -Wall -Wextra -Werror -fsyntax-only -").c_str(), "w");
+    if (input == nullptr) return false;
+    (void)std::fwrite(text.data(), 1, text.size(), input);
+    return ::pclose(input) == 0;
+}
+
+TEST(CCodeNames, NamesOfTheChartDoNotConflictWithNamesOfTheCode) {
+    const controller::Code code =
+        controller::code_of(equations(similar_names), {ExecutionMode::StabilitySearch, 1000}, Target::C);
+    const std::string text = c::header_of(code) + c::source_of(code, "");
+    for (const char* name : {" chart_H;", " chart_inputs;", " chart_timer;", " chart_MAX_EVOLUTIONS;"})
+        EXPECT_NE(text.find("    bool" + std::string(name)), std::string::npos) << name << text;
+    for (const std::string compiler : {"cc -x c -std=c99 -pedantic -Wconversion", "c++ -x c++ -std=c++17"}) {
+        if (std::system((compiler.substr(0, compiler.find(' ')) + " --version > /dev/null").c_str()) != 0) continue;
+        EXPECT_TRUE(compiles(compiler, text)) << compiler << text;
+    }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/outputs.hpp"
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
+#include "pipeline/files.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/program/prove.hpp"
 #include "report/charts/comparison.hpp"
@@ -72,13 +73,25 @@ ExitCode st(CommandContext& job, const Streams& streams) {
     return ExitCode::Done;
 }
 
+namespace {
+
+/// True if no header can be written next to the output: a stream, or another special file such as `/dev/null`.
+bool receives_both_files(const std::string& output) {
+    if (names_output(output) || own_descriptor(output)) return true;
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(output, failure);
+    return std::filesystem::is_other(status);
+}
+
+}  // namespace
+
 ExitCode c(CommandContext& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     const auto found = chart ? equations_of(*model, *chart, job) : std::nullopt;
     if (!found) return ExitCode::Input;
     const std::string output = job.options.output.value_or("-");
-    const bool one_file = names_output(output);
+    const bool one_file = receives_both_files(output);
     const std::filesystem::path header = std::filesystem::path(output).replace_extension(".h");
     const auto code = c_code_of(*found, execution_mode(*model, *chart, job), max_evolutions(job.options),
                                 one_file ? "" : header.filename().string(), job.diagnostics);
@@ -123,7 +136,7 @@ CliCommand st_usage() {
         "With --prove, `st` reads the generated text as a PLC program and compares it with the chart, as `compare`\n"
         "does. The text is written only if both are proved equivalent. Exit code 1: different; 3: inconclusive\n"
         "(--timeout, --max-memory, Ctrl-C). In both cases, nothing is written. Without --max-evolutions, the limit is\n"
-        "the first of 8, 16, ..., 128 within which each search of the chart ends.",
+        "the first of 8, 16, ..., 128 with which the program stops in no scan that the chart completes.",
         {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
          "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
          "grafverif st samples/tanks/tanks.grafcet --prove -o tanks.xml",

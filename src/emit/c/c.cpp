@@ -49,6 +49,8 @@ bool has_timer(const Code& code, bool off_delay) {
     return std::ranges::any_of(code.timers, [&](const Timer& timer) { return timer.off_delay == off_delay; });
 }
 
+/// Prints the files. No name in them equals a member of the structs and has another meaning where the member is used:
+/// legal names do not end with `_`, as the only macro does, and the type of timers is a tag.
 class Writer {
 public:
     explicit Writer(const Code& code) : code_(code) {
@@ -60,16 +62,15 @@ public:
     std::string header() {
         std::istringstream lines(code_.comment);
         for (std::string one; std::getline(lines, one);) line("/* {} */", comment_text(one));
-        line("#ifndef {0}_H\n#define {0}_H\n\n#include <stdbool.h>\n#include <stdint.h>\n", code_.name);
+        line("#ifndef {0}_H_\n#define {0}_H_\n\n#include <stdbool.h>\n#include <stdint.h>\n", code_.name);
         line("#ifdef __cplusplus\nextern \"C\" {{\n#endif\n");
         for (const Cell& cell : code_.cells)
             if (cell.section == Section::Constant)
-                line("/* {} */\n#define {}_{} {}\n", comment_text(cell.comment), code_.name, cell.name,
-                     literal(cell.word, cell.initial));
+                line("/* {} */\nstatic const {} {}_{} = {};\n", comment_text(cell.comment), type_word(cell.word),
+                     code_.name, cell.name, literal(cell.word, cell.initial));
         write_inputs();
         if (code_.timers.size() > 0)
-            line("typedef struct {{\n    bool running;\n    bool q;\n    uint32_t elapsed_ms;\n}} {}_timer;\n",
-                 code_.name);
+            line("struct {}_timer {{\n    bool running;\n    bool q;\n    uint32_t elapsed_ms;\n}};\n", code_.name);
         write_state();
         line("/* Sets the state at power-on. */\nvoid {0}_init({0}_state *self);\n", code_.name);
         line(
@@ -131,7 +132,7 @@ private:
             if (const auto* id = std::get_if<Id<Cell>>(&declaration)) {
                 if (code_.cells[*id].section == section) member(code_.cells[*id]);
             } else if (section == Section::Local)
-                line("    {}_timer {};", code_.name, code_.timers[std::get<Id<Timer>>(declaration)].name);
+                line("    struct {}_timer {};", code_.name, code_.timers[std::get<Id<Timer>>(declaration)].name);
         }
     }
 
@@ -155,7 +156,7 @@ private:
     void write_timers() {
         if (code_.timers.size() == 0) return;
         line(
-            "static void {0}_advance({0}_timer *timer, uint32_t elapsed_ms)\n{{\n"
+            "static void {0}_advance(struct {0}_timer *timer, uint32_t elapsed_ms)\n{{\n"
             "    if (timer->running) {{\n"
             "        if (elapsed_ms < (UINT32_MAX - timer->elapsed_ms)) {{\n"
             "            timer->elapsed_ms += elapsed_ms;\n"
@@ -167,7 +168,7 @@ private:
         if (has_timer(code_, false))
             line(
                 "/* on-delay timer TON of IEC 61131-3 */\n"
-                "static void {0}_ton({0}_timer *timer, bool input, uint32_t preset_ms)\n{{\n"
+                "static void {0}_ton(struct {0}_timer *timer, bool input, uint32_t preset_ms)\n{{\n"
                 "    if (!input) {{\n"
                 "        timer->elapsed_ms = 0U;\n"
                 "    }}\n"
@@ -177,7 +178,7 @@ private:
         if (has_timer(code_, true))
             line(
                 "/* off-delay timer TOF of IEC 61131-3 */\n"
-                "static void {0}_tof({0}_timer *timer, bool input, uint32_t preset_ms)\n{{\n"
+                "static void {0}_tof(struct {0}_timer *timer, bool input, uint32_t preset_ms)\n{{\n"
                 "    if (input) {{\n"
                 "        timer->elapsed_ms = 0U;\n"
                 "    }}\n"

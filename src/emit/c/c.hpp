@@ -5,11 +5,11 @@
 //   NAME_inputs   struct of the inputs
 //   NAME_state    struct of the outputs, the internal variables and the timers
 //   NAME_init     sets the state at power-on
-//   NAME_scan     executes one PLC cycle: reads the inputs, and changes the state. Its argument `elapsed_ms` is the time
-//                 since the previous call
+//   NAME_scan     executes one PLC cycle: reads the inputs, and changes the state. Its argument `elapsed_ms` is the
+//                 time since the previous call
 //
-// Integers have fixed widths. The code allocates no memory, has no recursion and no global data. Its only loop is the
-// stability search, which executes at most NAME_MAX_EVOLUTIONS evolutions.
+// Integers have fixed widths. The code allocates no memory, and has no recursion and no global variables. Its only loop
+// is the stability search, which executes at most NAME_MAX_EVOLUTIONS evolutions.
 #pragma once
 
 #include <string>

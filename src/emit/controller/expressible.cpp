@@ -37,6 +37,9 @@ private:
         const bool divides = node.op == Op::Divide || node.op == Op::Modulo;
         if (divides && exprs_[exprs_.operands(term)[1]].op != Op::Integer) return "a division by a variable";
         if (divides && exprs_[exprs_.operands(term)[1]].value == 0) return "a division by zero";
+        // If the dividend is the least integer, the remainder is undefined in C.
+        if (node.op == Op::Modulo && exprs_[exprs_.operands(term)[1]].value == -1)
+            return "a remainder of a division by -1";
         return nullptr;
     }
 

@@ -5,8 +5,8 @@
 // and types. A variable with the name of a query keyword can be declared but not used in queries. NuSMV: the list
 // contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files. Single capital letters in the list are
 // operators of temporal logic. Structured Text: the list contains the keywords, elementary types, standard functions
-// and function blocks of IEC 61131-3. C: the list contains the keywords of C and C++ up to 2023, and macros of common
-// headers and compilers.
+// and function blocks of IEC 61131-3. C: the list contains the keywords of C and C++ up to 2023, names of <stdbool.h>
+// and <stdint.h>, and some macros of other headers and of compilers.
 #include "syntax/print/legal_names.hpp"
 
 #include <algorithm>
@@ -80,17 +80,14 @@ constexpr auto structured_text_keywords = std::to_array<std::string_view>({
 });
 
 constexpr auto c_keywords = std::to_array<std::string_view>({
-    "EOF", "I", "INT16_C", "INT16_MAX", "INT16_MIN", "INT32_C", "INT32_MAX", "INT32_MIN", "INT64_C", "INT64_MAX",
-    "INT64_MIN", "INT8_C", "INT8_MAX", "INT8_MIN", "INTMAX_C", "INTMAX_MAX", "INTMAX_MIN", "INTPTR_MAX", "INTPTR_MIN",
-    "NULL", "PTRDIFF_MAX", "PTRDIFF_MIN", "SIG_ATOMIC_MAX", "SIG_ATOMIC_MIN", "SIZE_MAX", "UINT16_C", "UINT16_MAX",
-    "UINT32_C", "UINT32_MAX", "UINT64_C", "UINT64_MAX", "UINT8_C", "UINT8_MAX", "UINTMAX_C", "UINTMAX_MAX",
-    "UINTPTR_MAX", "WCHAR_MAX", "WCHAR_MIN", "WINT_MAX", "WINT_MIN", "alignas", "alignof", "and", "and_eq", "asm",
-    "assert", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char", "char16_t", "char32_t", "char8_t",
-    "class", "co_await", "co_return", "co_yield", "compl", "complex", "concept", "const", "const_cast", "consteval",
-    "constexpr", "constinit", "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else",
-    "enum", "errno", "explicit", "export", "extern", "false", "far", "float", "for", "fortran", "friend", "goto", "huge",
-    "i386", "if", "imaginary", "inline", "int", "interrupt", "linux", "long", "mutable", "namespace", "near", "new",
-    "noexcept", "not", "not_eq", "nullptr", "offsetof", "operator", "or", "or_eq", "private", "protected", "public",
+    "EOF", "I", "NULL", "PTRDIFF_MAX", "PTRDIFF_MIN", "SIG_ATOMIC_MAX", "SIG_ATOMIC_MIN", "SIZE_MAX", "WCHAR_MAX",
+    "WCHAR_MIN", "WINT_MAX", "WINT_MIN", "alignas", "alignof", "and", "and_eq", "asm", "assert", "auto", "bitand",
+    "bitor", "bool", "break", "case", "catch", "char", "char16_t", "char32_t", "char8_t", "class", "co_await",
+    "co_return", "co_yield", "compl", "complex", "concept", "const", "const_cast", "consteval", "constexpr",
+    "constinit", "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else", "enum", "errno",
+    "explicit", "export", "extern", "false", "far", "float", "for", "fortran", "friend", "goto", "huge", "i386", "if",
+    "imaginary", "inline", "int", "interrupt", "linux", "long", "mutable", "namespace", "near", "new", "noexcept",
+    "noreturn", "not", "not_eq", "nullptr", "offsetof", "operator", "or", "or_eq", "private", "protected", "public",
     "register", "reinterpret_cast", "requires", "restrict", "return", "short", "signed", "sizeof", "static",
     "static_assert", "static_cast", "stderr", "stdin", "stdout", "struct", "switch", "template", "this", "thread_local",
     "throw", "true", "try", "typedef", "typeid", "typename", "typeof", "typeof_unqual", "union", "unix", "unsigned",
@@ -137,6 +134,14 @@ bool has_single_underscores(std::string_view name) {
 /// True if a name of the target must not contain `__` or end with `_`. C++ reserves names with `__`.
 bool has_plain_underscores(Target target) { return target == Target::StructuredText || target == Target::C; }
 
+/// True if <stdint.h> defines the name, or may define it in future versions of C (C99, 7.26.8).
+bool is_of_stdint(std::string_view name) {
+    const bool type = (name.starts_with("int") || name.starts_with("uint")) && name.ends_with("_t");
+    const bool macro = (name.starts_with("INT") || name.starts_with("UINT")) &&
+                       (name.ends_with("_MAX") || name.ends_with("_MIN") || name.ends_with("_C"));
+    return type || macro;
+}
+
 /// True if C reserves the name: `_` and a capital letter.
 bool has_reserved_beginning(std::string_view name) {
     return name.size() > 1 && name[0] == '_' && name[1] >= 'A' && name[1] <= 'Z';
@@ -178,7 +183,7 @@ bool is_reserved(Target target, std::string_view name) {
     case Target::UppaalLocal: return uppaal.contains(name);
     case Target::Nusmv: return nusmv.contains(name);
     case Target::StructuredText: return structured_text.contains(key_of(target, name));
-    case Target::C: return c.contains(name);
+    case Target::C: return c.contains(name) || is_of_stdint(name);
     }
     unreachable();
 }

@@ -1,6 +1,6 @@
 #include "blinker.h"
 
-static void blinker_advance(blinker_timer *timer, uint32_t elapsed_ms)
+static void blinker_advance(struct blinker_timer *timer, uint32_t elapsed_ms)
 {
     if (timer->running) {
         if (elapsed_ms < (UINT32_MAX - timer->elapsed_ms)) {
@@ -12,7 +12,7 @@ static void blinker_advance(blinker_timer *timer, uint32_t elapsed_ms)
 }
 
 /* on-delay timer TON of IEC 61131-3 */
-static void blinker_ton(blinker_timer *timer, bool input, uint32_t preset_ms)
+static void blinker_ton(struct blinker_timer *timer, bool input, uint32_t preset_ms)
 {
     if (!input) {
         timer->elapsed_ms = 0U;

@@ -2,8 +2,8 @@
 /* One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change during the call. */
 /* With stability search: a call executes evolutions until the situation is stable, and then writes the outputs. */
 /* FAULT is the reason of a stop: 1 no stable situation, 2 race of stored actions, 3 value outside its range. After a stop, the outputs do not change. */
-#ifndef blinker_H
-#define blinker_H
+#ifndef blinker_H_
+#define blinker_H_
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -13,17 +13,17 @@ extern "C" {
 #endif
 
 /* maximum per cycle; more evolutions are total instability */
-#define blinker_MAX_EVOLUTIONS 1000U
+static const uint32_t blinker_MAX_EVOLUTIONS = 1000U;
 
 typedef struct {
     bool BUTTON;
 } blinker_inputs;
 
-typedef struct {
+struct blinker_timer {
     bool running;
     bool q;
     uint32_t elapsed_ms;
-} blinker_timer;
+};
 
 typedef struct {
     /* outputs */
@@ -39,8 +39,8 @@ typedef struct {
     bool CF_t3;
     bool T_X1_2s_Q;
     bool T_X2_1s_Q;
-    blinker_timer T_X1_2s;
-    blinker_timer T_X2_1s;
+    struct blinker_timer T_X1_2s;
+    struct blinker_timer T_X2_1s;
     bool started;  /* the first evolution has been executed */
     bool stable;  /* the situation is stable */
     uint32_t evolutions;  /* evolutions in this cycle */

@@ -1,6 +1,6 @@
 #include "oven_door.h"
 
-static void oven_door_advance(oven_door_timer *timer, uint32_t elapsed_ms)
+static void oven_door_advance(struct oven_door_timer *timer, uint32_t elapsed_ms)
 {
     if (timer->running) {
         if (elapsed_ms < (UINT32_MAX - timer->elapsed_ms)) {
@@ -12,7 +12,7 @@ static void oven_door_advance(oven_door_timer *timer, uint32_t elapsed_ms)
 }
 
 /* on-delay timer TON of IEC 61131-3 */
-static void oven_door_ton(oven_door_timer *timer, bool input, uint32_t preset_ms)
+static void oven_door_ton(struct oven_door_timer *timer, bool input, uint32_t preset_ms)
 {
     if (!input) {
         timer->elapsed_ms = 0U;

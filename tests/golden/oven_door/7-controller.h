@@ -2,8 +2,8 @@
 /* One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change during the call. */
 /* With stability search: a call executes evolutions until the situation is stable, and then writes the outputs. */
 /* FAULT is the reason of a stop: 1 no stable situation, 2 race of stored actions, 3 value outside its range. After a stop, the outputs do not change. */
-#ifndef oven_door_H
-#define oven_door_H
+#ifndef oven_door_H_
+#define oven_door_H_
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 /* maximum per cycle; more evolutions are total instability */
-#define oven_door_MAX_EVOLUTIONS 1000U
+static const uint32_t oven_door_MAX_EVOLUTIONS = 1000U;
 
 typedef struct {
     bool START;
@@ -21,11 +21,11 @@ typedef struct {
     bool SEAL;
 } oven_door_inputs;
 
-typedef struct {
+struct oven_door_timer {
     bool running;
     bool q;
     uint32_t elapsed_ms;
-} oven_door_timer;
+};
 
 typedef struct {
     /* outputs */
@@ -57,8 +57,8 @@ typedef struct {
     bool CF_t4;
     bool T_X40_5s_Q;
     bool T_X42_5s_Q;
-    oven_door_timer T_X40_5s;
-    oven_door_timer T_X42_5s;
+    struct oven_door_timer T_X40_5s;
+    struct oven_door_timer T_X42_5s;
     bool started;  /* the first evolution has been executed */
     bool stable;  /* the situation is stable */
     uint32_t evolutions;  /* evolutions in this cycle */

@@ -54,6 +54,13 @@ TEST(Depfile, NamesEveryFileReadAndEveryFileWritten) {
                                           ":\n");
 }
 
+TEST(CCode, SpecialFileReceivesBothFiles) {
+    const Folder folder;
+    const std::string main = folder.write("main.grafcet", chart("c"));
+    EXPECT_EQ(grafverif({"c", main, "-o", "/dev/null"}).code, ExitCode::Done);
+    EXPECT_FALSE(fs::exists("/dev/null.h"));
+}
+
 TEST(Depfile, IsWrittenByEveryCommandThatWritesFiles) {
     const Folder folder;
     const std::string main = folder.write("main.grafcet", chart("c") + loop("l", "c"));

@@ -21,10 +21,10 @@ constexpr std::string_view lamp =
 TEST(CCode, HeaderDeclaresInputsStateAndFunctions) {
     const std::string header = c::header_of(code(lamp, ExecutionMode::StabilitySearch));
     for (const char* part : {
-             "#define chart_MAX_EVOLUTIONS 1000U\n",
+             "static const uint32_t chart_MAX_EVOLUTIONS = 1000U;\n",
              "typedef struct {\n    bool go;\n    int32_t level;  /* 0 to 7 */\n} chart_inputs;\n",
              "typedef struct {\n    /* outputs */\n    bool L;\n    int16_t FAULT;",
-             "    chart_timer T_X0_3s;\n",
+             "    struct chart_timer T_X0_3s;\n",
              "void chart_init(chart_state *self);\n",
              "void chart_scan(chart_state *self, const chart_inputs *in, uint32_t elapsed_ms);\n",
          })
@@ -54,9 +54,12 @@ TEST(CCode, NegationsAndComparisonsHaveBrackets) {
 }
 
 TEST(CCode, KeywordsAndMacrosAreRenamed) {
-    const controller::Code made =
-        code("input int32_t, register, _A, a__b; output errno, ON; initial step 0 { errno; ON if register; }",
-             ExecutionMode::EveryCycle);
+    const controller::Code made = code(
+        "input int32_t, UINT_FAST8_MAX, register, _A, a__b; output errno, ON; initial step 0 { errno; ON if "
+        "register; }",
+        ExecutionMode::EveryCycle);
+    EXPECT_NE(made.comment.find("int32_t is int32_t_2\n"), std::string::npos) << made.comment;
+    EXPECT_NE(made.comment.find("UINT_FAST8_MAX is UINT_FAST8_MAX_2\n"), std::string::npos) << made.comment;
     EXPECT_NE(made.comment.find("register is register_2\n"), std::string::npos) << made.comment;
     EXPECT_NE(made.comment.find("_A is v_A\n"), std::string::npos) << made.comment;
     EXPECT_NE(made.comment.find("a__b is a_b\n"), std::string::npos) << made.comment;
@@ -71,15 +74,23 @@ TEST(CCode, ChartWithoutInputsHasAStructWithOneMember) {
     EXPECT_NE(c::source_of(made, "").find("    (void)in;\n    (void)elapsed_ms;\n"), std::string::npos);
 }
 
-TEST(CCode, DivisionByAVariableIsRejected) {
+void expect_rejected(const std::string& value, const std::string& reason) {
     Diagnostics diagnostics;
     const Equations found = equations(
-        "input level: int 1..7; output L; internal N: int 0..7 = 1; initial step 0 { L; }\n"
-        "step 1 { N := N / level on activation; } transition a: 0 -> 1 when true;");
-    EXPECT_FALSE(controller::expressible(found, messages::not_in_c, diagnostics));
+        "input level: int -32768..7; output L; internal N: int 0..7 = 1; initial step 0 { L; }\n"
+        "step 1 { N := " +
+        value + " on activation; } transition a: 0 -> 1 when true;");
+    EXPECT_FALSE(controller::expressible(found, messages::not_in_c, diagnostics)) << value;
     ASSERT_FALSE(diagnostics.all().empty());
     EXPECT_EQ(diagnostics.all()[0].code, "not-in-c");
-    EXPECT_TRUE(diagnostics.all()[0].message.starts_with("a division by a variable")) << diagnostics.all()[0].message;
+    EXPECT_TRUE(diagnostics.all()[0].message.starts_with(reason + " cannot be translated"))
+        << diagnostics.all()[0].message;
+}
+
+TEST(CCode, UndefinedOperationsAreRejected) {
+    expect_rejected("N / level", "a division by a variable");
+    expect_rejected("level * 32768 * 2 / -1", "a value that may need more than 32 bits");
+    expect_rejected("level * 32768 * 2 % -1", "a remainder of a division by -1");
 }
 
 }  // namespace
