@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The rows follow the manuals of the vendors. CODESYS 3.5 and TwinCAT 3: "Keywords" of the online help. Siemens:
-// "Programming with SCL" of the system manual of STEP 7 (TIA Portal) for S7-1200 and S7-1500.
+// CODESYS and TwinCAT: the reserved words are those of the pages "Keywords" and "Compiler Error C0543" of the online
+// help of CODESYS 3 and TwinCAT 3, and operators and types of CODESYS. Siemens: the form follows published SCL sources
+// of S7-1500 projects. The words are keywords of SCL and names in the heads of blocks; the list may be incomplete. The
+// rows were not tested with the tools of the vendors.
 #include "emit/structured_text/dialects.hpp"
 
 #include <algorithm>
@@ -15,15 +17,17 @@ namespace {
 // Each line of the following lists contains several words.
 // clang-format off
 constexpr auto codesys_words = std::to_array<std::string_view>({
-    "ADR", "ADRINST", "AND_THEN", "BIT", "BITADR", "CALC", "CALCN", "INDEXOF", "INI", "JMPC", "JMPCN", "LDATE_AND_TIME",
-    "LTIME_OF_DAY", "OR_ELSE", "PARAMS", "PERSISTENT", "POINTER", "PROPERTY", "PVOID", "REFERENCE", "RETC", "RETCN",
-    "SIZEOF", "STN", "UNION", "UXINT", "VAR_GENERIC", "VAR_INST", "VAR_STAT", "XINT", "XSIZEOF", "XWORD",
+    "ADR", "ADRINST", "ANDN", "AND_THEN", "ANY_CHAR", "ANY_CHARS", "ANY_DERIVED", "ANY_DURATION", "ANY_ELEMENTARY",
+    "ANY_MAGNITUDE", "ANY_SIGNED", "BIT", "BITADR", "CALC", "CALCN", "CHAR_TO", "END_PROPERTY", "INDEXOF", "INI",
+    "JMPC", "JMPCN", "LDATE_AND_TIME", "LDN", "LTIME_OF_DAY", "ORN", "OR_ELSE", "PARAMS", "PERSISTENT", "POINTER",
+    "PROPERTY", "PVOID", "R", "REFERENCE", "RETC", "RETCN", "S", "SIZEOF", "STN", "TO_CHAR", "TO_WCHAR", "UNION",
+    "UXINT", "VAR_GENERIC", "VAR_INST", "VAR_STAT", "WCHAR_TO", "XINT", "XORN", "XSIZEOF", "XWORD",
 });
 constexpr auto siemens_words = std::to_array<std::string_view>({
-    "AUTHOR", "BEGIN", "CONST", "COUNTER", "DATA_BLOCK", "DB_ANY", "END_CONST", "END_DATA_BLOCK", "END_LABEL",
-    "END_ORGANIZATION_BLOCK", "END_REGION", "FAMILY", "GOTO", "KNOW_HOW_PROTECT", "LABEL", "NIL", "OK",
-    "ORGANIZATION_BLOCK", "POINTER", "REGION", "S5TIME", "STANDARD", "TIMER", "TITLE", "TOF_TIME", "TON_TIME", "VARIANT",
-    "VERSION", "VOID",
+    "AUTHOR", "BEGIN", "BLOCK_DB", "BLOCK_FB", "BLOCK_FC", "BLOCK_SDB", "BLOCK_SFB", "BLOCK_SFC", "CONST", "COUNTER",
+    "DATA_BLOCK", "DB_ANY", "END_CONST", "END_DATA_BLOCK", "END_LABEL", "END_ORGANIZATION_BLOCK", "END_REGION",
+    "FAMILY", "GOTO", "KNOW_HOW_PROTECT", "LABEL", "NAME", "NIL", "OK", "ORGANIZATION_BLOCK", "POINTER", "REGION",
+    "S5TIME", "STANDARD", "TIMER", "TITLE", "TOF_TIME", "TON_TIME", "UNLINKED", "VARIANT", "VERSION", "VOID",
 });
 // clang-format on
 

@@ -160,13 +160,14 @@ TEST(StructuredTextDialects, TwincatFileContainsDeclarationAndStatements) {
 }
 
 TEST(StructuredTextDialects, EachDialectRenamesItsReservedWords) {
-    constexpr std::string_view names = "input Pointer, begin, persistent; output OK; initial step 0 { OK if Pointer; }";
+    constexpr std::string_view names =
+        "input Pointer, begin, persistent, R, name; output OK; initial step 0 { OK if Pointer; }";
     for (const auto& [dialect, renamed] :
-         {std::pair(Dialect::Iec, ""), std::pair(Dialect::Codesys, "Pointer persistent"),
-          std::pair(Dialect::Twincat, "Pointer persistent"), std::pair(Dialect::Siemens, "Pointer begin OK")}) {
+         {std::pair(Dialect::Iec, ""), std::pair(Dialect::Codesys, "Pointer persistent R"),
+          std::pair(Dialect::Twincat, "Pointer persistent R"), std::pair(Dialect::Siemens, "Pointer begin OK name")}) {
         const std::string text = in_dialect(names, dialect);
         std::string found;
-        for (const std::string name : {"Pointer", "begin", "persistent", "OK"})
+        for (const std::string name : {"Pointer", "begin", "persistent", "R", "OK", "name"})
             if (text.find(name + " is " + name + "_2") != std::string::npos) found += (found.empty() ? "" : " ") + name;
         EXPECT_EQ(found, renamed) << text;
     }
