@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/program/prove.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <sstream>
 #include <utility>
 
 #include "emit/controller/names.hpp"
 #include "emit/structured_text/dialects.hpp"
 #include "pipeline/variants/compare.hpp"
+#include "pipeline/variants/compare_sides.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -17,6 +20,17 @@ namespace {
 bool only_program_stops(const Comparison& comparison) {
     return comparison.outcome == Comparison::Outcome::Different && comparison.answers[0].back().stop.empty() &&
            !comparison.answers[1].back().stop.empty();
+}
+
+/// Returns a duration of the program that is not a multiple of `resolution_ms`. Scans at multiples of the resolution do
+/// not distinguish it from the next multiple.
+std::optional<std::int64_t> hidden_duration(Id<Source> program, std::int64_t resolution_ms, Sources& sources) {
+    Diagnostics repeated;  // `compare` has reported them
+    const auto side = side_of_program(program, sources, repeated);
+    if (!side) return {};
+    for (const ProgramTimer& timer : side->scan->layout.timers)
+        if (timer.longest % resolution_ms != 0) return timer.longest;
+    return {};
 }
 
 }  // namespace
@@ -39,7 +53,14 @@ std::optional<Comparison> compare_with_text(const Model& model, Id<Chart> chart,
     how.resolution_ms = options.resolution_ms;
     how.limits = options.limits;
     const Id<Source> source = sources.add({names.block + " (generated)", text});
-    return compare({&model, chart, {}}, {nullptr, {}, source}, how, of_program, sources, diagnostics);
+    auto found = compare({&model, chart, {}}, {nullptr, {}, source}, how, of_program, sources, diagnostics);
+    if (!found || found->outcome != Comparison::Outcome::Equal || options.resolution_ms.value_or(0) == 0) return found;
+    if (const auto duration = hidden_duration(source, *options.resolution_ms, sources)) {
+        found->outcome = Comparison::Outcome::Unknown;
+        found->reason = fmt::format("the duration {} of the program is not a multiple of the resolution {}",
+                                    duration_text(*duration), duration_text(*options.resolution_ms));
+    }
+    return found;
 }
 
 std::optional<ProvedText> proved_structured_text(const Model& model, Id<Chart> chart, const ProofOptions& options,

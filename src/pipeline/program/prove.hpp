@@ -38,7 +38,8 @@ struct ProvedText {
 std::optional<ProvedText> proved_structured_text(const Model& model, Id<Chart> chart, const ProofOptions& options,
                                                  Sources& sources, Diagnostics& diagnostics);
 
-/// Compares a text with the chart that it implements, whose equations determine the names in the text.
+/// Compares a text with the chart that it implements, whose equations determine the names in the text. With a
+/// resolution, the result is Equal only if all durations of the program are multiples of the resolution.
 std::optional<Comparison> compare_with_text(const Model& model, Id<Chart> chart, const Equations& equations,
                                             const std::string& text, const ProofOptions& options, Sources& sources,
                                             Diagnostics& diagnostics);

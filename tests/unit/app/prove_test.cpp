@@ -212,5 +212,16 @@ TEST(Prove, ChangedDurationIsFound) {
     EXPECT_EQ(found->outcome, Comparison::Outcome::Different) << text;
 }
 
+TEST(Prove, DurationBetweenMultiplesOfTheResolutionIsNotProved) {
+    Written chart = written(slow, ExecutionMode::EveryCycle);
+    std::string text = chart.text;
+    for (std::size_t at = text.find("T#2s"); at != std::string::npos; at = text.find("T#2s", at))
+        text.replace(at, 4, "T#1500ms");
+    const auto found = compared_with(chart, text);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->outcome, Comparison::Outcome::Unknown) << text;
+    EXPECT_EQ(found->reason, "the duration 1500ms of the program is not a multiple of the resolution 1s");
+}
+
 }  // namespace
 }  // namespace grafverif::app
