@@ -258,7 +258,7 @@ TEST(LspNames, AreNotRenamedIfAFaultWouldInheritAnotherArgument) {
     EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "WAIT", "WA@IT"), "DELAY"),
               "`DELAY` has another meaning in the scope of `WAIT`, or is not allowed there; choose another name");
     text = with(text, "property p: ", "property p: uppaal \"A[] !Gate_POS_\"; property r: ");
-    EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "plant Gate", "plant Ga@te"), "Door"),
+    EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "plant Gate", "plant G@ate"), "Door"),
               "the formula of property `p` may contain `Gate`; change both manually");
 }
 
