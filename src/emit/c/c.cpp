@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "emit/controller/indented_text.hpp"
 #include "emit/wrapped_text.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/dialect.hpp"
@@ -51,7 +52,7 @@ bool has_timer(const Code& code, bool off_delay) {
 
 /// Prints the files. No name in them equals a member of the structs and has another meaning where the member is used:
 /// legal names do not end with `_`, as the only macro does, and the type of timers is a tag.
-class Writer {
+class Writer : controller::IndentedText {
 public:
     explicit Writer(const Code& code) : code_(code) {
         leaf_ = [this](std::ostream& out, const Expr& leaf) {
@@ -102,11 +103,6 @@ public:
     }
 
 private:
-    template <class... Arguments>
-    void line(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-        text_ += std::string(4 * depth_, ' ') + fmt::format(text, std::forward<Arguments>(arguments)...) + '\n';
-    }
-
     std::string text(Id<Expr> term) const { return expr_text(code_.exprs, term, c_language_spelling, leaf_); }
 
     std::string name(Id<Cell> cell) const {
@@ -234,15 +230,6 @@ private:
         }
     }
 
-    void begin(const std::string& head) {
-        line("{}", head);
-        ++depth_;
-    }
-    void end(const char* word) {
-        --depth_;
-        line("{}", word);
-    }
-
     void cases(Id<Cell> target, Id<Expr> value) {
         const Exprs& exprs = code_.exprs;
         begin(fmt::format("if ({}) {{", text(exprs.operands(value)[0])));
@@ -260,9 +247,7 @@ private:
     }
 
     const Code& code_;
-    std::string text_ = {};
     LeafPrinter leaf_ = {};
-    std::size_t depth_ = 0;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "emit/controller/indented_text.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif::structured_text {
@@ -18,7 +19,7 @@ using controller::Code;
 using controller::Statement;
 using controller::Timer;
 
-class Writer {
+class Writer : controller::IndentedText {
 public:
     Writer(const Code& code, const DialectRow& dialect) : code_(code), dialect_(dialect) {
         leaf_ = [this](std::ostream& out, const Expr& leaf) {
@@ -32,11 +33,6 @@ public:
     }
 
 private:
-    template <class... Arguments>
-    void line(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-        text_ += std::string(4 * depth_, ' ') + fmt::format(text, std::forward<Arguments>(arguments)...) + '\n';
-    }
-
     std::string text(Id<Expr> term) const { return expr_text(code_.exprs, term, dialect_.spelling, leaf_); }
 
     std::string name(Id<Cell> cell) const {
@@ -67,15 +63,6 @@ private:
         }
     }
 
-    void begin(const std::string& head) {
-        line("{}", head);
-        ++depth_;
-    }
-    void end(const char* word) {
-        --depth_;
-        line("{}", word);
-    }
-
     void cases(const std::string& target, Id<Expr> value) {
         const Exprs& exprs = code_.exprs;
         const char* keyword = "IF";
@@ -90,9 +77,7 @@ private:
 
     const Code& code_;
     const DialectRow& dialect_;
-    std::string text_ = {};
     LeafPrinter leaf_ = {};
-    std::size_t depth_ = 0;
 };
 
 }  // namespace
