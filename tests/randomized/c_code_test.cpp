@@ -14,6 +14,7 @@
 #include "derive/derive.hpp"
 #include "emit/c/c.hpp"
 #include "emit/controller/names.hpp"
+#include "randomized/controller_cases.hpp"
 #include "run/interpreter.hpp"
 #include "support/messages.hpp"
 #include "support/play.hpp"
@@ -27,11 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr int scans = 14;
 
-/// Counts the cases in the random runs, so that the test fails if the generator no longer produces them.
-struct Met {
-    int refused = 0, transients = 0, endless = 0, races = 0, out_of_range = 0, outputs = 0, timed = 0;
-};
-
 /// The controller of a chart, with the values that its compiled code must print.
 struct Controller {
     Chart chart = {};
@@ -42,12 +38,6 @@ struct Controller {
     std::vector<std::string> printed;  ///< one line per scan, up to the stop
     std::vector<int> faults = {};
 };
-
-int fault_of(const Cycle& run) {
-    if (run.race) return 2;
-    if (run.fault) return run.fault->kind == RunFault::Kind::ForcedApart ? 4 : 3;
-    return !run.endless.empty() || run.gave_up ? 1 : 0;
-}
 
 /// Returns a function that reads the scans of a controller and prints its outputs and steps.
 std::string driver(const Equations& equations, const controller::Names& names) {
@@ -86,15 +76,6 @@ std::string line_of(const Chart& chart, const Equations& equations, const Cycle&
             if (equations.steps[k].variable == variable) steps += run.state.situation[k] ? " 1" : " 0";
     }
     return std::to_string(fault_of(run)) + outputs + " steps" + steps;
-}
-
-void meet(const Chart& chart, const State& before, const Cycle& run, Met& met) {
-    if (run.race) ++met.races;
-    if (run.fault) ++met.out_of_range;
-    if (!run.endless.empty()) ++met.endless;
-    if (run.fired.size() > 2) ++met.transients;
-    if (run.state.outputs != before.outputs) ++met.outputs;
-    for (const bool elapsed : time_conditions(chart, before)) met.timed += elapsed ? 1 : 0;
 }
 
 /// Adds the inputs of all scans and the expected lines.

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "derive/derive.hpp"
+#include "randomized/controller_cases.hpp"
 #include "run/interpreter.hpp"
 #include "support/random_chart.hpp"
 #include "support/run_structured_text.hpp"
@@ -20,21 +21,10 @@ namespace {
 
 using structured_text::Form;
 
-/// Counts the cases in the random runs, so that the test fails if the generator no longer produces them.
-struct Met {
-    int refused = 0, transients = 0, endless = 0, races = 0, out_of_range = 0, outputs = 0, timed = 0;
-};
-
 std::string controller_text(const Equations& equations, ExecutionMode mode, Form form) {
     std::ostringstream out;
     structured_text::emit(equations, {mode, 1000, form}, out);
     return form == Form::Text ? std::move(out).str() : units_of_plcopen(std::move(out).str());
-}
-
-int fault_of(const Cycle& run) {
-    if (run.race) return 2;
-    if (run.fault) return run.fault->kind == RunFault::Kind::ForcedApart ? 4 : 3;
-    return !run.endless.empty() || run.gave_up ? 1 : 0;
 }
 
 std::string disagreement(const Chart& chart, const Equations& equations, const Cycle& run, const SmallPlc& plc) {
@@ -51,15 +41,6 @@ std::string disagreement(const Chart& chart, const Equations& equations, const C
         if (plc.value(equations.variables[equations.steps[k].variable].name) != (run.state.situation[k] ? 1 : 0))
             return "step " + equations.steps[k].step.text();
     return {};
-}
-
-void meet(const Chart& chart, const State& before, const Cycle& run, Met& met) {
-    if (run.race) ++met.races;
-    if (run.fault) ++met.out_of_range;
-    if (!run.endless.empty()) ++met.endless;
-    if (run.fired.size() > 2) ++met.transients;
-    if (run.state.outputs != before.outputs) ++met.outputs;
-    for (const bool elapsed : time_conditions(chart, before)) met.timed += elapsed ? 1 : 0;
 }
 
 std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode, Met& met) {
