@@ -217,19 +217,19 @@ private:
                 const Id<Network::Variable> target{static_cast<std::uint32_t>(network.exprs[assignment.target].value)};
                 return std::ranges::find(made.outputs, target) == made.outputs.end();
             });
-            edge.guard = known_guard(network, made, edge, known, of_observers);
+            keep_known_conjuncts(network, made, edge, known, of_observers);
         }
         if (level == InputLevel::Untimed) ignore_clocks(automaton);
         if (level == InputLevel::Paced) pace(complete, process, automaton, unit, network.exprs);
         return network;
     }
 
-    /// Returns the conjuncts of the guard over outputs and known variables. The other conjuncts are assumed to be true.
-    /// Because the edge must be taken only if they are true, it is no longer urgent, unless only observers write the
+    /// Reduces the guard to the conjuncts over outputs and known variables. The other conjuncts are assumed to be true.
+    /// Because the edge must be taken only if they are true, it is no longer urgent, unless observers write all
     /// variables that they read: these conjuncts are true whenever time passes.
-    static Id<Expr> known_guard(Network& network, const AbstractableProcess& made, Network::Edge& edge,
-                                const std::set<Id<Network::Variable>>& known,
-                                const std::set<Id<Network::Variable>>& of_observers) {
+    static void keep_known_conjuncts(Network& network, const AbstractableProcess& made, Network::Edge& edge,
+                                     const std::set<Id<Network::Variable>>& known,
+                                     const std::set<Id<Network::Variable>>& of_observers) {
         std::vector<Id<Expr>> kept;
         const Exprs from = network.exprs;
         for (const Id<Expr> operand : operands_of(from, edge.guard, Op::And)) {
@@ -245,7 +245,7 @@ private:
             else if (!reads_only([&](Id<Network::Variable> variable) { return of_observers.contains(variable); }))
                 edge.urgent = false;
         }
-        return network.exprs.conjunction(kept);
+        edge.guard = network.exprs.conjunction(kept);
     }
 
     bool delay(std::vector<Word>& words) {

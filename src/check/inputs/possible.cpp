@@ -38,13 +38,7 @@ namespace {
 LoopWithoutClocks clockless(const Network& loop, const Property& property) {
     LoopWithoutClocks made{loop, property.operands[0]};
     if (property.at_stable) made.goal = made.network.exprs.conjunction(loop.settled, made.goal);
-    for (Network::Template& automaton : made.network.templates) {
-        for (Network::Location& location : automaton.locations) location.invariant.clear();
-        for (Network::Edge& edge : automaton.edges) {
-            edge.constraint.clear();
-            edge.resets.clear();
-        }
-    }
+    for (Network::Template& automaton : made.network.templates) ignore_clocks(automaton);
     return made;
 }
 
