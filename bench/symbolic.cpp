@@ -43,7 +43,8 @@ using namespace grafverif;
     throw std::invalid_argument(text.str());
 }
 
-/// Returns a system of `count` stations in one chart, with a property of every type about its last steps.
+/// Returns a system of `count` stations in one chart, with five properties of different types, mostly
+/// about the steps of the last station.
 TransitionSystem stations(std::size_t count) {
     Sources sources;
     Diagnostics diagnostics;

@@ -64,7 +64,7 @@ private:
     TemporaryFolder folder_ = TemporaryFolder();
 };
 
-/// Runs ABC: `bmc3` finds short counterexamples within a tenth of the time; then `pdr` decides.
+/// Runs ABC: `bmc3` searches short counterexamples for a tenth of the remaining time; then `pdr` decides.
 pdr::PdrAnswer query_abc(const std::string& program, const HwmccQuery& question) {
     using Seconds = std::chrono::duration<double>;
     const auto deadline = question.watch().deadline();

@@ -43,7 +43,7 @@ public:
     /// Returns the moves of `state`, stable ones first.
     const std::vector<StateMove>& of(StateId state);
 
-    /// Returns `state` without marks of timers as fresh or falling.
+    /// Returns `state` with the flags `fresh` and `falling` of all timers cleared.
     StateId settled(StateId state);
     /// Return the indices of the timers of the equations that are fresh, or falling, in `state`.
     std::vector<std::size_t> fresh(StateId state) const { return marked(state, &StateLayout::Timer::fresh); }

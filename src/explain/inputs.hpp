@@ -38,7 +38,7 @@ struct InputChange {
         bool operator==(const ChoiceEvent&) const = default;
     };
     std::vector<ChoiceEvent> events = {};  ///< all events, ordered by state
-    /// Events of the smallest set with the latest changes; empty if none was found.
+    /// The omitted events: among the smallest sets, the one whose events occur latest. Empty if no set was found.
     std::optional<std::vector<ChoiceEvent>> left_out = {};
     SystemRun run = {};      ///< the run without the events `left_out`; it has a loop
     std::size_t tried = 0;   ///< number of sets that were tried

@@ -31,7 +31,7 @@ struct Standstill {
 Standstill standstill(const Network& network, const Run& run);
 
 /// Returns one sentence for each blocker, with its invariant and its edges, or one sentence that lists the repeating
-/// processes. Each sentence has a remedy. If there are neither blockers nor repeating processes, the text is empty.
+/// processes. The text ends with a remedy. If there are neither blockers nor repeating processes, the text is empty.
 std::string standstill_words(const Network& network, const Standstill& found);
 
 }  // namespace grafverif

@@ -74,7 +74,7 @@ std::vector<std::string> verify(const ChartRun& run) {
     std::vector<std::string> faults;
     for (const ChartRun::Controller& controller : run.controllers)
         if (!is_known(run, controller)) faults.push_back(controller.name + ": it refers to an unknown element");
-    if (run.moments.empty()) faults.emplace_back("the event of power-on is missing");
+    if (run.moments.empty()) faults.emplace_back("the power-on event is missing");
     std::int64_t time = 0;
     for (std::size_t i = 0; i < run.moments.size(); ++i) {
         const std::string where = "moment " + std::to_string(i);

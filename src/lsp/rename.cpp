@@ -114,10 +114,11 @@ Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<c
     for (const FileUse& each : names.everywhere(element)) {
         if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", element.name)};
         if (!each.file->is_renamable)
-            return {{},
-                    fmt::format("`{}` occurs in `{}`, which is not a text of the grafcet language; change all files "
-                                "manually",
-                                element.name, each.file->path)};
+            return {
+                {},
+                fmt::format("`{}` occurs in `{}`, which is not a `.grafcet` file and cannot be edited by this command; "
+                            "rename it manually in all files",
+                            element.name, each.file->path)};
         const Span where = each.use.name();
         edits[each.file].push_back(where);
         result.edits.push_back({{each.file->path, each.file->text->range(where.begin, where.end)}, name});

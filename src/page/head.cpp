@@ -94,8 +94,8 @@ std::vector<std::string> assumptions(const PageContent& content) {
             settings.cycle.empty() ? "" : ", and scans start periodically (" + settings.cycle + ")"));
     else
         sentences.push_back(
-            fmt::format("No time: the {} engine checked the untimed model ({}){}{}.", settings.engine, settings.untimed,
-                        settings.cycle.empty() ? "" : "; " + settings.cycle,
+            fmt::format("Time is not modelled: the {} engine checked the untimed model ({}){}{}.", settings.engine,
+                        settings.untimed, settings.cycle.empty() ? "" : "; " + settings.cycle,
                         content.loop.valid() ? "; each verdict states its implication for the timed loop" : ""));
     if (!settings.constants.empty())
         sentences.push_back("Constants of the loop: " + constants_text(settings.constants) + ".");

@@ -47,8 +47,8 @@ public:
                                part.combinations, more ? " or more" : "");
         });
         print_lines(profile_.clocks, [](const StateProfile::Clock& clock) {
-            return fmt::format("the clock {} of {} alone, {} values, compared with {} at most", printable(clock.name),
-                               printable(clock.process), clock.values, clock.greatest);
+            return fmt::format("the clock {} of {} alone, {} values, greatest constant in comparisons: {}",
+                               printable(clock.name), printable(clock.process), clock.values, clock.greatest);
         });
         if (const std::uint64_t inside = profile_.inside_cycles; inside != 0)
             out_ << fmt::format(

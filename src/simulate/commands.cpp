@@ -72,7 +72,8 @@ Command expect_of(std::string_view line, const std::vector<std::string>& list) {
     const auto joined = list.size() > 2 ? duration_ms(list[2]) : std::nullopt;
     const auto apart = list.size() > 3 ? duration_ms(list[2] + " " + list[3]) : std::nullopt;
     if (!joined && !apart)
-        return BadCommand{"`expect within` requires a duration and a claim; write for example `expect within 3s X3`"};
+        return BadCommand{
+            "`expect within` requires a duration and a condition; write for example `expect within 3s X3`"};
     return expectation(skip_words(line, joined ? 3 : 4), joined ? joined : apart);
 }
 

@@ -108,7 +108,7 @@ std::variant<Expectation, std::string> parse_expectation(std::string_view text) 
         const bool negated = is(at, "not") || is(at, "!");
         if (negated) ++at;
         if (at >= list.size() || is_sign(list[at][0]))
-            return "the claim is missing; write for example `X3`, `not LAMP` or `LEVEL >= 3`";
+            return "the condition is missing; write for example `X3`, `not LAMP` or `LEVEL >= 3`";
         Expectation::Condition part{.name = list[at++], .value = 1};
         const auto found = at < list.size()
                                ? std::ranges::find(relations, list[at], &std::pair<std::string_view, Relation>::first)
@@ -134,7 +134,7 @@ std::variant<Expectation, std::string> parse_expectation(std::string_view text) 
         claim.parts.push_back(std::move(part));
     } while (is(at, "and") || is(at, ","));
     if (at < list.size())
-        return fmt::format("unexpected `{}` in a claim; write for example `X3 and LEVEL >= 3`", list[at]);
+        return fmt::format("unexpected `{}` in a condition; write for example `X3 and LEVEL >= 3`", list[at]);
     for (const std::string& word : list) claim.text += (claim.text.empty() || word == "," ? "" : " ") + word;
     return claim;
 }

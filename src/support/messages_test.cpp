@@ -100,7 +100,9 @@ Diagnostic unrecorded_outputs(std::string_view chart, std::string_view names) {
 }
 
 Diagnostic ignored_columns(Span where, std::string_view names) {
-    return note(where, fmt::format("ignored, because no checked chart has such an input or output: {}", names));
+    return note(
+        where,
+        fmt::format("columns ignored, because no checked chart has an input or output with this name: {}", names));
 }
 
 // -- charts that cannot be compared --

@@ -248,8 +248,8 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
     EXPECT_GT(agreement.verdicts, 50u);
 }
 
-/// Returns a loop with a lamp that is on for two seconds, and with `sentence`, which an observer checks. Some of the
-/// tested sentences are false.
+/// Returns a loop whose lamp is on for two seconds, with the property `sentence`, which requires an observer. Some of
+/// the tested properties are false.
 std::string watched_lamp(const std::string& sentence) {
     return "grafcet light {\n    input BUTTON;\n    output LAMP;\n    initial step 0;\n    step 1 { LAMP; }\n    step "
            "2;\n"

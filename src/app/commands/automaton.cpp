@@ -83,11 +83,14 @@ CliCommand automaton_usage() {
         1,
         1,
         "print the location automaton of a chart",
-        "Prints the location automaton: one location per situation and stored values, one evolution per set of "
-        "inputs,\n"
-        "and the inputs for which the situation never becomes stable. Constraints of the chart restrict the inputs. "
-        "The\n"
-        "default mode is the mode of the closed loop that contains this chart, or stability-search if there is none.\n"
+        "Prints the location automaton: one location for each combination of a situation and stored values; "
+        "evolutions\n"
+        "between locations, each with a condition on the inputs; and the inputs for which the situation never becomes "
+        "stable.\n"
+        "Constraints of the chart restrict the inputs. The default mode is the mode of the closed loop that contains "
+        "this "
+        "chart,\n"
+        "or stability-search if there is none.\n"
         "Formats: text, JSON, DOT (Graphviz), SVG.",
         {"grafverif automaton samples/tanks/tanks.grafcet --mode every-cycle",
          "grafverif automaton samples/tanks/tanks.grafcet --format svg -o tanks.svg",

@@ -113,9 +113,11 @@ CliCommand lsp_usage() {
             "run a language server for editors: diagnostics, navigation, completion, verdicts",
             "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start it "
             "(docs/how-to/language-server.md\n"
-            "has the configuration). Documents open in the editor replace the files on disk, also for files that "
-            "include them.\n"
-            "Nothing is written. The server exits when the editor requests this, or when the editor terminates.",
+            "has the configuration). The text of a document that is open in the editor is used instead of the file on "
+            "disk,\n"
+            "also when another file includes it. No file is written. The server exits when the editor requests this, "
+            "or when\n"
+            "the editor terminates.",
             {"grafverif lsp"},
             {OptionGroup::Within, OptionGroup::Lsp}};
 }

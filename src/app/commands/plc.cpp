@@ -110,22 +110,23 @@ ExitCode plc(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand plc_usage() {
-    return {"plc",
-            "FILE",
-            1,
-            1,
-            "execute a chart like a PLC, on standard input and output",
-            "Executes a chart of FILE like a PLC: each line of standard input has the inputs of one scan, in the order "
-            "of their\n"
-            "declaration; the response is one line with the outputs, in the same order. Booleans are 0 and 1.\n"
-            "  1,0,0,1,1          a scan with these inputs (commas or blanks)\n"
-            "  wait 5s            time passes before the next scan; no response\n"
-            "The response to an invalid line is `error: ...`, without a scan. After total instability, a race or an "
-            "out-of-range\n"
-            "value, the response is `error: ...` and the program exits with code 1.",
-            {"grafverif plc station.grafcet --chart testing_station --mode every-cycle < inputs.csv",
-             "printf '0,0,0,1,1\\n1,1,0,1,1\\n' | grafverif plc samples/tanks/tanks.grafcet"},
-            {OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Clock}};
+    return {
+        "plc",
+        "FILE",
+        1,
+        1,
+        "execute a chart as a PLC would; read inputs from standard input, write outputs to standard output",
+        "Executes a chart of FILE as a PLC would: each line of standard input has the inputs of one scan, in the order "
+        "of their\n"
+        "declaration; the response is one line with the outputs, in the same order. Booleans are 0 and 1.\n"
+        "  1,0,0,1,1          a scan with these inputs (commas or blanks)\n"
+        "  wait 5s            time passes before the next scan; no response\n"
+        "The response to an invalid line is `error: ...`, without a scan. After total instability, a race or an "
+        "out-of-range\n"
+        "value, the response is `error: ...` and the program exits with code 1.",
+        {"grafverif plc station.grafcet --chart testing_station --mode every-cycle < inputs.csv",
+         "printf '0,0,0,1,1\\n1,1,0,1,1\\n' | grafverif plc samples/tanks/tanks.grafcet"},
+        {OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Clock}};
 }
 
 }  // namespace grafverif::app

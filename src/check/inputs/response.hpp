@@ -6,7 +6,7 @@
 // two forms:
 //   - The run has a last move, after which no urgent edge is enabled and no bound of an invariant is in force.
 //   - The run has infinitely many moves. It does not remain forever in states that all have an enabled urgent edge, and
-//     no process remains forever in locations with bounds without moving.
+//     no process stays forever in a location with a bound without moving.
 // If no run of these forms avoids q, the property holds.
 #pragma once
 

@@ -15,8 +15,8 @@ namespace grafverif::symbolic {
 
 class InterleavingPremises {
 public:
-    /// `waits` and `moves` are terms over main of `part`: the conditions that a step waits, and that a process moves.
-    /// Requires check.complete(). `check` belongs to `part` and must outlive the object.
+    /// `waits` and `moves` are terms over the module `main` of `part`. `waits` is true in a step in which the part
+    /// waits; each term of `moves` is true in a step in which one process moves. Requires check.complete(). `check` belongs to `part` and must outlive the object.
     InterleavingPremises(const TransitionSystem& part, Check& check, Id<Expr> waits,
                          const std::vector<Id<Expr>>& moves);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Each field of a state has a pseudorandom number that depends on its value. The hash of a state is the sum of these
 // numbers; the hash of a component (a part or a clock) is the sum over its fields. The difference is the hash of the
-// rest of the state. Therefore one pass over the states computes the hashes of the rests for every component. To bound
-// the memory, only rests in one of 2^k classes are counted. A class contains either all states with a given rest or
-// none of them.
+// rest of the state. Therefore, one pass over the states computes, for every component, the hash of the rest of each
+// state. To bound the memory, only rests in one of 2^k classes are counted. A class contains either all states with a
+// given rest or none of them.
 #include "check/timed/profile.hpp"
 
 #include <algorithm>

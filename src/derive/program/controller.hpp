@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // controller_equations: the equations of a PLC program as a controller of a closed loop.
 //
-// Time: the scans of a task cycle with one possible value T begin at the times 0, T, 2T, ... A timer reads its elapsed
+// Time: if the task cycle is a fixed period T (not a range), the scans begin at the times 0, T, 2T, ... A timer reads its elapsed
 // time only in a scan, and the time between two scans is exactly T. Therefore the elapsed time at each scan is the sum
 // of T over the scans since its start, an integer that the scan computes (`advance_timers` in derive/program/scan.cpp). No
 // clock is needed, and the output of a timer changes in exactly the scan in which it changes in the PLC. The clock of

@@ -76,7 +76,7 @@ private:
         stable_ = add(Section::Local, names_.stable, Word::Bool, 0, "the situation is stable");
         evolutions_ = add(Section::Local, names_.evolutions, Word::Unsigned32, 0, "evolutions in this cycle");
         limit_ = add(Section::Constant, names_.limit, Word::Unsigned32, options_.max_evolutions,
-                     "maximum per cycle; more evolutions are total instability");
+                     "maximum number of evolutions per cycle; if it is exceeded, total instability is reported");
     }
 
     struct Times {

@@ -170,8 +170,8 @@ private:
             {Section::Output, names_.failures, "UDINT", false, "0", "scans with a wrong output"},
             {Section::Output, names_.failed_row, "UDINT", false, "0", "the first row with a wrong output"},
             {Section::Output, names_.row, "UDINT", false, "1", "the current row"},
-            {Section::Local, names_.scan, "UDINT", false, "0", "completed scans of the row"},
-            {Section::Local, names_.scans, "UDINT", false, "1", "scans of the row to execute"},
+            {Section::Local, names_.scan, "UDINT", false, "0", "number of completed scans in this row"},
+            {Section::Local, names_.scans, "UDINT", false, "1", "number of scans to execute in this row"},
             {Section::Local, names_.wrong, "BOOL", false, "FALSE", "an output is wrong"},
         };
         if (test_.sequences.size() > 1)

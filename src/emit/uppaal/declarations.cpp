@@ -96,7 +96,9 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
         << "// Time unit: " << duration_text(network.time_unit_ms) << ".\n"
         << (network.constants.empty() ? "" : "// Constants: " + constants_text(network.constants) + ".\n")
         << "// Assumed: a PLC cycle takes no time"
-        << (has_task_cycle(network) ? ", and a clock begins the scans of a task cycle" : "")
+        << (has_task_cycle(network)
+                ? ", and the scans of a PLC with a task cycle start periodically, controlled by a clock"
+                : "")
         << "; no time passes while the guard of an edge with `" << names.channel << "!` holds.\n";
     if (std::ranges::find(network.properties, Pattern::NoTimelock, &Property::pattern) == network.properties.end())
         out << "// Not part of this project: `no timelock`, which UPPAAL cannot express; `grafverif check` decides "

@@ -51,7 +51,7 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
             fmt::format("with it `{}` is {}", step_variable(chart, step),
                         begins[step.index]
                             ? "also active, because of a forcing order or a macro-step; add it"
-                            : "not active, because it is enclosed or forced; add the step that activates it")));
+                            : "not active: add its enclosing step, or remove it if a forcing order deactivates it")));
         return {};
     }
     return chart;
@@ -239,7 +239,7 @@ private:
         Answered one = check_properties({"one_follows"}, {});
         if (one.outcome == Comparison::Outcome::Different)
             return {Comparison::Outcome::Unknown,
-                    "with constant inputs, the outputs of neither settle, so they cannot be compared",
+                    "with constant inputs, the outputs of neither program settle, so the outputs cannot be compared",
                     {}};
         if (one.outcome != Comparison::Outcome::Equal) return one;
         one = check_properties({"a_settles_after_stop", "b_settles_after_stop"}, {});

@@ -13,7 +13,8 @@
 
 namespace grafverif {
 
-/// Options for the comparison of programs. Names of programs are compared without regard to case.
+/// Options for the comparison of programs. If the controller is a program, variable names are compared
+/// case-insensitively.
 struct ProgramCompareOptions {
     bool settles = false;  ///< compare the outputs after programs have settled with constant inputs
     std::vector<std::pair<std::string, std::string>> map = {};  ///< name in the first controller, name in the second

@@ -12,6 +12,7 @@
 
 #include "read/plcopen/values.hpp"
 #include "support/messages.hpp"
+#include "support/wording.hpp"
 
 namespace grafverif {
 
@@ -252,8 +253,9 @@ private:
     void check_type(pugi::xml_node node, const std::string& name) {
         const std::string type = st::capitals(value(node, "typeName"));
         if (const auto declared = types_.find(st::capitals(name)); declared != types_.end() && declared->second != type)
-            reader_.refuse(reader_.xml.where(node, "typeName"), "a block of another type than its instance",
-                           "give the block the type with which the instance is declared");
+            reader_.diagnostics().add(messages::program_type_mismatch(
+                reader_.xml.where(node, "typeName"), "the block of the instance `" + clipped(name) + '`',
+                '`' + clipped(declared->second) + "`, the declared type of the instance", '`' + clipped(type) + '`'));
     }
 
     /// Adds an instance that detects an edge of `clock`, and returns its output.

@@ -30,7 +30,8 @@ public:
 
     enum class Result { Waits, Ends, Continues };
 
-    /// Returns Waits if the recording is not known far enough, and Ends if there is no successor.
+    /// Returns Waits if the next instant may be later than `known_`, so that more samples are needed, and Ends if there
+    /// is no successor.
     Result run() {
         Zone zone = from_.zone;
         now_ = zone.add();
@@ -459,7 +460,7 @@ RecordingVerdict RecordingCheck::verdict() const {
     if (limit_ != Limit::None) {
         result.kind = Kind::Unknown;
         result.reason = limit_ == Limit::Orders      ? "too many orders of events are possible; reduce the jitter"
-                        : limit_ == Limit::Reactions ? "too many instants, in all possible orders, lie between two "
+                        : limit_ == Limit::Reactions ? "too many possible sequences of instants between two "
                                                        "samples; record more samples or reduce the jitter"
                                                      : "stopped before the end of the log; no deviation up to this "
                                                        "sample";

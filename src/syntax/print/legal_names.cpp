@@ -142,7 +142,7 @@ bool is_of_stdint(std::string_view name) {
     return type || macro;
 }
 
-/// True if C reserves the name: `_` and a capital letter.
+/// True if the name begins with `_` and a capital letter; C reserves such names.
 bool has_reserved_beginning(std::string_view name) {
     return name.size() > 1 && name[0] == '_' && name[1] >= 'A' && name[1] <= 'Z';
 }

@@ -75,7 +75,8 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
     return {};
 }
 
-/// Returns the internal variable `name` of a controller, if any. Names of programs are compared without regard to case.
+/// Returns the internal variable `name` of a controller, if any. Variable names of programs are compared
+/// case-insensitively.
 std::optional<Id<Chart::Variable>> internal_named(const LoopScope& scope, Id<Controller> controller,
                                                   std::string_view name) {
     const auto& internals = scope.inside[controller.index].internals;

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/* maximum per cycle; more evolutions are total instability */
+/* maximum number of evolutions per cycle; if it is exceeded, total instability is reported */
 static const uint32_t oven_door_MAX_EVOLUTIONS = 1000U;
 
 typedef struct {

@@ -250,7 +250,7 @@ TEST(ComparePrograms, SettledOutputsAreCompared) {
         << never.out;
     const Result neither = compared(blinking, blinking, {"--compare", "settled"});
     EXPECT_EQ(neither.code, ExitCode::Unknown) << neither.out << neither.err;
-    EXPECT_NE(neither.out.find("the outputs of neither settle"), std::string::npos) << neither.out;
+    EXPECT_NE(neither.out.find("the outputs of neither program settle"), std::string::npos) << neither.out;
 }
 
 TEST(ComparePrograms, TextualChartIsComparedAsAProgram) {

@@ -63,12 +63,13 @@ TEST(Commands, AreReadLineByLine) {
              {"}", EndCommand{}},
              {"repeat 0 {",
               BadCommand{"invalid `repeat`; write `repeat 3 {`, and `}` on a separate line after the repeated lines"}},
-             {"expect", BadCommand{"the claim is missing; write for example `X3`, `not LAMP` or `LEVEL >= 3`"}},
-             {"expect X3 X4", BadCommand{"unexpected `X4` in a claim; write for example `X3 and LEVEL >= 3`"}},
+             {"expect", BadCommand{"the condition is missing; write for example `X3`, `not LAMP` or `LEVEL >= 3`"}},
+             {"expect X3 X4", BadCommand{"unexpected `X4` in a condition; write for example `X3 and LEVEL >= 3`"}},
              {"expect N >=", BadCommand{"invalid operand of `N >=`; write a whole number, `true` or `false`, without "
                                         "`not` before the comparison"}},
              {"expect within X3",
-              BadCommand{"`expect within` requires a duration and a claim; write for example `expect within 3s X3`"}},
+              BadCommand{
+                  "`expect within` requires a duration and a condition; write for example `expect within 3s X3`"}},
              {"q", QuitCommand{}},
              {"?", HelpCommand{}},
              {"", NoCommand{}},

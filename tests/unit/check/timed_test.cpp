@@ -241,7 +241,8 @@ TEST(TimedEngine, RequiresMoreOfABoundForTimeThanForRuns) {
 }
 
 TEST(TimedEngine, RequiresThatUrgentEdgesAloneLeadToStatesInWhichTimePasses) {
-    // The only edge that leaves the urgent loop is not urgent. It is sufficient in integer time, but not in dense time.
+    // The only edge that leaves the urgent loop is not urgent. This edge proves `no timelock` in integer time, but the
+    // condition for dense time requires urgent edges alone to leave the loop.
     Sketch s;
     const auto p = s.process("p", 2);
     s.edge(p, {.from = 0, .to = 0, .urgent = true});

@@ -301,8 +301,8 @@ TEST(LspNames, OfAProgramLeadToItsFileAndAreNotRenamed) {
     EXPECT_EQ(found["range"]["start"]["line"], 2);
     EXPECT_EQ(editor.obstacle("lamp.grafcet", with(text, "OUT = go", "OUT = g@o"), "start"),
               "`go` occurs in `" + editor.folder.file("main.st") +
-                  "`, which is not a text of the grafcet language; change all files "
-                  "manually");
+                  "`, which is not a `.grafcet` file and cannot be edited by this command; "
+                  "rename it manually in all files");
 }
 
 /// A loop with a constant in every place that may contain one.

@@ -108,7 +108,7 @@ TEST(ProgramLoop, PropertiesReadMembersWithoutRegardToCase) {
 }
 
 TEST(ProgramLoop, UnreadCounterDoesNotAddStates) {
-    // Count takes 32,768 values, but no property reads it.
+    // Count takes 65,536 values, but no property reads it.
     const Report report = report_of(
         loop_text("controller delay every 10ms;", "    property both: never Lamp && !Lamp;\n"), delay_program, 3000);
     EXPECT_EQ(outcome_of(report, "both"), Outcome::Holds);

@@ -296,7 +296,7 @@ TEST(Terminal, PrintsTheStateProfile) {
         output.find("state space factors of the first 30 of 40 states (x N: N times fewer states would remain "
                     "without this element):\n"
                     "    x 6.0     controller PLC, 12 or more combinations of its variables (a.grafcet:3)\n"
-                    "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
+                    "    x 3.0     the clock t of Start alone, 13 values, greatest constant in comparisons: 12\n"
                     "    33 % of these states are within a cycle; grain atomic makes each cycle one step and "
                     "keeps at most 20 of them\n"
                     "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s (x "

@@ -110,7 +110,7 @@ TEST_F(TuneCommand, InvalidValuesAreRejected) {
                  "the grid has 1000000000 points, but at most 10000 are allowed; at one millisecond per point, reading "
                  "their models needs 277.8 hours; use larger steps or smaller ranges");
     expect_error({"--over", "N=-5000000000000000000..5000000000000000000:1000000000000000000"},
-                 "of `N` exceed the integers -32768..32767; reduce the range");
+                 "of `N` are outside the integer range -32768..32767; reduce the range");
     expect_error({"--over", "N=1..3", "--property", "son"}, "soon");
 }
 

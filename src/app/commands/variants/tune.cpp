@@ -108,8 +108,8 @@ private:
                          fmt::format("write `--over {}={}`", constant.name, duration ? "1s..20s:1s" : "1..20:1"));
         TunedConstant made{constant.name, constant.kind, *low, *high, *step, constant.value};
         if (!duration && (made.low < least_integer || made.high > greatest_integer))
-            return wrong(fmt::format("the values `{}` of `{}` exceed the integers {}..{}", printable(written.values()),
-                                     constant.name, least_integer, greatest_integer),
+            return wrong(fmt::format("the values `{}` of `{}` are outside the integer range {}..{}",
+                                     printable(written.values()), constant.name, least_integer, greatest_integer),
                          "reduce the range");
         if (made.step <= 0)
             return wrong(fmt::format("the step of `{}` is {}", constant.name, made.step), "use a positive step");
