@@ -12,6 +12,7 @@
 
 #include "read/plcopen/values.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif {
@@ -254,8 +255,9 @@ private:
         const std::string type = st::capitals(value(node, "typeName"));
         if (const auto declared = types_.find(st::capitals(name)); declared != types_.end() && declared->second != type)
             reader_.diagnostics().add(messages::program_type_mismatch(
-                reader_.xml.where(node, "typeName"), "the block of the instance `" + clipped(name) + '`',
-                '`' + clipped(declared->second) + "`, the declared type of the instance", '`' + clipped(type) + '`'));
+                reader_.xml.where(node, "typeName"), "the block of the instance `" + messages::clipped(name) + '`',
+                '`' + messages::clipped(declared->second) + "`, the declared type of the instance",
+                '`' + messages::clipped(type) + '`'));
     }
 
     /// Adds an instance that detects an edge of `clock`, and returns its output.
