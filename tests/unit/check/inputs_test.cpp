@@ -85,8 +85,8 @@ TEST(InputAbstraction, PropertyWithManySearchesWaitsForTheNextRound) {
 
 TEST(InputAbstraction, TimerWithoutDurationAcceptsItsRequestAtOnce) {
     const Verdict found = decided(loop("input A; output L;",
-                                       "initial step 0; step 1 { L; } step 2; transition t0: 0 -> 1 when A; "
-                                       "transition t1: 1 -> 2 when 2s/X1; transition t2: 2 -> 0 when 1s/X2;",
+                                       "initial step 0; step 1 { L; } step 2; step 3; transition t0: 0 -> 1 when A; "
+                                       "transition t1: 1 -> 2 when 2s/X1; transition t2: 2 -> 3 when 1s/X2;",
                                        "environment EA = free(OUT = A);", "L holds at most 2s"));
     EXPECT_EQ(found.outcome, Outcome::Holds);
     ASSERT_TRUE(found.abstraction);
