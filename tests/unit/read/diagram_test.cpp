@@ -218,7 +218,7 @@ TEST(Diagram, RejectsWhatHasNoDefinedMeaning) {
         std::string::npos);
     EXPECT_NE(codes(ladder(contact + element("coil", 2, 0, "9", "q"))).find("dangling-reference"), std::string::npos);
     EXPECT_NE(codes(ladder(block(1, 0, "TON", "t", pin("IN", "0"), pin("Q", "")), instance("t", "TOF")))
-                  .find("not-in-program"),
+                  .find("type-mismatch"),
               std::string::npos)
         << "the type differs from the declared type";
     EXPECT_NE(
