@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "check/inputs/follow.hpp"
+#include "check/inputs/impossible.hpp"
 #include "check/inputs/inputs.hpp"
 #include "check/inputs/novelty.hpp"
 #include "check/inputs/possible.hpp"
@@ -123,7 +124,7 @@ private:
     void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     Run in_units(Run run) const;
-    bool first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
+    bool raise_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
     InputsAbstracted abstracted(const Levels& levels) const;
     Property single(std::size_t verdict) const;
     const Property& property_of_loop(std::size_t verdict) const;

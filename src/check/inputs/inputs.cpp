@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <tuple>
 
 #include "check/inputs/input_check.hpp"
 #include "check/timed/program.hpp"
@@ -315,13 +316,13 @@ Run InputAbstractionCheck::in_units(Run run) const {
 std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const AbstractRun& abstract, const Task& task,
                                                    Levels& raised) {
     // A guided search is more expensive than a search of a coarse abstraction.
-    if (task.coarse && first_impossible(abstract, true, raised)) return {};
+    if (task.coarse && raise_impossible(abstract, true, raised)) return {};
     FollowLimits limits{.states = task.coarse ? limits_.followed_coarse : limits_.followed,
                         .deadline = deadline_,
                         .stop = options_.stop};
     ConcreteRun followed = follow(complete_, single(k), abstract, limits);
     if (followed.run) return in_units(std::move(*followed.run));
-    if ((!task.coarse && first_impossible(abstract, true, raised)) || first_impossible(abstract, false, raised))
+    if ((!task.coarse && raise_impossible(abstract, true, raised)) || raise_impossible(abstract, false, raised))
         return {};
     for (const std::size_t i : followed.blamed)
         if (raised[i] != InputLevel::Complete) raised[i] = next_level(instances_[i], raised[i]);
@@ -329,24 +330,27 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
     return {};
 }
 
-/// Raises the level of one process that cannot perform what the run requires. Only one level is raised at a time,
-/// because usually few are necessary. Processes that are not Chosen have priority, and among them the process with the
-/// earliest impossible position. Returns false if there is no such process.
-bool InputAbstractionCheck::first_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
-    std::optional<SpuriousMove> best;
-    std::size_t process = 0;
-    const auto rank = [&](std::size_t i, const SpuriousMove& found) {
-        return std::pair(abstract.levels[i] == InputLevel::Chosen, found.at);
+/// Raises the levels of one group of processes that cannot perform what the run requires. Only one group is raised at a
+/// time, because usually few are necessary. The group that cannot perform the shortest rest of the run has priority,
+/// because the last moves usually decide whether the run violates the property; for example, a tank that must be empty
+/// after 8 s. Among equals, small groups have priority, then processes that are not Chosen, then the group with the
+/// earliest impossible position. Returns false if there is no such group.
+bool InputAbstractionCheck::raise_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
+    std::optional<SpuriousMoves> best;
+    std::vector<std::size_t> raising;
+    const auto rank = [&](const std::vector<std::size_t>& group, const SpuriousMoves& found) {
+        return std::tuple(abstract.path.size() - found.since, group.size(),
+                          abstract.levels[group.front()] == InputLevel::Chosen, found.at);
     };
-    for (std::size_t i = 0; i < instances_.size() && !stopped(); ++i) {
-        if (abstract.levels[i] == InputLevel::Complete) continue;
-        const std::optional<SpuriousMove> found = impossible(complete_, abstract, i, waits);
-        if (!found || (best && rank(i, *found) >= rank(process, *best))) continue;
-        best = found;
-        process = i;
+    for (const std::vector<std::size_t>& group : joint_groups(instances_, abstract.levels)) {
+        if (stopped()) return false;
+        std::optional<SpuriousMoves> found = impossible(complete_, abstract, group, waits);
+        if (!found || (best && rank(group, *found) >= rank(raising, *best))) continue;
+        best = std::move(found);
+        raising = group;
     }
     if (!best) return false;
-    raised[process] = best->level;
+    for (std::size_t m = 0; m < raising.size(); ++m) raised[raising[m]] = best->levels[m];
     if (!ablations_.ignore_readers) store_what_is_read(instances_, raised);
     return true;
 }

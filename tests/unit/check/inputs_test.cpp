@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "check/inputs/impossible.hpp"
 #include "compose/observe.hpp"
 #include "support/read_loop.hpp"
 #include "unit/check/networks.hpp"
@@ -249,6 +250,48 @@ TEST(InputAbstraction, RaisesATimerToCompleteWhereItsTimeMatters) {
     EXPECT_EQ(found.outcome, Outcome::Holds);
     EXPECT_FALSE(levels_of(found, "T_X2_3s").untimed);
     EXPECT_TRUE(levels_of(found, "Fol").chosen);
+}
+
+/// A chart that fills a tank, heats it, and drains it. The sensors read the level of the tank, which no PLC reads.
+std::string heated_tank(const std::string& property) {
+    return follower + loop("input A, LOW, HIGH, HOT; output FILL, HEAT, DRAIN;",
+                           "initial step 0; step 1 { FILL; } step 2 { HEAT; } step 3 { DRAIN; } "
+                           "transition t0: 0 -> 1 when A && !LOW; transition t1: 1 -> 2 when HIGH; "
+                           "transition t2: 2 -> 3 when HOT; transition t3: 3 -> 0 when !LOW;",
+                           "environment EA = free(OUT = A);\nplant H = follower(P = HEAT, S = HOT);\n"
+                           "plant T = tank_level(FILL = FILL, DRAIN = DRAIN, LEVEL = LEVEL, LEVEL_max = 2);\n"
+                           "plant S = level_sensors(LEVEL = LEVEL, LOW = LOW, HIGH = HIGH, LOW_min = 1, HIGH_min = 2) "
+                           "initially empty;",
+                           property);
+}
+
+TEST(InputAbstraction, RaisesJointlyWhatCannotPerformTheEndOfARun) {
+    const Verdict found = decided(heated_tank("X3 leads to X0 within 2s"));
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    ASSERT_TRUE(found.abstraction);
+    EXPECT_EQ(found.abstraction->chosen, (std::vector<std::string>{"EA", "H"}))
+        << "the heater cannot follow the run either, but earlier in the run";
+    EXPECT_EQ(decided(heated_tank("X3 leads to X0 within 1s")).outcome, Outcome::Violated);
+}
+
+TEST(InputAbstraction, ExaminesAnInstanceJointlyWithTheChosenInstancesThatItReads) {
+    const Network network = expand(read_loop(heated_tank("never X3")).network);
+    const std::vector<AbstractableProcess> instances = abstractable_processes(network);
+    const auto index = [&](const std::string& name) {
+        const auto at = std::ranges::find_if(
+            instances, [&](const AbstractableProcess& each) { return network.processes[each.process].name == name; });
+        return static_cast<std::size_t>(at - instances.begin());
+    };
+    const std::size_t tank = index("T"), sensors = index("S");
+    std::vector<InputLevel> levels(instances.size(), InputLevel::Complete);
+    levels[tank] = levels[sensors] = InputLevel::Chosen;
+    std::vector<std::vector<std::size_t>> groups = joint_groups(instances, levels);
+    std::ranges::sort(groups);
+    std::vector<std::vector<std::size_t>> expected{{tank}, {sensors}, {sensors, tank}};
+    std::ranges::sort(expected);
+    EXPECT_EQ(groups, expected);
+    levels[sensors] = InputLevel::Untimed;
+    EXPECT_EQ(joint_groups(instances, levels).size(), 2U) << "the values of the tank are in the run if it is stored";
 }
 
 TEST(InputAbstraction, IgnoresWhatQuiescenceSaysOfOmittedInstances) {

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "check/inputs/impossible.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "check/timed/machine.hpp"
+#include "ir/junction.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+using timed::Word;
+
+std::vector<std::vector<std::size_t>> joint_groups(const std::vector<AbstractableProcess>& instances,
+                                                   const std::vector<InputLevel>& levels) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (levels[i] == InputLevel::Complete) continue;
+        std::vector<std::size_t> group{i};
+        groups.push_back(group);
+        if (levels[i] != InputLevel::Chosen) continue;  // the processes that it reads are not Chosen
+        for (std::size_t next = 0; next < group.size(); ++next)
+            for (std::size_t writer = 0; writer < instances.size(); ++writer) {
+                if (levels[writer] != InputLevel::Chosen || std::ranges::find(group, writer) != group.end()) continue;
+                if (std::ranges::find(instances[writer].readers, instances[group[next]].process) !=
+                    instances[writer].readers.end())
+                    group.push_back(writer);
+            }
+        if (group.size() > 1) groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+namespace {
+
+constexpr std::size_t most_states = std::size_t{1} << 14U;  // maximum number of states of a group
+
+/// Some processes of the network with given values of the variables of other processes, represented by the set of their
+/// possible states.
+class ProcessGroup {
+public:
+    struct Member {
+        const AbstractableProcess& process;
+        InputLevel level = {};
+    };
+
+    /// `known` contains the variables of other processes whose values are given.
+    ProcessGroup(const Network& complete, const std::vector<Member>& members, std::int64_t unit,
+                 const std::set<Id<Network::Variable>>& known)
+        : network_(only(complete, members, unit, known)), machine_(network_) {
+        for (const Member& member : members) {
+            members_.push_back(&member.process);
+            for (const Id<Network::Variable> variable : Slots(network_, member.process.process).read())
+                if (known.contains(variable)) given_.insert(variable);
+        }
+        states_ = {timed::packed_initial(network_, machine_.layout())};
+    }
+
+    /// Continues in the states of `other`, a group of the same members.
+    void continue_in(const ProcessGroup& other) {
+        states_ = other.states_;
+        is_too_large_ = other.is_too_large_;
+    }
+
+    /// Sets the values of the variables of other processes.
+    void give(const std::vector<std::int64_t>& variables) {
+        move();
+        States given;
+        for (std::vector<Word> words : states_) {
+            for (const Id<Network::Variable> variable : given_)
+                machine_.layout().variables[variable.index].set(words.data(), variables[variable.index]);
+            given.insert(std::move(words));
+        }
+        states_ = std::move(given);
+    }
+
+    void pass_time(std::int64_t units) {
+        for (; units > 0 && !states_.empty(); --units) {
+            move();
+            States later;
+            for (std::vector<Word> words : states_)
+                if (delay(words)) later.insert(std::move(words));
+            if (later == states_) return;
+            states_ = std::move(later);
+        }
+    }
+
+    /// Adds the states that are reached by any delays.
+    void wait() { close(true); }
+
+    /// Keeps only states in which the member has one of the valuations, possibly after moves.
+    void show(std::size_t member, Word possible) {
+        move();
+        keep(member, possible);
+    }
+
+    /// Keeps only states in which the member has one of the valuations.
+    void keep(std::size_t member, Word possible) {
+        const AbstractableProcess& process = *members_[member];
+        std::erase_if(states_, [&](const std::vector<Word>& words) {
+            std::vector<std::int64_t> values;
+            for (const Id<Network::Variable> output : process.outputs)
+                values.push_back(machine_.layout().variables[output.index].get(words.data()));
+            const auto row = std::ranges::find(process.valuations, values) - process.valuations.begin();
+            return (possible >> row & 1U) == 0;
+        });
+    }
+
+    /// Keeps only states in which the member has the location and the outputs of the abstract state.
+    void match(std::size_t member, const NetworkState& state) {
+        move();
+        const AbstractableProcess& process = *members_[member];
+        std::erase_if(states_, [&](const std::vector<Word>& words) {
+            const auto differs = [&](Id<Network::Variable> output) {
+                return machine_.layout().variables[output.index].get(words.data()) != state.variables[output.index];
+            };
+            const std::int64_t location = machine_.layout().locations[process.process.index].get(words.data());
+            return location != state.locations[process.process.index].index ||
+                   std::ranges::any_of(process.outputs, differs);
+        });
+    }
+
+    bool is_nowhere() const { return states_.empty(); }
+    /// True if the states are incomplete, because there are more than `most_states`.
+    bool is_too_large() const { return is_too_large_; }
+
+private:
+    using States = std::set<std::vector<Word>>;
+
+    static Network only(const Network& complete, const std::vector<Member>& members, std::int64_t unit,
+                        const std::set<Id<Network::Variable>>& known) {
+        Network network = complete;
+        network.properties = {};
+        std::set<Id<Network::Variable>> of_observers, is_known = known;
+        for (const Member& member : members)
+            is_known.insert(member.process.outputs.begin(), member.process.outputs.end());
+        for (const Id<Network::Process> id : network.processes.ids()) {
+            if (std::ranges::any_of(members, [&](const Member& member) { return member.process.process == id; }))
+                continue;
+            if (network.processes[id].kind == Network::ProcessKind::Observer)
+                for (const Id<Network::Variable> variable : Slots(complete, id).written())
+                    of_observers.insert(variable);
+            Network::Template& automaton = network.templates[network.processes[id].automaton];
+            automaton.edges = {};
+            for (Network::Location& location : automaton.locations) location.invariant.clear();
+        }
+        for (const auto& [made, level] : members) {
+            const Network::Process& process = complete.processes[made.process];
+            Network::Template& automaton = network.templates[process.automaton];
+            for (Network::Edge& edge : automaton.edges) {
+                std::erase_if(edge.assignments, [&](const Network::Assignment& assignment) {
+                    const Id<Network::Variable> target{
+                        static_cast<std::uint32_t>(network.exprs[assignment.target].value)};
+                    return std::ranges::find(made.outputs, target) == made.outputs.end();
+                });
+                keep_known_conjuncts(network, edge, is_known, of_observers);
+            }
+            if (level == InputLevel::Untimed) ignore_clocks(automaton);
+            if (level == InputLevel::Paced) pace(complete, process, automaton, unit, network.exprs);
+        }
+        return network;
+    }
+
+    /// Reduces the guard to the conjuncts over known variables. The other conjuncts are assumed to be true. Because the
+    /// edge must be taken only if they are true, it is no longer urgent, unless observers write all variables that they
+    /// read: these conjuncts are true whenever time passes.
+    static void keep_known_conjuncts(Network& network, Network::Edge& edge,
+                                     const std::set<Id<Network::Variable>>& known,
+                                     const std::set<Id<Network::Variable>>& of_observers) {
+        std::vector<Id<Expr>> kept;
+        const Exprs from = network.exprs;
+        for (const Id<Expr> operand : operands_of(from, edge.guard, Op::And)) {
+            const auto reads_only = [&](const std::set<Id<Network::Variable>>& variables) {
+                return std::ranges::all_of(leaves(from, operand), [&](Id<Expr> leaf) {
+                    return from[leaf].op != Op::Variable ||
+                           variables.contains({static_cast<std::uint32_t>(from[leaf].value)});
+                });
+            };
+            if (reads_only(known)) kept.push_back(operand);
+            else if (!reads_only(of_observers)) edge.urgent = false;
+        }
+        edge.guard = network.exprs.conjunction(kept);
+    }
+
+    bool delay(std::vector<Word>& words) {
+        machine_.expand(words.data(), moves_);
+        return !moves_.urgent && machine_.delay(words.data());
+    }
+
+    /// Adds all states that are reachable by edges, without the passing of time.
+    void move() { close(false); }
+
+    /// Adds all states that are reachable by edges and, if `waits` is true, by delays.
+    void close(bool waits) {
+        std::vector<std::vector<Word>> open(states_.begin(), states_.end());
+        const auto add = [&](std::vector<Word> words) {
+            if (states_.insert(words).second) open.push_back(std::move(words));
+        };
+        while (!open.empty()) {
+            is_too_large_ = is_too_large_ || states_.size() > most_states;
+            if (is_too_large_) return;
+            std::vector<Word> now = std::move(open.back());
+            open.pop_back();
+            machine_.expand(now.data(), moves_);
+            for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
+                const Word* const next = moves_.words.data() + i * machine_.layout().words;
+                add({next, next + machine_.layout().words});
+            }
+            if (waits && !moves_.urgent && machine_.delay(now.data())) add(std::move(now));
+        }
+    }
+
+    const Network network_;
+    timed::Machine machine_;
+    std::vector<const AbstractableProcess*> members_ = {};
+    std::set<Id<Network::Variable>> given_ = {};
+    timed::Moves moves_ = {};
+    States states_ = {};
+    bool is_too_large_ = false;
+};
+
+/// Returns the variables of the loop whose values the abstract run contains.
+std::set<Id<Network::Variable>> known_variables(const AbstractRun& run) {
+    std::set<Id<Network::Variable>> known;
+    for (const Id<Network::Process> id : run.network.processes.ids()) {
+        if (run.network.processes[id].kind == Network::ProcessKind::Observer) continue;
+        for (const Id<Network::Variable> variable : Slots(run.network, id).written())
+            if (run.network.variables[variable].role != Network::Role::Flag && !run.network.variables[variable].scratch)
+                known.insert(variable);
+    }
+    return known;  // a Chosen instance has no edges in this network and therefore writes nothing
+}
+
+/// True if every PLC is in W and stable.
+bool is_stable(const AbstractRun& run, const NetworkState& state) {
+    return std::ranges::all_of(run.network.controllers, [&](const Network::Controller& controller) {
+        return state.locations[controller.process.index] == controller.waiting &&
+               state.variables[controller.stable.index] != 0;
+    });
+}
+
+/// Executes processes along an abstract run (see `impossible`).
+class GroupReplay {
+public:
+    GroupReplay(const Network& complete, const AbstractRun& abstract, const std::vector<std::size_t>& group, bool waits)
+        : complete_(complete),
+          abstract_(abstract),
+          group_(group),
+          waits_(waits),
+          units_(std::max<std::int64_t>(abstract.network.time_unit_ms / complete.time_unit_ms, 1)),
+          samplings_(samplings(abstract)),
+          known_(known_variables(abstract)) {}
+
+    std::optional<SpuriousMoves> impossible() const {
+        std::optional<SpuriousMoves> found;
+        std::vector<InputLevel> levels;
+        for (const std::size_t i : group_) levels.push_back(abstract_.levels[i]);
+        while (std::ranges::any_of(levels, [](InputLevel level) { return level != InputLevel::Complete; })) {
+            for (std::size_t m = 0; m < group_.size(); ++m)
+                if (levels[m] != InputLevel::Complete)
+                    levels[m] = next_level(abstract_.instances[group_[m]], levels[m]);
+            ProcessGroup processes = processes_at(levels, known_);
+            const std::optional<std::size_t> at = first_impossible(processes, 0);
+            if (!at) continue;
+            const std::size_t from = since(processes, levels);
+            if (!found || from > found->since) found = {*at, levels, from};
+        }
+        return found;
+    }
+
+private:
+    ProcessGroup processes_at(const std::vector<InputLevel>& levels,
+                              const std::set<Id<Network::Variable>>& known) const {
+        std::vector<ProcessGroup::Member> members;
+        for (std::size_t m = 0; m < group_.size(); ++m) members.push_back({abstract_.instances[group_[m]], levels[m]});
+        return {complete_, members, units_, known};
+    }
+
+    bool is_chosen(std::size_t member) const { return abstract_.levels[group_[member]] == InputLevel::Chosen; }
+
+    void match(ProcessGroup& processes, const NetworkState& state) const {
+        for (std::size_t m = 0; m < group_.size(); ++m)
+            if (!is_chosen(m)) processes.match(m, state);
+    }
+
+    /// Executes the processes along the path from position `begin`, at which they have the given states. Returns the
+    /// first impossible position.
+    std::optional<std::size_t> first_impossible(ProcessGroup& processes, std::size_t begin) const {
+        if (waits_) processes.wait();
+        auto next = samplings_.begin();
+        std::map<Id<Network::Process>, const Sampling*> sampled;  // per PLC, its last sampling
+        // A PLC samples each change at once. Therefore, an instance is assumed to have the sampled valuation while time
+        // passes in a stable situation. (The abstract run may omit samplings without effect.)
+        const auto keep_sampled = [&](const NetworkState& state) {
+            if (!is_stable(abstract_, state)) return;
+            for (const auto& [plc, sampling] : sampled)
+                for (std::size_t m = 0; m < group_.size(); ++m)
+                    if (is_chosen(m)) processes.keep(m, sampling->possible[group_[m]]);
+        };
+        for (std::size_t at = 0; at < abstract_.path.size(); ++at) {
+            const NetworkState& state = abstract_.path[at].state;
+            const bool samples = next != samplings_.end() && next->at == at;
+            if (samples) sampled[next->plc] = &*next;
+            if (at >= begin) {
+                if (const Delay* const delay = std::get_if<Delay>(&abstract_.path[at].move)) {
+                    processes.pass_time(delay->units * units_);
+                    keep_sampled(state);
+                }
+                match(processes, state);
+                for (std::size_t m = 0; samples && m < group_.size(); ++m)
+                    if (is_chosen(m)) processes.show(m, next->possible[group_[m]]);
+                processes.give(state.variables);
+                if (waits_ && is_stable(abstract_, state)) {
+                    processes.wait();
+                    keep_sampled(state);
+                }
+                if (processes.is_too_large()) return {};
+                if (processes.is_nowhere()) return at;
+            }
+            if (samples) ++next;
+        }
+        return {};
+    }
+
+    /// Returns the greatest position from which the path is impossible in all states of the processes. If a position
+    /// has this property, all earlier positions have it.
+    std::size_t since(ProcessGroup& processes, const std::vector<InputLevel>& levels) const {
+        ProcessGroup free = processes_at(levels, {});  // other variables may have any values
+        free.wait();
+        std::size_t low = 0, high = abstract_.path.size();
+        while (high - low > 1) {
+            const std::size_t middle = low + (high - low) / 2;
+            processes.continue_in(free);
+            match(processes, abstract_.path[middle - 1].state);
+            processes.give(abstract_.path[middle - 1].state.variables);
+            (first_impossible(processes, middle) ? low : high) = middle;
+        }
+        return low;
+    }
+
+    const Network& complete_;
+    const AbstractRun& abstract_;
+    const std::vector<std::size_t>& group_;
+    const bool waits_;
+    const std::int64_t units_;
+    const std::vector<Sampling> samplings_;
+    const std::set<Id<Network::Variable>> known_;
+};
+
+}  // namespace
+
+std::optional<SpuriousMoves> impossible(const Network& complete, const AbstractRun& abstract,
+                                        const std::vector<std::size_t>& group, bool waits) {
+    return GroupReplay(complete, abstract, group, waits).impossible();
+}
+
+}  // namespace grafverif
