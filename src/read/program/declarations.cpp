@@ -161,8 +161,9 @@ void Reader::declare(std::size_t index) {
     for (const Variable& variable : unit.variables) {
         if (variable.section == Variable::Section::Input) unit.inputs.push_back(variable.offset);
         const bool standard = from.where.source != file_->source;
-        if (standard && variable.name == "RUNNING") unit.running = variable.offset;
-        if (standard && variable.name == "ELAPSED") unit.elapsed = variable.offset;
+        const std::string name = st::capitals(variable.name);  // spelt as at its first occurrence in the file
+        if (standard && name == "RUNNING") unit.running = variable.offset;
+        if (standard && name == "ELAPSED") unit.elapsed = variable.offset;
     }
     states_[index] = State::Done;
 }

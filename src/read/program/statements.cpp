@@ -159,7 +159,7 @@ void Reader::assign(const Found& cell, const Typed& value, Span where, Program::
     if (!node) return;
     if (cell.instance) {  // the preset time of a timer bounds its elapsed time
         const Unit& block = program.units[cell.block];
-        if (block.elapsed && cell.variable->name == "PT") {
+        if (block.elapsed && st::capitals(cell.variable->name) == "PT") {
             const auto known = value_of(*node);
             cell.instance->longest = std::max(cell.instance->longest, known.value_or(program.types[time_].high));
         }

@@ -70,6 +70,17 @@ TEST(Program, IntegersWrapAroundAndLaterAssignmentsWin) {
         "2 1");
 }
 
+TEST(Program, TimersDoNotDependOnTheSpellingOfOtherNames) {
+    const std::vector<std::vector<std::int64_t>> held = {{1}, {1}, {1}, {0}};
+    for (const char* const names : {"x, y, z", "Running, y, z", "x, Elapsed, z", "x, y, pt"})
+        EXPECT_EQ(values(std::string("PROGRAM p VAR ") + names +
+                             " : BOOL; END_VAR VAR_INPUT a : BOOL; END_VAR\n"
+                             "VAR k : TON; END_VAR\nk(IN := a, PT := T#20ms);\nEND_PROGRAM\n",
+                         "k.ET", held),
+                  "0 10 20 0")
+            << names;
+}
+
 TEST(Program, CaseFindsTheFirstLabelAndLoopsEnd) {
     EXPECT_EQ(values("PROGRAM p VAR_INPUT e : INT; END_VAR VAR n, i : INT; END_VAR\n"
                      "CASE e OF 1..3: n := 1; 2: n := 2; ELSE n := 3; END_CASE\nEND_PROGRAM",
