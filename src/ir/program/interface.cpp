@@ -2,6 +2,7 @@
 #include "ir/program/interface.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace grafverif {
@@ -51,6 +52,48 @@ Chart interface_of(ProgramReference program, std::string name, Span origin) {
         chart.steps.add({.name = step.step, .initial = cell.initial != 0, .chart = partial, .origin = cell.origin});
     }
     chart.program = std::move(program);
+    return chart;
+}
+
+std::vector<SequenceTest> sequence_tests(const Program& program, const ProgramLayout& layout) {
+    std::vector<SequenceTest> tests;
+    for (const ProgramInstance& instance : layout.instances)
+        for (const Program::Sequence& sequence : program.units[instance.unit].sequences)
+            for (const Program::Sequence::Transition& transition : sequence.transitions)
+                tests.push_back({transition.test, instance.unit, instance.frame});
+    return tests;
+}
+
+Chart drawn_chart(const Chart& interface) {
+    Chart chart = interface;
+    const Program& program = *interface.program;
+    const ProgramLayout layout = layout_of(program);
+    std::map<std::size_t, Id<Chart::Step>> steps;  // by cell
+    for (const std::size_t cell : step_cells(layout))
+        steps.emplace(cell, Id<Chart::Step>{static_cast<std::uint32_t>(steps.size())});
+    std::map<std::string, Id<Chart::Variable>> labels;
+    const Id<Expr> always = chart.exprs.constant(true);
+    for (const ProgramInstance& instance : layout.instances)
+        for (const Program::Sequence& sequence : program.units[instance.unit].sequences) {
+            const auto steps_of = [&](const std::vector<std::uint32_t>& cells) {
+                std::vector<Id<Chart::Step>> found;
+                for (const std::uint32_t cell : cells) found.push_back(steps.at(instance.frame + cell));
+                return found;
+            };
+            for (const Program::Sequence::Transition& from : sequence.transitions) {
+                Chart::Transition made{.name = from.name, .from = steps_of(from.from), .to = steps_of(from.to)};
+                if (made.name.empty()) made.name = "T" + std::to_string(chart.transitions.size() + 1);
+                made.condition = always;
+                made.chart = chart.steps[made.from.front()].chart;
+                made.origin = program.nodes[program.statements[from.test].value].origin;
+                chart.transitions.add(std::move(made));
+            }
+            for (const Program::Sequence::Action& from : sequence.actions) {
+                const auto [known, fresh] = labels.try_emplace(from.label);
+                if (fresh) known->second = chart.variables.add({from.label, Chart::VariableKind::Output});
+                chart.continuous.add({steps.at(instance.frame + from.step), known->second, always});
+            }
+        }
     return chart;
 }
 

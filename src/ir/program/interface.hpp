@@ -3,7 +3,9 @@
 // the loop can use; its behaviour is that of the program (derive/program/controller.hpp).
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "grafverif/ir/chart.hpp"
 #include "ir/program/program.hpp"
@@ -20,5 +22,18 @@ StepName step_name(const std::string& cell);
 
 /// Returns the chart of `program`. Its variables and steps are those of `variable_cells` and `step_cells`.
 Chart interface_of(ProgramReference program, std::string name, Span origin);
+
+/// For each transition of `drawn_chart`, in order: the statement that assigns true if the transition is cleared, and the
+/// address of the instance that executes the statement.
+struct SequenceTest {
+    Id<Program::Statement> statement = {};
+    Id<Program::Unit> unit = {};  ///< unit of the instance
+    std::uint32_t frame = 0;
+};
+std::vector<SequenceTest> sequence_tests(const Program& program, const ProgramLayout& layout);
+
+/// Returns the chart of `interface_of` with the transitions and actions of the Sequential Function Charts of the
+/// program, for drawings. All conditions are true. An action block is a continuous action on an output with its label as name, such as `D T#2s Lamp`.
+Chart drawn_chart(const Chart& interface);
 
 }  // namespace grafverif

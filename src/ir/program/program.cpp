@@ -46,6 +46,7 @@ struct Walk {
         }
         const auto begin = static_cast<std::uint32_t>(layout.cells.size());
         const Program::Unit& block = program.units[type.unit];
+        if (block.kind == Program::Unit::Kind::FunctionBlock) layout.instances.push_back({name, type.unit, begin});
         frame(type.unit, name + ".", block.kind == Program::Unit::Kind::Structure ? owner : Owner{});
         if (block.name == step_unit) {
             layout.cells[begin].step = true;
@@ -77,6 +78,7 @@ ProgramLayout layout_of(const Program& program) {
     Walk traversal{program};
     traversal.frame(program.globals, "", {});
     traversal.layout.main = static_cast<std::uint32_t>(traversal.layout.cells.size());
+    traversal.layout.instances.push_back({"", program.main, traversal.layout.main});
     if (program.main != program.globals) traversal.frame(program.main, "", {});
     return std::move(traversal.layout);
 }

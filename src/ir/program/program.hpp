@@ -136,6 +136,7 @@ struct Program {
         std::int64_t step = 1;  ///< step of FOR
         Id<Unit> unit = {};
         std::vector<Arm> arms = {};  ///< branches; for a loop, its body is the only branch
+        bool generated = false;  ///< true for a rule of a Sequential Function Chart, which the source does not contain
         Span origin = {};
         bool operator==(const Statement&) const = default;
     };
@@ -154,6 +155,24 @@ struct Program {
         Span origin = {};
         bool operator==(const Variable&) const = default;
     };
+    /// The structure of a Sequential Function Chart, of which the statements are in the body of a unit. Only
+    /// presentations use it. A step is denoted by the cell of its activity, relative to the frame of the unit.
+    struct Sequence {
+        struct Transition {
+            std::string name = {};  ///< may be empty
+            std::vector<std::uint32_t> from = {}, to = {};
+            Id<Statement> test = {};  ///< executed if the transition is enabled; assigns true if it is cleared
+            bool operator==(const Transition&) const = default;
+        };
+        struct Action {
+            std::uint32_t step = 0;
+            std::string label = {};  ///< such as `N Lamp` or `D T#2s Lamp`
+            bool operator==(const Action&) const = default;
+        };
+        std::vector<Transition> transitions = {};
+        std::vector<Action> actions = {};
+        bool operator==(const Sequence&) const = default;
+    };
     struct Unit {
         /// The body of an action uses the frame of its owner. A structure has no body.
         enum class Kind : std::uint8_t { Program, FunctionBlock, Function, Globals, Action, Structure };
@@ -166,6 +185,8 @@ struct Program {
         std::vector<std::uint32_t> inputs = {};    ///< cells of VAR_INPUT, in order of declaration
         /// For a timer: the cell that is true while the timer is running, and the cell of the elapsed time.
         std::optional<std::uint32_t> running = {}, elapsed = {};
+        Id<Unit> owner = {};                   ///< for an action: the unit that owns its frame
+        std::vector<Sequence> sequences = {};  ///< the charts in the bodies of the unit and of its actions
         Span origin = {};
         bool operator==(const Unit&) const = default;
     };
@@ -197,8 +218,15 @@ struct ProgramTimer {
     std::uint32_t running = 0, elapsed = 0;  ///< addresses of the two cells
     std::int64_t longest = 0;                ///< value at which the elapsed time stops
 };
+/// An instance of a function block, or `main`, whose name is empty.
+struct ProgramInstance {
+    std::string name = {};  ///< name such as `Line.Motor`
+    Id<Program::Unit> unit = {};
+    std::uint32_t frame = 0;  ///< address of its first cell
+};
 struct ProgramLayout {
     std::vector<ProgramCell> cells = {};
+    std::vector<ProgramInstance> instances = {};
     std::vector<ProgramTimer> timers = {};
     std::uint32_t main = 0;    ///< address of the first cell of `main`
     std::int64_t longest = 0;  ///< maximum over all timers; a longer time between two scans has the same effect

@@ -13,6 +13,7 @@
 #include "read/program/scope.hpp"
 #include "support/messages.hpp"
 #include "support/messages_program.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif::program {
 
@@ -158,6 +159,7 @@ void Reader::store(std::uint32_t cell, Id<Type> type, Id<Node> value, Span where
     made.place = {false, cell, {}};
     made.type = type;
     made.value = value;
+    made.generated = true;
     made.origin = where;
     body.push_back(program.statements.add(std::move(made)));
 }
@@ -166,6 +168,7 @@ void Reader::add_if(std::vector<Program::Arm> arms, Span where, Program::Body& b
     Statement made;
     made.kind = Statement::Kind::If;
     made.arms = std::move(arms);
+    made.generated = true;
     made.origin = where;
     body.push_back(program.statements.add(std::move(made)));
 }
@@ -174,6 +177,7 @@ void Reader::check(Id<Node> fault, Span where, Program::Body& body) {
     Statement made;
     made.kind = Statement::Kind::Check;
     made.value = fault;
+    made.generated = true;
     made.origin = where;
     body.push_back(program.statements.add(std::move(made)));
 }
@@ -212,6 +216,42 @@ void Reader::check_durations(const Chart& chart, std::size_t index, const std::v
         for (std::size_t j = 0; j < i; ++j) check(all(Op::And, {active[i], active[j]}, where), where, body);
 }
 
+/// Returns the structure of a chart without the statements of its transitions. `cells` contains the cell of the activity
+/// of each step.
+Program::Sequence Reader::sequence_of(const st::Network& network, const std::vector<std::uint32_t>& cells) const {
+    Program::Sequence sequence;
+    const auto cells_of = [&](const std::vector<st::Name>& steps) {
+        std::vector<std::uint32_t> found;
+        for (const st::Name& step : steps)
+            for (std::size_t k = 0; k < cells.size(); ++k)
+                if (network.steps[k].name.word == step.word) found.push_back(cells[k]);
+        return found;
+    };
+    for (const st::Transition& transition : network.transitions)
+        sequence.transitions.push_back({transition.name.valid() ? text(transition.name.word) : "",
+                                        cells_of(transition.from),
+                                        cells_of(transition.to),
+                                        {}});
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const st::Step& step = network.steps[k];
+        for (const st::Association& association : step.actions) {
+            std::string label = association.qualifier;
+            if (association.time.valid()) {
+                const st::Expr& time = file_->exprs[association.time];
+                label += " " + (time.op == st::Op::Time ? "T#" + duration_text(time.value)
+                                                        : path_text(*file_, association.time));
+            }
+            if (association.action.valid()) label += " " + text(association.action.word);
+            else if (association.path.valid()) label += " " + path_text(*file_, association.path);
+            sequence.actions.push_back({cells[k], std::move(label)});
+        }
+        for (const auto& [when, path] :
+             {std::pair("entry", step.entry), std::pair("active", step.active), std::pair("exit", step.exit)})
+            if (path.valid()) sequence.actions.push_back({cells[k], when + (" " + path_text(*file_, path))});
+    }
+    return sequence;
+}
+
 // -- the chart --------------------------------------------------------------------------------------------------------
 
 Program::Body Reader::chart(std::size_t index) {
@@ -247,6 +287,9 @@ void Reader::evolve(const st::Network& network, const Chart& chart, Program::Bod
     const auto names = [](const std::vector<st::Name>& list, Id<st::Word> step) {
         return std::ranges::find(list, step, &st::Name::word) != list.end();
     };
+    std::vector<std::uint32_t> cells;
+    for (const st::Step& step : network.steps) cells.push_back(cell_of(step.name.word));
+    Program::Sequence sequence = sequence_of(network, cells);
     for (std::size_t i = 0; i < chart.order.size(); ++i) {
         const st::Transition& transition = network.transitions[chart.order[i]];
         const Span where = transition.where;
@@ -264,10 +307,10 @@ void Reader::evolve(const st::Network& network, const Chart& chart, Program::Bod
         if (!condition) continue;
         Program::Arm arm{all(Op::And, std::move(enabled), where), {}, {}};
         store(chart.cleared[chart.order[i]], bool_, *condition, at, arm.body);
+        sequence.transitions[chart.order[i]].test = arm.body.back();
         add_if({std::move(arm)}, where, body);
     }
-    std::vector<std::uint32_t> cells;
-    for (const st::Step& step : network.steps) cells.push_back(cell_of(step.name.word));
+    program.units[unit_].sequences.push_back(std::move(sequence));
     check_transitions(network, chart, cells, body);
     for (const st::Step& step : network.steps) {
         std::vector<Id<Node>> activating, deactivating;
@@ -316,6 +359,7 @@ void Reader::control(const Chart& chart, std::size_t index, Program::Body& body)
     made.kind = Statement::Kind::Invoke;
     made.place = {false, action.cell, {}};
     made.unit = block;
+    made.generated = true;
     made.origin = action.where;
     body.push_back(program.statements.add(std::move(made)));
 }

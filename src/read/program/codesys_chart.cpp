@@ -275,6 +275,7 @@ void Reader::control_codesys(std::size_t index, const std::vector<Id<st::Word>>&
         made.kind = Statement::Kind::Invoke;
         made.place = {false, one.cell, {}};
         made.unit = declared_[one.control];
+        made.generated = true;
         made.origin = where;
         body.push_back(program.statements.add(std::move(made)));
         value.push_back(read(cell("Q"), bool_, where));
@@ -342,6 +343,7 @@ void Reader::evaluate_transitions(const Chart& chart, const st::Network& network
         const auto found = std::ranges::find(network.steps, step, [](const st::Step& one) { return one.name.word; });
         return static_cast<std::size_t>(found - network.steps.begin());
     };
+    Program::Sequence sequence = sequence_of(network, chart.steps);
     for (std::size_t i = 0; i < chart.order.size(); ++i) {
         const st::Transition& transition = network.transitions[chart.order[i]];
         const Span where = transition.where;
@@ -359,8 +361,10 @@ void Reader::evaluate_transitions(const Chart& chart, const st::Network& network
         if (!condition) continue;
         Program::Arm arm{all(Op::And, std::move(enabled), where), {}, {}};
         store(chart.cleared[chart.order[i]], bool_, *condition, at, arm.body);
+        sequence.transitions[chart.order[i]].test = arm.body.back();
         add_if({std::move(arm)}, where, body);
     }
+    program.units[unit_].sequences.push_back(std::move(sequence));
     transitions_ = nullptr;
     check_transitions(network, chart, chart.steps, body);
     for (std::size_t k = 0; k < network.steps.size(); ++k) {

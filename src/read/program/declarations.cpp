@@ -290,6 +290,7 @@ void Reader::declare_actions(std::size_t index) {
         Unit unit;
         unit.kind = Unit::Kind::Action;
         unit.name = text(action.name.word);
+        unit.owner = id;
         unit.origin = action.name.where;
         const auto [known, fresh] = scopes_[id.index].actions.try_emplace(action.name.word.index);
         if (!fresh) {

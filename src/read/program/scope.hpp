@@ -128,6 +128,7 @@ private:
     std::optional<Found> flag_of(std::string_view name, bool stated, bool used, Span where);
 
     Program::Body chart(std::size_t index);
+    Program::Sequence sequence_of(const st::Network& network, const std::vector<std::uint32_t>& cells) const;
     void evolve(const st::Network& network, const Chart& chart, Program::Body& body);
     void control(const Chart& chart, std::size_t action, Program::Body& body);
     void execute(const ChartAction& action, Program::Body& body);

@@ -70,7 +70,7 @@ std::string ProgramControllerReplay::scan(const ChartRun::Act& act, const ChartR
     std::vector<std::int64_t> values;
     for (const auto& [cell, value] : sampled) values.push_back(value);
     const bool advances = act.evolves && controller_->cycle;
-    interpreter_.scan(values, advances ? controller_->cycle->least_ms : 0);
+    interpreter_.scan(values, advances ? controller_->cycle->least_ms : 0, log_);
     if (act.evolves) ++evolutions_;
     if (std::string fault = fault_difference(act); !fault.empty() || over_) return fault;
     if (std::string found = situation_difference(after); !found.empty()) return found;
@@ -123,6 +123,28 @@ std::vector<std::int64_t> ProgramControllerReplay::kept() const {
     for (const std::vector<std::size_t>* const cells : {&cells_.outputs, &cells_.internals, &cells_.steps})
         for (const std::size_t cell : *cells) values.push_back(interpreter_.cells()[cell]);
     return values;
+}
+
+void replay_scans(const ChartRun& run, Id<ChartRun::Controller> controller, const Program& program,
+                  const std::function<void(std::size_t event, const ScanLog& log)>& visit) {
+    ProgramControllerReplay replay(run, run.controllers[controller], program);
+    ScanLog log;
+    replay.write_to(&log);
+    const ChartRun::State* before = &run.moments.front().after;
+    for (std::size_t event = 0; event < run.moments.size(); ++event) {
+        const ChartRun::State& after = run.moments[event].after;
+        const std::int64_t passed = run.timed ? after.time_ms - before->time_ms : 0;
+        bool fails = passed > 0 && !replay.pass(passed).empty();
+        for (const ChartRun::Act& act : run.moments[event].acts) {
+            if (act.controller != controller) continue;
+            log = {};
+            fails = fails || !replay.does(act, *before, after).empty();
+            if (fails) return;
+            if (act.starts || act.evolves) visit(event, log);
+            if (replay.fault()) return;
+        }
+        before = &after;
+    }
 }
 
 }  // namespace grafverif

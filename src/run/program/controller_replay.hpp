@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ public:
     std::string pass(std::int64_t milliseconds);
     /// Executes an act. Returns the differences between the run and the program, or an empty string if they agree.
     std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after);
+
+    /// Adds the statements of the following scans to `log`, unless it is null.
+    void write_to(ScanLog* log) { log_ = log; }
 
     /// Returns the number of scans after the first one.
     std::size_t evolutions() const { return evolutions_; }
@@ -58,6 +62,12 @@ private:
     std::vector<std::int64_t> inputs_ = {};             ///< sampled values, in the order of the controller's inputs
     std::size_t evolutions_ = 0;
     bool over_ = false, raced_ = false;
+    ScanLog* log_ = nullptr;
 };
+
+/// Executes the scans of one controller of a run that agrees with its program. For each scan, `visit` is called with the
+/// index of its event and with its statements. A scan with a run-time fault is the last one; its log ends at the fault.
+void replay_scans(const ChartRun& run, Id<ChartRun::Controller> controller, const Program& program,
+                  const std::function<void(std::size_t event, const ScanLog& log)>& visit);
 
 }  // namespace grafverif

@@ -17,8 +17,9 @@ ProgramRun::ProgramRun(const Program& program) : program_(&program), layout_(lay
     for (const ProgramCell& cell : layout_.cells) memory_.push_back(cell.initial);
 }
 
-void ProgramRun::scan(std::span<const std::int64_t> inputs, std::int64_t elapsed_ms) {
+void ProgramRun::scan(std::span<const std::int64_t> inputs, std::int64_t elapsed_ms, ScanLog* log) {
     overflowed_ = false;
+    log_ = log;
     std::size_t next = 0;
     for (std::size_t i = 0; i < layout_.cells.size(); ++i)
         if (layout_.cells[i].input) memory_[i] = inputs[next++];
@@ -26,6 +27,7 @@ void ProgramRun::scan(std::span<const std::int64_t> inputs, std::int64_t elapsed
         if (memory_[timer.running] != 0)
             memory_[timer.elapsed] = std::min(memory_[timer.elapsed] + elapsed_ms, timer.longest);
     invoke(program_->main, layout_.main);
+    log_ = nullptr;
 }
 
 void ProgramRun::invoke(Id<Program::Unit> id, std::size_t frame) {
@@ -41,23 +43,32 @@ void ProgramRun::invoke(Id<Program::Unit> id, std::size_t frame) {
 
 ProgramRun::Flow ProgramRun::execute(const Program::Body& body, std::size_t frame) {
     for (const Id<Program::Statement> one : body) {
-        const Flow flow = execute(program_->statements[one], frame);
+        const Flow flow = execute(one, frame);
         if (flow != Flow::Next || fault_) return flow;
     }
     return Flow::Next;
 }
 
-ProgramRun::Flow ProgramRun::execute(const Program::Statement& statement, std::size_t frame) {
+void ProgramRun::note(Id<Program::Statement> statement, std::size_t frame, std::int64_t value) {
+    if (log_ != nullptr) log_->statements.push_back({statement, frame, value});
+}
+
+ProgramRun::Flow ProgramRun::execute(Id<Program::Statement> id, std::size_t frame) {
+    const Program::Statement& statement = program_->statements[id];
     switch (statement.kind) {
     case Kind::Assign: {
         const std::int64_t value = evaluate(statement.value, frame);
         const std::size_t target = address(statement.place, frame, statement.origin);
-        if (!fault_) memory_[target] = value;
+        if (fault_) return Flow::Next;
+        memory_[target] = value;
+        note(id, frame, value);
         return Flow::Next;
     }
     case Kind::Invoke: {
         const std::size_t target = address(statement.place, frame, statement.origin);
-        if (!fault_) invoke(statement.unit, target);
+        if (fault_) return Flow::Next;
+        note(id, frame, 1);
+        invoke(statement.unit, target);
         return Flow::Next;
     }
     case Kind::If:
@@ -67,32 +78,33 @@ ProgramRun::Flow ProgramRun::execute(const Program::Statement& statement, std::s
     }
     case Kind::For:
     case Kind::While:
-    case Kind::Repeat: return loop(statement, frame);
+    case Kind::Repeat: return loop(id, frame);
     case Kind::Check:
         if (evaluate(statement.value, frame) != 0) fail(statement.origin, ProgramFault::Chart);
         return Flow::Next;
-    case Kind::Exit: return Flow::Exit;
-    case Kind::Return: return Flow::Return;
+    case Kind::Exit: note(id, frame, 1); return Flow::Exit;
+    case Kind::Return: note(id, frame, 1); return Flow::Return;
     }
     return Flow::Next;
 }
 
 const Program::Arm* ProgramRun::chosen(const Program::Statement& statement, std::size_t frame) {
     const bool selects = statement.kind == Kind::Case;
-    const std::int64_t selector = selects ? evaluate(statement.value, frame) : 0;
+    const std::int64_t selector = selects ? decision(statement.value, frame) : 0;
     for (const Program::Arm& arm : statement.arms) {
         const bool otherwise = !arm.condition.valid() && arm.labels.empty();
         const bool matches =
             selects ? std::ranges::any_of(
                           arm.labels,
                           [&](const auto& label) { return label.first <= selector && selector <= label.second; })
-                    : !otherwise && evaluate(arm.condition, frame) != 0;
+                    : !otherwise && decision(arm.condition, frame) != 0;
         if (otherwise || matches) return &arm;
     }
     return nullptr;
 }
 
-ProgramRun::Flow ProgramRun::loop(const Program::Statement& statement, std::size_t frame) {
+ProgramRun::Flow ProgramRun::loop(Id<Program::Statement> id, std::size_t frame) {
+    const Program::Statement& statement = program_->statements[id];
     const Program::Body& body = statement.arms.front().body;
     std::int64_t last = 0;
     if (statement.kind == Kind::For) {
@@ -101,15 +113,16 @@ ProgramRun::Flow ProgramRun::loop(const Program::Statement& statement, std::size
         cell(statement.place, frame, statement.origin) = first;
     }
     while (!fault_) {
-        if (statement.kind == Kind::While && evaluate(statement.value, frame) == 0) break;
+        if (statement.kind == Kind::While && decision(statement.value, frame) == 0) break;
         if (statement.kind == Kind::For) {
             const std::int64_t now = cell(statement.place, frame, statement.origin);
             if (statement.step > 0 ? now > last : now < last) break;
+            note(id, frame, now);
         }
         const Flow flow = execute(body, frame);
         if (flow == Flow::Return) return flow;
         if (flow == Flow::Exit || fault_) break;
-        if (statement.kind == Kind::Repeat && evaluate(statement.value, frame) != 0) break;
+        if (statement.kind == Kind::Repeat && decision(statement.value, frame) != 0) break;
         if (statement.kind == Kind::For) {
             std::int64_t& variable = cell(statement.place, frame, statement.origin);
             variable = wrapped(program_->types[statement.type], variable + statement.step);
@@ -135,7 +148,11 @@ std::size_t ProgramRun::address(const Program::Place& place, std::size_t frame, 
 std::int64_t ProgramRun::evaluate(Id<Program::Node> id, std::size_t frame) {
     const Program::Node& node = program_->nodes[id];
     if (node.op == Op::Constant) return node.value;
-    if (node.op == Op::Read) return cell(node.place, frame, node.origin);
+    if (node.op == Op::Read) {
+        const std::int64_t value = cell(node.place, frame, node.origin);
+        if (log_ != nullptr) log_->nodes.push_back({id, frame, value});
+        return value;
+    }
     if (node.op == Op::Call) return call(node, frame);
     if (node.op == Op::AndThen || node.op == Op::OrElse) {
         const bool first = evaluate(node.operands[0], frame) != 0;
@@ -157,6 +174,13 @@ std::int64_t ProgramRun::evaluate(Id<Program::Node> id, std::size_t frame) {
     case Op::Select: return values[0] != 0 ? values[2] : values[1];
     default: return calculated(node, values[0], values.size() > 1 ? values[1] : 0);
     }
+}
+
+/// Evaluates a condition or selector. A variable is already in the log.
+std::int64_t ProgramRun::decision(Id<Program::Node> id, std::size_t frame) {
+    const std::int64_t value = evaluate(id, frame);
+    if (log_ != nullptr && program_->nodes[id].op != Op::Read) log_->nodes.push_back({id, frame, value});
+    return value;
 }
 
 /// Returns the value of an operation on bit strings.

@@ -12,6 +12,21 @@
 
 namespace grafverif {
 
+/// The statements of one scan, in the order of their execution, with the values that they computed.
+struct ScanLog {
+    template <class T>
+    struct Evaluation {
+        Id<T> id = {};
+        std::size_t frame = 0;  ///< first cell of the executing instance; for a function, a cell after the layout
+        std::int64_t value = 0;
+    };
+    /// Assignments with the assigned values, FOR with its variable at the beginning of each iteration; calls, EXIT and
+    /// RETURN with the value 1.
+    std::vector<Evaluation<Program::Statement>> statements = {};
+    /// The variables that were read, the conditions of branches and loops, and the selectors of CASE.
+    std::vector<Evaluation<Program::Node>> nodes = {};
+};
+
 class ProgramRun {
 public:
     /// `program` must outlive the object. Requires that all loops of the program terminate (see derive/program:
@@ -19,8 +34,8 @@ public:
     explicit ProgramRun(const Program& program);
 
     /// Executes one scan. `inputs` contains a value for each cell that is an input, in order. `elapsed_ms` is the time
-    /// since the previous scan.
-    void scan(std::span<const std::int64_t> inputs, std::int64_t elapsed_ms);
+    /// since the previous scan. If `log` is not null, the scan is added to it.
+    void scan(std::span<const std::int64_t> inputs, std::int64_t elapsed_ms, ScanLog* log = nullptr);
 
     const ProgramLayout& layout() const { return layout_; }
     /// Returns the values of the cells of the layout.
@@ -40,12 +55,14 @@ private:
     enum class Flow { Next, Exit, Return };
 
     std::int64_t evaluate(Id<Program::Node> id, std::size_t frame);
+    std::int64_t decision(Id<Program::Node> id, std::size_t frame);
+    void note(Id<Program::Statement> statement, std::size_t frame, std::int64_t value);
     std::int64_t calculated(const Program::Node& node, std::int64_t left, std::int64_t right);
     std::int64_t in_range(const Program::Node& node, std::int64_t value);
     std::int64_t call(const Program::Node& node, std::size_t frame);
     Flow execute(const Program::Body& body, std::size_t frame);
-    Flow execute(const Program::Statement& statement, std::size_t frame);
-    Flow loop(const Program::Statement& statement, std::size_t frame);
+    Flow execute(Id<Program::Statement> id, std::size_t frame);
+    Flow loop(Id<Program::Statement> id, std::size_t frame);
     const Program::Arm* chosen(const Program::Statement& statement, std::size_t frame);
     void invoke(Id<Program::Unit> unit, std::size_t frame);
     std::size_t address(const Program::Place& place, std::size_t frame, Span origin);
@@ -62,6 +79,7 @@ private:
     std::vector<std::int64_t> memory_ = {};  ///< the cells, followed by the frames of active functions
     std::optional<Fault> fault_ = {};
     bool overflowed_ = false;
+    ScanLog* log_ = nullptr;  ///< during a scan
 };
 
 }  // namespace grafverif
