@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Texts of the expressions and variables of a Program in the notation of Structured Text.
+#pragma once
+
+#include <string>
+
+#include "ir/program/program.hpp"
+
+namespace grafverif {
+
+/// Returns the name of a variable of `unit`, such as `Level`, `Delay.Q` or `A[I + 1]`, or a global name. The name of a
+/// variable of a Sequential Function Chart that statements cannot name contains a space.
+std::string place_text(const Program& program, Id<Program::Unit> unit, const Program::Place& place);
+
+/// Returns the name of the instance of `block` at `place`, relative to `unit`.
+std::string instance_text(const Program& program, Id<Program::Unit> unit, const Program::Place& place,
+                          Id<Program::Unit> block);
+
+/// Returns an expression in `unit`.
+std::string term_text(const Program& program, Id<Program::Unit> unit, Id<Program::Node> term);
+
+}  // namespace grafverif
