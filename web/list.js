@@ -2,17 +2,18 @@
 // Virtual list: only visible rows exist, so that scrolling is independent of the number of rows.
 import {make} from "./dom.js";
 
-const height = 28;  // height of a row in pixels, the same as in page.css
-
 export class RowList {
-    // `row(k)` returns the contents of row k. `choose(k)` is called when the user clicks row k.
-    constructor(label, count, row, choose) {
+    // `row(k)` returns the contents of row k. `choose(k)` is called when the user clicks row k. `height` is the height of
+    // a row in pixels, the same as in page.css; the ids of the rows begin with `prefix`.
+    constructor(label, count, row, choose, {height = 28, prefix = "row"} = {}) {
+        this.height = height;
+        this.prefix = prefix;
         this.count = count;
         this.row = row;
         this.choose = choose;
         this.current = 0;
         this.space = make("div", {class: "rows-space", role: "presentation"});
-        this.space.style.height = `${count * height}px`;
+        this.space.style.height = `${count * this.height}px`;
         this.element = make("div", {
             class: "rows", role: "listbox", tabindex: 0, "aria-label": label,
             onscroll: () => this.draw(), onclick: (event) => this.click(event),
@@ -21,20 +22,21 @@ export class RowList {
     }
 
     draw() {
-        const first = Math.max(0, Math.floor(this.element.scrollTop / height) - 4);
-        const last = Math.min(this.count, Math.ceil((this.element.scrollTop + this.element.clientHeight) / height) + 4);
+        const {height, element: {scrollTop, clientHeight}} = this;
+        const first = Math.max(0, Math.floor(scrollTop / height) - 4);
+        const last = Math.min(this.count, Math.ceil((scrollTop + clientHeight) / height) + 4);
         const rows = [];
         for (let k = first; k < last; ++k) rows.push(this.make(k));
         this.space.replaceChildren(...rows);
-        this.element.setAttribute("aria-activedescendant", `row-${this.current}`);
+        this.element.setAttribute("aria-activedescendant", `${this.prefix}-${this.current}`);
     }
     make(k) {
         const current = k === this.current;
         const row = make("div", {
-            class: current ? "row current" : "row", role: "option", id: `row-${k}`, "data-row": k,
+            class: current ? "row current" : "row", role: "option", id: `${this.prefix}-${k}`, "data-row": k,
             "aria-selected": current, "aria-posinset": k + 1, "aria-setsize": this.count,
         }, ...this.row(k));
-        row.style.top = `${k * height}px`;
+        row.style.top = `${k * this.height}px`;
         return row;
     }
 
@@ -45,7 +47,7 @@ export class RowList {
 
     show(k) {
         this.current = k;
-        const top = k * height, {scrollTop, clientHeight} = this.element;
+        const {height, element: {scrollTop, clientHeight}} = this, top = k * height;
         if (clientHeight > 0 && (top < scrollTop + height || top > scrollTop + clientHeight - 2 * height))
             this.element.scrollTop = top - clientHeight / 2;
         this.draw();

@@ -6,6 +6,7 @@ import {Claims} from "./claims.js";
 import {make} from "./dom.js";
 import {InstanceView} from "./instance.js";
 import {RowList} from "./list.js";
+import {ProgramView} from "./program.js";
 import {Run} from "./run.js";
 import {Timing} from "./timing.js";
 import {decisiveMoment, whyProperty, whyTransition} from "./why.js";
@@ -40,10 +41,18 @@ export class Player {
     }
 
     chartOf(controller) { return this.page.charts[this.run.data.charts[controller]]; }
+    isProgram(controller) { return this.chartOf(controller).program !== undefined; }
+    // Returns the transitions with a condition that the page can explain; those of a program are lines of the program.
+    transitionsOf(controller) { return this.isProgram(controller) ? [] : this.chartOf(controller).transitions; }
 
     build() {
+        this.programs = new Map();
+        this.run.controllers.forEach((_, controller) => {
+            if (this.isProgram(controller)) this.programs.set(controller, new ProgramView(this.chartOf(controller), this.run, controller));
+        });
         this.views = this.run.controllers.map((_, controller) =>
             new ChartView(this.chartOf(controller), this.run, controller, (place) => this.choose(controller, place)));
+        const drawn = this.views.filter((_, controller) => !this.isProgram(controller) || this.chartOf(controller).steps.length > 0);
         this.caption = make("p", {class: "caption", role: "status", "aria-live": "polite"});
         this.why = make("div", {class: "why"});
         this.claim = make("div", {class: "why"});
@@ -58,15 +67,18 @@ export class Player {
         this.element = make("div", {class: "player", tabindex: -1, onkeydown: (event) => this.key(event)},
             this.controls(), this.caption,
             make("div", {class: "stage"},
-                make("div", {class: "charts"}, ...this.views.map((view) => view.element),
-                    make("p", {class: "remark"}, "Yellow: active steps and actions. Blue: enabled transitions. Red with a triangle: cleared transitions.")),
+                make("div", {class: "charts"}, ...drawn.map((view) => view.element),
+                    drawn.length === 0 ? "" : make("p", {class: "remark"},
+                        "Yellow: active steps and actions. Blue: enabled transitions. Red with a triangle: cleared transitions."),
+                    ...[...this.programs.values()].map((view) => view.element)),
                 make("div", {class: "side"},
                     panel("Event", this.rows.element),
                     this.property?.operands.length > 0 ? panel(`Why: ${this.property.name}`, this.claim) : "",
                     panel("Inputs, outputs, variables, plant",
                         make("div", {class: "filters"}, this.filter, make("label", {}, this.changedOnly, " changed here only")),
                         this.signals),
-                    panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
+                    this.programs.size === this.run.controllers.length ? ""
+                        : panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
                     this.instance.element ? panel("Plant automaton", this.instance.element) : ""),
                 make("section", {class: "panel timing-panel"}, make("h4", {}, "Timing diagram"), this.timingPlace)));
     }
@@ -101,7 +113,7 @@ export class Player {
             const [controller, place] = this.pick.value.split(" ").map(Number);
             this.choose(controller, place);
         }}, make("option", {value: ""}, "enabled and cleared ones"));
-        this.run.controllers.forEach((_, controller) => this.chartOf(controller).transitions.forEach((transition, place) =>
+        this.run.controllers.forEach((_, controller) => this.transitionsOf(controller).forEach((transition, place) =>
             this.pick.append(make("option", {value: `${controller} ${place}`}, this.nameOf(controller, transition)))));
         return this.pick;
     }
@@ -170,6 +182,7 @@ export class Player {
     }
 
     choose(controller, place) {
+        if (this.programs.has(controller)) return this.programs.get(controller).showTransition(place);
         this.chosen = Number.isInteger(place) ? {controller, place} : null;
         this.pick.value = this.chosen ? `${controller} ${place}` : "";
         this.show();
@@ -201,6 +214,7 @@ export class Player {
             view.show(this.moment, this.clearedNow, this.chosen?.controller === controller ? this.chosen.place : null);
             view.follow();
         });
+        for (const view of this.programs.values()) view.show(to, from);
         this.slider.value = stop;
         const row = this.shownRow();
         const place = `${this.run.shown.length > 0 ? `row ${row + 1} of ${this.run.shown.length} · ` : ""}${this.run.timeText(this.moment)}`;
@@ -290,6 +304,7 @@ export class Player {
     showWhy() {
         if (this.property?.operands.length > 0)
             this.claim.replaceChildren(whyProperty(this.claims, this.moment, this.decisive, (m) => this.go(m)));
+        if (this.programs.size === this.run.controllers.length) return;
         const wanted = this.chosen ? [this.chosen] : this.interesting();
         this.why.replaceChildren(...wanted.map(({controller, place}) => {
             const id = this.run.controllers[controller].transitions[place];
@@ -300,7 +315,7 @@ export class Player {
     // Cleared transitions are listed before enabled transitions.
     interesting() {
         const cleared = [], enabled = [];
-        this.run.controllers.forEach((controller, number) => this.chartOf(number).transitions.forEach((transition, place) => {
+        this.run.controllers.forEach((controller, number) => this.transitionsOf(number).forEach((transition, place) => {
             if (this.clearedNow.has(controller.transitions[place])) cleared.push({controller: number, place});
             else if (transition.from.every((step) => this.run.isActive(controller.steps[step], this.moment)))
                 enabled.push({controller: number, place});

@@ -25,7 +25,7 @@ export class History {
 }
 
 // Returns the index of the last number <= `limit` in an increasing list; -1 if there is none.
-function lastAtMost(list, limit) {
+export function lastAtMost(list, limit) {
     let low = 0, high = list.length;
     while (low < high) {
         const middle = (low + high) >> 1;

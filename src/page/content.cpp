@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "emit/layout/diagram.hpp"
+#include "ir/program/interface.hpp"
 #include "page/data.hpp"
 #include "page/page.hpp"
 #include "pipeline/chart_text.hpp"
@@ -12,10 +13,19 @@ namespace grafverif {
 
 namespace {
 
+ChartContent content_of_program(const Model& model, const Sources& sources, Id<Chart> id, bool single) {
+    const Chart& chart = model.charts[id];
+    ChartContent content{.chart = id, .prefix = single ? "" : chart.name + "."};
+    content.program = {drawn_chart(chart), listing_of(*chart.program, sources)};
+    if (!chart.steps.empty()) content.drawing = svg_of(drawing_of(model, id, {.prefix = content.prefix}, sources));
+    return content;
+}
+
 /// Returns the sections about one chart, or nothing after an error.
 std::optional<ChartContent> content_of(const Model& model, const Sources& sources, Id<Chart> chart, bool single,
                                        std::optional<ExecutionMode> mode, const Limits& limits,
                                        Diagnostics& diagnostics) {
+    if (model.charts[chart].program) return content_of_program(model, sources, chart, single);
     auto equations = equations_of(model, chart, diagnostics);
     if (!equations) return {};
     auto analysis = analysis_of(model, chart, mode, limits, diagnostics);

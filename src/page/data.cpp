@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "explain/violation.hpp"
+#include "page/scans.hpp"
 #include "page/terms.hpp"
 #include "report/json_trace.hpp"
 #include "report/report.hpp"
@@ -18,10 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json charts_json(const PageContent& content) {
+/// The values of the statements of each controller; empty for a chart.
+using AllScans = std::vector<std::optional<ProgramScans>>;
+
+Json charts_json(const PageContent& content, const AllScans& programs) {
     Json list = Json::array();
     for (const ChartContent& each : content.charts) {
-        const Chart& chart = content.model.charts[each.chart];
+        const Chart& chart = drawn_chart(content, each);
         const ElementIds ids = element_ids(chart, each.prefix);
         Json one = {{"figure", "chart-" + std::to_string(list.size())},
                     {"ids",
@@ -32,7 +36,22 @@ Json charts_json(const PageContent& content) {
                       {"stored", ids.stored},
                       {"forcing", ids.forcing}}}};
         one.update(chart_json(chart));
+        if (const auto& program = programs[list.size()]) {
+            for (Json& transition : one["transitions"]) transition.erase("condition");
+            one["program"] = program->json();
+            one["program"]["listing"] = "program-" + std::to_string(list.size());
+        }
         list.push_back(std::move(one));
+    }
+    return list;
+}
+
+/// Returns the scans of the programs of a run, for each controller.
+Json scans_json(const ChartRun& run, const Playable& playable, AllScans& programs, std::size_t& remaining) {
+    Json list = Json::array();
+    for (const std::size_t chart : playable.charts) {
+        const Id<ChartRun::Controller> controller{static_cast<std::uint32_t>(list.size())};
+        list.push_back(programs[chart] ? programs[chart]->scans(run, controller, remaining) : Json(nullptr));
     }
     return list;
 }
@@ -188,6 +207,11 @@ std::vector<Playable> playable_runs(const PageContent& content) {
 
 std::string page_data(const PageContent& content) {
     Json properties = Json::array(), runs = Json::array();
+    AllScans programs;
+    for (const ChartContent& each : content.charts)
+        if (each.program) programs.emplace_back(ProgramScans(content.model.charts[each.chart], each.program->listing));
+        else programs.emplace_back();
+    std::size_t remaining = most_points;
     if (content.loop.valid()) {
         const ClosedLoop& loop = content.model.loops[content.loop];
         for (const Property& property : loop.properties)
@@ -212,10 +236,11 @@ std::string page_data(const PageContent& content) {
              {"inside", inside_json(run, playable)},
              {"loop_from", run.loop_from ? Json(*run.loop_from) : Json(nullptr)},
              {"rows", rows_json(run)},
+             {"scans", scans_json(run, playable, programs, remaining)},
              {"run", run_json(run)}});
     }
     const std::string text = json_text({{"version", 1},
-                                        {"charts", charts_json(content)},
+                                        {"charts", charts_json(content, programs)},
                                         {"properties", std::move(properties)},
                                         {"plant", plant_json(content)},
                                         {"runs", std::move(runs)}},

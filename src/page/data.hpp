@@ -6,6 +6,16 @@
 //               elements, see ElementIds: `steps`, `transitions`, `conditions`, `continuous`, `stored`, `forcing`), and
 //               the chart as in page/terms.hpp: `name`, `steps`, `transitions` (`name`, `from`, `condition`), `timed`,
 //               `terms`, `ownerOfAction`, `ownerOfForcing`. Lists are in the order of the chart's tables
+//               A PLC program has no conditions, and the member `program`:
+//     listing     the id of the element that contains the lines of the program
+//     code        the lines with values: `[line, unit]`; lines are counted from 0
+//     units       the names of the units of the program
+//     instances   the instances of its function blocks: `name`, `unit`; the name of the program itself is empty
+//     steps       for each step of the chart, its `line`, or null, and its `instance`
+//     transitions for each transition of the chart, the line of its condition
+//     points      the values of the lines: `line`; `order` on the line; `instance`, or null in a function; `role`
+//                 (`read`, `condition`, `result`, `executed`); `name` of the variable, or empty; `format`: `boolean`,
+//                 `time` (in ms), a list of the names of the values, or null for a number
 //   properties  the properties of the loop, see page/terms.hpp: `name`, `pattern`, `at_stable`, `operands`, `terms`
 //   plant       per instance, by name, the id of the figure with the drawing of its component
 //   runs        the runs to play:
@@ -16,6 +26,9 @@
 //     charts      for each controller of the run, the index of its chart in `charts`
 //     conditions  for each controller of the run and each time condition of its chart, the index of the timer in the
 //                 list of timers of the controller, or null
+//     scans       for each controller of the run: the scans of its program, or null. A scan is `[moment, changes]`. Each
+//                 change is `[point, value]`, or `[point, value, count]` if the point was evaluated several times; the
+//                 value is null if the scan did not evaluate the point. Other points are as in the previous scan
 //     initial     for each instance, by name, the index of its initial location, if known
 //     end         the text shown at the end of the run; may be empty
 //     violation   how the run violates a sentence that an observer checks, or null: `moment` is the event from which on
@@ -43,6 +56,8 @@ struct Playable {
 };
 /// Maximum length of the runs on a page. It is limited because browsers are slow with large pages.
 inline constexpr std::size_t longest_playable = 100'000;  // number of events of all runs together
+/// Maximum number of scans and of changes of values of statements on a page.
+inline constexpr std::size_t most_points = 1'000'000;
 /// True if the page may contain the run. For other runs, the page states only their length.
 inline bool can_be_played(const ChartRun& run) {
     return !run.moments.empty() && !run.rows.empty() && run.moments.size() <= longest_playable;

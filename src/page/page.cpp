@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.hpp"
 
+#include <algorithm>
+
 #include "page/data.hpp"
 #include "page/html.hpp"
 #include "page/parts.hpp"
+#include "page/scans.hpp"
 #include "page/web.hpp"
 
 namespace grafverif {
@@ -23,17 +26,27 @@ void add_contents(const PageContent& content, Html& html) {
     };
     add("verdicts", "Properties");
     if (!playable_runs(content).empty()) add("runs", "Runs");
-    add("charts", "Charts");
-    add("findings", "Findings");
+    add("charts", charts_title(content));
+    if (has_charts(content)) add("findings", "Findings");
     if (content.loop.valid()) add("plant", "Plant");
-    add("equations", "Equations");
-    add("coverage", "Coverage");
+    if (has_charts(content)) add("equations", "Equations");
+    if (has_steps(content)) add("coverage", "Coverage");
     html.close("ul").close("nav");
 }
 
-}  // namespace
+/// Adds the transitions that each scan of a program clears to the runs of the report.
+void add_cleared_transitions(PageContent& content) {
+    const auto add = [&](ChartRun& run) {
+        for (std::size_t k = 0; k < content.charts.size() && k < run.controllers.size(); ++k)
+            if (content.charts[k].program)
+                add_cleared_transitions(run, {static_cast<std::uint32_t>(k)}, content.charts[k].program->drawn);
+    };
+    for (PropertyResult& answer : content.report.answers)
+        if (answer.trace) add(*answer.trace);
+    for (ModelErrorTrace& each : content.report.error_traces) add(each.trace);
+}
 
-std::string page_of(const PageContent& content) {
+std::string written(const PageContent& content) {
     Html html;
     html.trusted("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
     html.open("meta", {{"charset", "utf-8"}})
@@ -50,15 +63,25 @@ std::string page_of(const PageContent& content) {
     add_verdicts(content, html);
     add_runs(content, html);
     add_charts(content, html);
-    add_findings(content, html);
+    if (has_charts(content)) add_findings(content, html);
     add_plant(content, html);
-    add_equations(content, html);
-    add_coverage(content, html);
+    if (has_charts(content)) add_equations(content, html);
+    if (has_steps(content)) add_coverage(content, html);
     html.close("main");
     html.open("script", {{"type", "application/json"}, {"id", "data"}}).trusted(page_data(content)).close("script");
     html.open("script", {{"type", "module"}}).trusted(page_script().text).close("script");
     html.close("body").close("html");
     return html.str();
+}
+
+}  // namespace
+
+std::string page_of(const PageContent& content) {
+    if (std::ranges::none_of(content.charts, [](const ChartContent& each) { return each.program.has_value(); }))
+        return written(content);
+    PageContent complete = content;
+    add_cleared_transitions(complete);
+    return written(complete);
 }
 
 }  // namespace grafverif

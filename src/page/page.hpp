@@ -6,7 +6,8 @@
 // The document permits its style and script by their hashes and forbids everything else (Content-Security-Policy). The
 // data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`, `runs`,
 // `findings`, `charts`, `plant`, `equations`, `coverage`. A property has the id `property-NAME`. The drawing of a chart
-// is in the figure `chart-N`, with the ids that element_ids() returns; the drawing of a component is in `component-N`.
+// is in the figure `chart-N`, with the ids that element_ids() returns; the lines of a PLC program are in `program-N`, the
+// drawing of a component is in `component-N`.
 #pragma once
 
 #include <optional>
@@ -20,17 +21,25 @@
 #include "grafverif/ir/finding.hpp"
 #include "grafverif/ir/report.hpp"
 #include "grafverif/support/source.hpp"
+#include "page/listing.hpp"
 #include "report/remedies/trials.hpp"
 
 namespace grafverif {
 
-/// A chart on the page, with its results.
+/// A PLC program on the page.
+struct ProgramContent {
+    Chart drawn = {};  ///< the result of drawn_chart (ir/program/interface.hpp)
+    ProgramListing listing = {};
+};
+
+/// A chart on the page, with its results. For a PLC program, there are no equations and no analysis.
 struct ChartContent {
     Id<Chart> chart = {};
     std::string prefix = {};   ///< prefix of the ids in its drawing
-    std::string drawing = {};  ///< a generated `<svg>` element
+    std::string drawing = {};  ///< a generated `<svg>` element; empty for a program without a chart
     Equations equations = {};
     Analysis analysis = {};
+    std::optional<ProgramContent> program = {};
 };
 
 /// A component of the plant on the page.
@@ -55,6 +64,11 @@ struct PageContent {
     std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart
     std::string warnings = {};         ///< diagnostics as text
 };
+
+/// Returns the chart to be drawn: for a PLC program, the chart with transitions and actions.
+inline const Chart& drawn_chart(const PageContent& content, const ChartContent& one) {
+    return one.program ? one.program->drawn : content.model.charts[one.chart];
+}
 
 /// Returns the charts and components of a page about `loop`, or about `chart` if `loop` is invalid, or nothing after an
 /// error.

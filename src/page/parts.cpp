@@ -104,6 +104,22 @@ void add_run_as_text(const Playable& playable, Html& html) {
     if (!playable.end.empty()) html.put("p", playable.end);
 }
 
+// -- programs ---------------------------------------------------------------------------------------------------------
+
+/// Adds the lines of a program. The player reads them from this element.
+void add_listing(const PageContent& content, const ChartContent& one, const std::string& id, Html& html) {
+    const Program& program = *content.model.charts[one.chart].program;
+    const ProgramListing& listing = one.program->listing;
+    const std::string file = content.sources[program.units[program.main].origin.source].name;
+    html.open("details").put("summary",
+                             fmt::format("{} ({})", file,
+                                         listing.begins.empty() ? "its statements in Structured Text"
+                                                                : counted(listing.lines.size(), "line", "lines")));
+    std::string text;
+    for (const std::string& line : listing.lines) text += line + '\n';
+    html.put("pre", text, {{"id", id}, {"class", "source"}}).close("details");
+}
+
 // -- findings, coverage -----------------------------------------------------------------------------------------------
 
 void add_finding(const PageContent& content, const Analysis& analysis, const Finding& finding, Html& html) {
@@ -146,7 +162,7 @@ void add_used(std::string_view what, const Used& used, Html& html) {
 }
 
 void add_coverage_of(const PageContent& content, std::size_t place, Html& html) {
-    const Chart& chart = content.model.charts[content.charts[place].chart];
+    const Chart& chart = drawn_chart(content, content.charts[place]);
     std::vector<bool> steps(chart.steps.size()), transitions(chart.transitions.size());
     for (const Playable& playable : playable_runs(content))
         for (std::size_t k = 0; k < playable.charts.size(); ++k) {
@@ -208,11 +224,28 @@ void add_runs(const PageContent& content, Html& html) {
     html.close("div").close("section");
 }
 
+bool has_charts(const PageContent& content) {
+    return std::ranges::any_of(content.charts, [](const ChartContent& each) { return !each.program; });
+}
+
+bool has_steps(const PageContent& content) {
+    return std::ranges::any_of(
+        content.charts, [&](const ChartContent& each) { return !each.program || !each.program->drawn.steps.empty(); });
+}
+
+const char* charts_title(const PageContent& content) {
+    const bool programs =
+        std::ranges::any_of(content.charts, [](const ChartContent& each) { return each.program.has_value(); });
+    if (!programs) return "Charts";
+    return has_charts(content) ? "Charts and programs" : "Programs";
+}
+
 void add_findings(const PageContent& content, Html& html) {
     begin_section(html, "findings", "Findings");
     html.put("p", "Defects and dead elements of each chart for all input sequences; no plant is assumed.",
              {{"class", "remark"}});
     for (const ChartContent& each : content.charts) {
+        if (each.program) continue;
         const Analysis& analysis = each.analysis;
         html.put("h3", analysis.chart);
         html.open("details", {{"open", ""}});
@@ -230,11 +263,14 @@ void add_findings(const PageContent& content, Html& html) {
 }
 
 void add_charts(const PageContent& content, Html& html) {
-    begin_section(html, "charts", "Charts");
+    begin_section(html, "charts", charts_title(content));
     for (std::size_t k = 0; k < content.charts.size(); ++k) {
+        const ChartContent& each = content.charts[k];
         html.open("figure", {{"id", "chart-" + std::to_string(k)}});
-        html.put("figcaption", content.model.charts[content.charts[k].chart].name);
-        html.open("div", {{"class", "drawing"}}).trusted(content.charts[k].drawing).close("div").close("figure");
+        html.put("figcaption", content.model.charts[each.chart].name);
+        if (!each.drawing.empty()) html.open("div", {{"class", "drawing"}}).trusted(each.drawing).close("div");
+        html.close("figure");
+        if (each.program) add_listing(content, each, "program-" + std::to_string(k), html);
     }
     html.close("section");
 }
@@ -243,6 +279,7 @@ void add_equations(const PageContent& content, Html& html) {
     begin_section(html, "equations", "Equations");
     html.put("p", "The semantics of each chart, on which the proofs are based.", {{"class", "remark"}});
     for (const ChartContent& each : content.charts) {
+        if (each.program) continue;
         std::ostringstream text;
         print_equations(text, each.equations);
         html.open("details").put("summary", each.equations.name).put("pre", text.str()).close("details");
@@ -258,7 +295,8 @@ void add_coverage(const PageContent& content, Html& html) {
                          "is trace coverage, not proof coverage.",
                          counted(runs, "run", "runs")),
              {{"class", "remark"}});
-    for (std::size_t k = 0; k < content.charts.size() && runs != 0; ++k) add_coverage_of(content, k, html);
+    for (std::size_t k = 0; k < content.charts.size() && runs != 0; ++k)
+        if (!drawn_chart(content, content.charts[k]).steps.empty()) add_coverage_of(content, k, html);
     html.close("section");
 }
 

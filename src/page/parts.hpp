@@ -13,6 +13,12 @@ void add_head(const PageContent& content, Html& html);
 void add_verdicts(const PageContent& content, Html& html);
 /// Adds the element of the player. If JavaScript is disabled, the page shows the runs as text.
 void add_runs(const PageContent& content, Html& html);
+/// True if a controller is a chart, not a PLC program.
+bool has_charts(const PageContent& content);
+/// True if a controller has steps.
+bool has_steps(const PageContent& content);
+/// Returns the title of the section about the controllers: `Charts`, `Programs`, or both.
+const char* charts_title(const PageContent& content);
 void add_findings(const PageContent& content, Html& html);
 void add_charts(const PageContent& content, Html& html);
 /// Returns the instances of the environment with their components; if `timed`, also with the constants of the instances,

@@ -180,6 +180,10 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
             },
             [&](const ClosedLoop::InternalSymbol& internal) -> Named {
                 const Chart& chart = chart_of(internal.controller);
+                // A run of a program omits variables on which nothing depends.
+                if (chart.program)
+                    return {{{"op", "signal"}, {"boolean", chart.variables[internal.variable].type.boolean}},
+                            before(internal.controller) + chart.variables[internal.variable].name};
                 return {of_chart(internal.controller, variable_json(chart, internal.variable)),
                         before(internal.controller) + chart.variables[internal.variable].name};
             },

@@ -6,9 +6,11 @@
 #include <string_view>
 
 #include "draw/chart.hpp"
+#include "ir/program/interface.hpp"
 #include "read/formats.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/language/format.hpp"
+#include "syntax/print/program.hpp"
 
 namespace grafverif {
 
@@ -108,6 +110,16 @@ std::vector<std::string> texts_of(const Elements& elements, const std::map<std::
 
 }  // namespace
 
+/// Returns the conditions of the Sequential Function Charts of a program.
+ChartText text_of_program(const Chart& drawn) {
+    const Program& program = *drawn.program;
+    const ProgramLayout layout = layout_of(program);
+    ChartText text;
+    for (const SequenceTest& test : sequence_tests(program, layout))
+        text.transitions.push_back(term_text(program, test.unit, program.statements[test.statement].value));
+    return text;
+}
+
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];
     if (!sources.contains(chart.origin.source)) return {};
@@ -127,6 +139,12 @@ ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
 }
 
 Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options, const Sources& sources) {
+    if (model.charts[chart].program) {
+        DrawOptions of_program = options;
+        of_program.notation = Notation::Text;
+        const Chart drawn = drawn_chart(model.charts[chart]);
+        return draw::drawing_of(drawn, of_program, text_of_program(drawn));
+    }
     return draw::drawing_of(model.charts[chart], options, text_of(model, chart, sources));
 }
 

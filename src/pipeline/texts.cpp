@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "compose/observe.hpp"
-#include "draw/chart.hpp"
 #include "draw/svg.hpp"
 #include "emit/btor2/btor2.hpp"
 #include "emit/c/c.hpp"
@@ -13,6 +12,7 @@
 #include "emit/pins/pins.hpp"
 #include "emit/uppaal/uppaal.hpp"
 #include "emit/wide.hpp"
+#include "pipeline/chart_text.hpp"
 #include "pipeline/models.hpp"
 #include "support/messages.hpp"
 
@@ -69,7 +69,7 @@ UppaalQueries uppaal_queries(const Network& network, Diagnostics& diagnostics) {
 }
 
 Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options) {
-    return draw::drawing_of(model.charts[chart], options);
+    return drawing_of(model, chart, options, Sources{});
 }
 
 std::string svg_of(const Drawing& drawing) {

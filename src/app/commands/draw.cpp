@@ -18,9 +18,9 @@ ExitCode draw(CommandContext& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     if (!chart) return ExitCode::Input;
-    if (const Chart& drawn = model->charts[*chart]; drawn.program)
-        job.diagnostics.add(messages::only_for_charts(drawn.origin, drawn.name, "only a GRAFCET can be drawn",
-                                                      "convert its chart by `grafverif import`, and draw the result"));
+    if (const Chart& drawn = model->charts[*chart]; drawn.program && drawn.steps.empty())
+        job.diagnostics.add(messages::only_for_charts(drawn.origin, drawn.name, "it has no steps to be drawn",
+                                                      "use `grafverif report`, which shows its statements"));
     const DrawOptions options{
         .notation = job.options.notation,
         .situation = named_steps(model->charts[*chart], job.options.situation, "--situation", job),

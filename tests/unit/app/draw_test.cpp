@@ -103,6 +103,28 @@ std::string words_of(const pugi::xml_node& element) {
     return words;
 }
 
+TEST(Draw, ShowsTheChartOfAProgramWithItsConditionsAndActions) {
+    const std::string spindle = (root / "samples/spindle/spindle.grafcet").string();
+    pugi::xml_document document;
+    EXPECT_EQ(
+        class_of(group(document, {"draw", spindle, "--chart", "spindle", "--situation", "Locking"}, "step-Locking")),
+        "step active");
+    const auto words = [&](const char* id) {
+        return words_of(document.child("svg").find_child_by_attribute("g", "id", id));
+    };
+    EXPECT_EQ(words("condition-T4"), "Coasting.T >= T#2s");
+    EXPECT_EQ(words("action-c0"), "N Lock");
+}
+
+TEST(Draw, RejectsAProgramWithoutSteps) {
+    const Result result =
+        grafverif({"draw", (root / "samples/tank_program/tank.grafcet").string(), "--chart", "filling"});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("`filling` is a PLC program, but it has no steps to be drawn"), std::string::npos)
+        << result.err;
+}
+
 TEST(Draw, TextNotationShowsTermsAsWritten) {
     const Folder folder;
     const std::string file = folder.write("written.grafcet",

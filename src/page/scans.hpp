@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// ProgramScans: the values that the statements of a PLC program compute in the scans of a run, for the page. The
+// interpreter of programs computes them with the inputs of the run.
+//
+// A point is a value of a line (page/listing.hpp) in one instance of the unit that contains the line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/chart_run.hpp"
+#include "page/listing.hpp"
+#include "run/program/interpreter.hpp"
+
+namespace grafverif {
+
+class ProgramScans {
+public:
+    /// `interface` is the chart that represents the program. Both arguments must outlive the object.
+    ProgramScans(const Chart& interface, const ProgramListing& listing);
+
+    /// Returns `scans` of a controller of a run; see page/data.hpp. The result is null if the number of points and scans
+    /// exceeds `remaining`; otherwise, it is subtracted from `remaining`.
+    nlohmann::ordered_json scans(const ChartRun& run, Id<ChartRun::Controller> controller, std::size_t& remaining);
+
+    /// Returns the lines, and the points of all previous results of `scans`; see page/data.hpp.
+    nlohmann::ordered_json json() const;
+
+private:
+    struct Point {
+        std::size_t item = 0;
+        std::optional<std::size_t> instance = {};  ///< index in the layout; empty for a function
+    };
+    /// The evaluation of a point in the last scan that evaluated it.
+    struct Value {
+        std::size_t scan = 0, count = 0;
+        std::int64_t value = 0;
+    };
+
+    template <class T>
+    void add(const std::vector<ScanLog::Evaluation<T>>& evaluations,
+             const std::vector<std::optional<std::size_t>>& items);
+    std::size_t point(std::size_t item, std::size_t frame);
+    nlohmann::ordered_json changes();
+    nlohmann::ordered_json steps_json() const;
+    nlohmann::ordered_json format_json(Id<Program::Type> type) const;
+
+    const Chart& interface_;
+    const Program& program_;
+    const ProgramListing& listing_;
+    ProgramLayout layout_;
+    std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> instances_ = {};  ///< by unit and frame
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};        ///< point by item and instance
+    std::vector<Point> points_ = {};
+    std::size_t scan_ = 0;                              ///< number of the current scan, from 1
+    std::vector<Value> values_ = {}, before_ = {};      ///< per point; `before_` at the end of the previous scan
+    std::vector<std::size_t> now_ = {}, earlier_ = {};  ///< points evaluated in this and in the previous scan
+};
+
+/// Adds the transitions of a program to a run, and to each of its scans the transitions that the scan clears. `drawn` is
+/// the chart that `drawn_chart` returns.
+void add_cleared_transitions(ChartRun& run, Id<ChartRun::Controller> controller, const Chart& drawn);
+
+}  // namespace grafverif
