@@ -23,12 +23,6 @@ std::size_t place(const Finding& finding) {
                                     finding_kinds().begin());
 }
 
-void sort(std::vector<Finding>& findings) {
-    std::ranges::stable_sort(findings, {}, [](const Finding& finding) {
-        return std::tuple(finding.level, place(finding), finding.origin.begin, finding.subject);
-    });
-}
-
 void add_structural(const Chart& chart, const Equations& equations, Analysis& result) {
     const std::vector<bool> read = analysis::variables_read(equations);
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
@@ -311,6 +305,12 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
 
 }  // namespace
 
+void sort_findings(std::vector<Finding>& findings) {
+    std::ranges::stable_sort(findings, {}, [](const Finding& finding) {
+        return std::tuple(finding.level, place(finding), finding.origin.begin, finding.subject);
+    });
+}
+
 Analysis analyse(const Chart& chart, const Equations& equations, const AnalyseOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     Analysis result;
@@ -318,7 +318,7 @@ Analysis analyse(const Chart& chart, const Equations& equations, const AnalyseOp
     result.mode = options.mode;
     add_structural(chart, equations, result);
     ConeSchedule(chart, equations, options, result).run();
-    sort(result.findings);
+    sort_findings(result.findings);
     add_notes(equations, options, result);
     accept(chart, result);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

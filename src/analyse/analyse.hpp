@@ -62,6 +62,9 @@ struct AnalyseOptions {
     std::uint64_t first_slice = 50'000'000;  ///< work on each part in the first round, in steps of BDD operations
 };
 
+/// Sorts findings as in Analysis::findings.
+void sort_findings(std::vector<Finding>& findings);
+
 /// Analyses the chart. Requires that `equations` are the result of derive for `chart`.
 Analysis analyse(const Chart& chart, const Equations& equations, const AnalyseOptions& options = {});
 

@@ -363,6 +363,8 @@ std::vector<Option> options_for_checks() {
              "names, the output of FILE and that of OTHER"),
         toggle(OptionGroup::Compare, "imported-charts", &Options::imported_charts,
                "compare the charts that `import` creates from Structured Text and PLCopen XML, not the programs"),
+        toggle(OptionGroup::Analysis, "imported-charts", &Options::imported_charts,
+               "analyse the chart that `import` creates from Structured Text or PLCopen XML, not the program"),
         text(OptionGroup::Log, "log", "FILE", &Options::log, "recording to check: CSV, JSON lines or VCD"),
         time(OptionGroup::Recording, "jitter", &Options::jitter_ms,
              "maximum difference between a recorded time and the time in the controller (default: 20ms)"),

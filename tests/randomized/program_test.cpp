@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "derive/program/scan.hpp"
 #include "run/program/interpreter.hpp"
@@ -24,13 +26,46 @@ namespace grafverif {
 namespace {
 
 struct Met {
-    int scans = 0, faults = 0, overflows = 0, timers = 0, changes = 0, intervals = 0;
+    int scans = 0, faults = 0, overflows = 0, timers = 0, changes = 0, intervals = 0, executions = 0;
 };
 
 std::string error_texts(const Diagnostics& diagnostics, const Sources& sources) {
     std::ostringstream text;
     render_text(diagnostics.all(), sources, Colour::Plain, text);
     return text.str();
+}
+
+/// The executed statements and the decided conditions of a scan, with their values.
+using Executed = std::multiset<std::tuple<bool, std::uint32_t, std::int64_t>>;
+
+Executed executed(const Scan& scan, const std::vector<std::optional<std::int64_t>>& terms) {
+    Executed found;
+    for (const Scan::Execution& each : scan.executions)
+        if (terms[each.reached.index] == 1)
+            found.emplace(each.node.valid(), each.node.valid() ? each.node.index : each.statement.index,
+                          each.value.valid() ? terms[each.value.index].value() : 1);
+    return found;
+}
+
+/// The same from the log of the interpreter. Only what both record is compared: a log contains neither the branches nor
+/// the iterations of a statement, and records a condition that is a variable as a read variable.
+Executed executed(const Program& program, const ScanLog& log, const Scan& scan, Executed& of_terms) {
+    using Kind = Program::Statement::Kind;
+    std::set<std::uint32_t> conditions;
+    for (const Scan::Execution& each : scan.executions)
+        if (each.node.valid() && program.nodes[each.node].op != Program::Op::Read) conditions.insert(each.node.index);
+    const auto is_compared = [&](bool condition, std::uint32_t index) {
+        if (condition) return conditions.contains(index);
+        const Kind kind = program.statements[Id<Program::Statement>{index}].kind;
+        return kind == Kind::Assign || kind == Kind::Invoke || kind == Kind::Exit || kind == Kind::Return;
+    };
+    Executed found;
+    for (const auto& each : log.statements)
+        if (is_compared(false, each.id.index)) found.emplace(false, each.id.index, each.value);
+    for (const auto& each : log.nodes)
+        if (is_compared(true, each.id.index)) found.emplace(true, each.id.index, each.value);
+    std::erase_if(of_terms, [&](const auto& each) { return !is_compared(std::get<0>(each), std::get<1>(each)); });
+    return found;
 }
 
 /// Returns the first disagreement of a run, or an empty string.
@@ -53,7 +88,8 @@ std::string disagreement(const Program& program, const Scan& scan, Random& rando
         }
         std::int64_t elapsed = program.interval_ms.value_or(random_number(random, 0, 15));
         if (scan.elapsed.valid()) values[scan.elapsed.index] = std::min(elapsed, scan.layout.longest);
-        run.scan(inputs, elapsed);
+        ScanLog log;
+        run.scan(inputs, elapsed, &log);
         const auto terms = evaluate_all(scan.equations.exprs,
                                         [&](const Expr& leaf) { return values[static_cast<std::size_t>(leaf.value)]; });
         const auto occurs = [&](const std::vector<Scan::Event>& events) {
@@ -65,6 +101,10 @@ std::string disagreement(const Program& program, const Scan& scan, Random& rando
         if (run.fault().has_value() != occurs(scan.faults)) return "a division by zero" + where;
         if (run.fault()) return ++met.faults, std::string();
         if (run.overflowed() != occurs(scan.overflows)) return "an overflow" + where;
+        Executed of_terms = executed(scan, terms);
+        const Executed of_log = executed(program, log, scan, of_terms);
+        if (!scan.executions.empty() && of_terms != of_log) return "the executed statements" + where;
+        met.executions += static_cast<int>(of_terms.size());
         met.overflows += run.overflowed() ? 1 : 0;
         met.timers += scan.layout.timers.empty() ? 0 : 1;
         met.intervals += program.interval_ms ? 1 : 0;
@@ -90,12 +130,13 @@ TEST(RandomizedProgram, InterpreterAgreesWithEquations) {
         Diagnostics diagnostics;
         const auto read = read_program(sources.add({"random.st", text}), sources, diagnostics);
         ASSERT_TRUE(read) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
-        const auto scan = scan_of(read->program(), diagnostics);
+        const auto scan = scan_of(read->program(), diagnostics, true);
         ASSERT_TRUE(scan) << "seed " << seed << '\n' << error_texts(diagnostics, sources) << text;
         ASSERT_EQ(verify(scan->equations), std::vector<std::string>()) << text;
         ASSERT_EQ(disagreement(read->program(), *scan, random, met), "") << "seed " << seed << '\n' << text;
     }
-    for (const int count : {met.scans, met.faults, met.overflows, met.timers, met.changes, met.intervals})
+    for (const int count :
+         {met.scans, met.faults, met.overflows, met.timers, met.changes, met.intervals, met.executions})
         EXPECT_GT(count, programs / 100);
 }
 

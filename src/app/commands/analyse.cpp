@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `analyse`: finds possible faults of a chart, and elements that are never used, for all inputs.
+#include "pipeline/program/analyse.hpp"
+
 #include <ostream>
 #include <sstream>
 
@@ -8,8 +10,11 @@
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
 #include "pipeline/check.hpp"
+#include "pipeline/variants/compare_sides.hpp"
 #include "read/exclusions.hpp"
+#include "read/program/program.hpp"
 #include "report/findings.hpp"
+#include "support/messages_program.hpp"
 
 namespace grafverif::app {
 
@@ -55,17 +60,7 @@ ExitCode exit_code(const Analysis& analysis) {
 
 namespace {
 
-ExitCode analyse_one(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
-    const auto equations = equations_of(model, chart, job);
-    if (!equations) return ExitCode::Input;
-    auto exclusions = exclusions_of(model.charts[chart], job);
-    if (!exclusions) return ExitCode::Input;
-
-    const ResourceLimits bounds(job.options, streams);
-    AnalyseOptions options;
-    options.mode = execution_mode(model, chart, job);
-    options.exclusions = std::move(*exclusions);
-    Analysis analysis = analysis_of(model.charts[chart], *equations, std::move(options), bounds.limits());
+ExitCode finish(Analysis analysis, const ResourceLimits& bounds, CommandContext& job, const Streams& streams) {
     analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), bounds.interrupted(), job.options);
     const std::string text = printed(analysis, job, streams);
     work_is_done();
@@ -76,10 +71,46 @@ ExitCode analyse_one(const Model& model, Id<Chart> chart, CommandContext& job, c
     return exit_code(analysis);
 }
 
+ExitCode analyse_program(const Program& program, const std::string& name, CommandContext& job, const Streams& streams) {
+    if (job.options.exclusions || job.options.mode) {
+        job.diagnostics.add(messages::only_for_charts(program.units[program.main].origin, name,
+                                                      "`--exclusions` and `--mode` apply to charts", "remove them"));
+        return ExitCode::Input;
+    }
+    const ResourceLimits bounds(job.options, streams);
+    auto analysis = grafverif::analyse_program(program, name, bounds.limits(), job.diagnostics);
+    return analysis ? finish(std::move(*analysis), bounds, job, streams) : ExitCode::Input;
+}
+
+ExitCode analyse_one(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
+    if (const Chart& one = model.charts[chart]; one.program)
+        return analyse_program(*one.program, one.name, job, streams);
+    const auto equations = equations_of(model, chart, job);
+    if (!equations) return ExitCode::Input;
+    auto exclusions = exclusions_of(model.charts[chart], job);
+    if (!exclusions) return ExitCode::Input;
+
+    const ResourceLimits bounds(job.options, streams);
+    AnalyseOptions options;
+    options.mode = execution_mode(model, chart, job);
+    options.exclusions = std::move(*exclusions);
+    Analysis analysis = analysis_of(model.charts[chart], *equations, std::move(options), bounds.limits());
+    return finish(std::move(analysis), bounds, job, streams);
+}
+
 }  // namespace
 
 ExitCode analyse(CommandContext& job, const Streams& streams) {
-    const auto model = read_model(job.options.operands[0], job);
+    const std::string& path = job.options.operands[0];
+    const auto source = read_source(path, job);
+    if (!source) return ExitCode::Input;
+    if (!job.options.imported_charts && contains_program(*source, job.sources)) {
+        const auto text = read_program(*source, job.sources, job.diagnostics);
+        if (!text) return ExitCode::Input;
+        const Program& program = text->program();
+        return analyse_program(program, program.units[program.main].name, job, streams);
+    }
+    const auto model = read_model(*source, path, job);
     if (!model) return ExitCode::Input;
     if (!job.options.all) {
         const auto chart = chosen_chart(*model, job);
@@ -96,13 +127,16 @@ CliCommand analyse_usage() {
         "FILE...",
         1,
         any_number,
-        "find defects of a chart: instability, races, dead transitions, unused variables",
+        "find defects of a chart or PLC program: instability, races, dead transitions, dead statements",
         "Explores all input sequences of a chart and reports its defects, each with a shortest input sequence: total\n"
         "instability; races and conflicts of stored actions; branches cleared together; steps activated while active;\n"
         "partial charts forced twice or forced while enclosed; steps that are never active; transitions that are "
         "never\n"
         "or always cleared; outputs that are never set; inputs that are never read. A `constraint` in the chart and a\n"
         "table of input pairs that are never true together (`variable1,variable2,reason`) exclude impossible inputs.\n"
+        "In a PLC program: statements that are never executed, conditions that are always or never true, outputs that "
+        "are\n"
+        "always assigned twice, blocks that are never called, timers that never elapse, and run-time faults.\n"
         "`accept CODE \"reason\";` in the chart accepts a finding. Exit code 1: a finding is not accepted; 3: no\n"
         "finding, but the analysis is incomplete (--timeout, --max-memory, Ctrl-C); the output describes what was not\n"
         "analysed.",

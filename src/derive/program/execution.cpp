@@ -113,11 +113,27 @@ void SymbolicExecution::event(std::vector<Scan::Event>& events, Id<Expr> conditi
     if (!is_false(exprs_, reached)) events.push_back({reached, origin, fault});
 }
 
+/// Records an execution, which occurs if `condition` is true.
+void SymbolicExecution::note(Scan::Execution execution, Id<Expr> condition) {
+    if (executions_ == nullptr) return;
+    std::vector<Id<Expr>> all = path_;
+    all.push_back(condition);
+    execution.reached = exprs_.conjunction(all);
+    if (!is_false(exprs_, execution.reached)) executions_->push_back(execution);
+}
+
+/// Returns the value of a condition of a branch or loop.
+Id<Expr> SymbolicExecution::decision(Id<Program::Node> node, std::uint32_t frame) {
+    const Id<Expr> term = value(node, frame);
+    note({.node = node, .value = term}, exprs_.constant(true));
+    return term;
+}
+
 // -- statements -------------------------------------------------------------------------------------------------------
 
 void SymbolicExecution::execute(const Program::Body& body, std::size_t from, std::uint32_t frame) {
     for (std::size_t i = from; i < body.size() && !failed_; ++i) {
-        execute(program_.statements[body[i]], frame);
+        execute(body[i], frame);
         const Id<Expr> continues = alive();
         if (is_true(exprs_, continues) || i + 1 == body.size()) continue;
         branch(
@@ -132,19 +148,26 @@ void SymbolicExecution::execute(const Program::Body& body, std::size_t from, std
     }
 }
 
-void SymbolicExecution::execute(const Program::Statement& statement, std::uint32_t frame) {
+void SymbolicExecution::execute(Id<Program::Statement> id, std::uint32_t frame) {
+    const Program::Statement& statement = program_.statements[id];
     if (!counts(statement)) return;
+    const bool has_cell = statement.kind == Kind::Assign || statement.kind == Kind::Invoke;
+    if (!has_cell) note({.statement = id}, exprs_.constant(true));
     switch (statement.kind) {
     case Kind::Assign: {
         const Id<Expr> term = value(statement.value, frame);
-        for (const Element& one : elements(statement.place, frame, statement.origin))
+        for (const Element& one : elements(statement.place, frame, statement.origin)) {
+            note({.statement = id, .cell = one.cell, .value = term}, one.condition);
             write(one.cell, exprs_.conditional(one.condition, term, memory_[one.cell]));
+        }
         return;
     }
     case Kind::Invoke:
-        for (const Element& one : elements(statement.place, frame, statement.origin))
+        for (const Element& one : elements(statement.place, frame, statement.origin)) {
+            note({.statement = id, .cell = one.cell}, one.condition);
             branch(
                 one.condition, [&] { invoke(statement.unit, one.cell); }, [] {});
+        }
         return;
     case Kind::If: return arms(statement, 0, {}, frame);
     case Kind::Case: return arms(statement, 0, value(statement.value, frame), frame);
@@ -164,7 +187,7 @@ void SymbolicExecution::arms(const Program::Statement& statement, std::size_t fr
     if (!arm.condition.valid() && arm.labels.empty()) return execute(arm.body, 0, frame);
     Id<Expr> condition;
     if (statement.kind == Kind::If) {
-        condition = value(arm.condition, frame);
+        condition = decision(arm.condition, frame);
     } else {
         std::vector<Id<Expr>> matches;
         for (const auto& [low, high] : arm.labels) {
@@ -214,7 +237,7 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
                 messages::unbounded_loop(statement.origin, count > most_iterations ? count - 1 : most_branches));
         ++executed_;
         Id<Expr> condition = exprs_.constant(true);
-        if (statement.kind == Kind::While) condition = value(statement.value, frame);
+        if (statement.kind == Kind::While) condition = decision(statement.value, frame);
         if (statement.kind == Kind::For)
             condition = exprs_.apply(statement.step > 0 ? Op::LessEqual : Op::GreaterEqual, memory_[variable], last);
         if (is_false(exprs_, condition)) return;

@@ -20,6 +20,8 @@ public:
     void run_main();
     Id<Expr> value(Id<Program::Node> node, std::uint32_t frame);
     bool failed() const { return failed_; }
+    /// Adds the executions of statements to `executions`, which must outlive the object.
+    void record(std::vector<Scan::Execution>& executions) { executions_ = &executions; }
 
     std::vector<Scan::Event> faults = {}, overflows = {};
 
@@ -36,7 +38,7 @@ private:
     };
 
     void execute(const Program::Body& body, std::size_t from, std::uint32_t frame);
-    void execute(const Program::Statement& statement, std::uint32_t frame);
+    void execute(Id<Program::Statement> id, std::uint32_t frame);
     void arms(const Program::Statement& statement, std::size_t from, Id<Expr> selector, std::uint32_t frame);
     void for_loop(const Program::Statement& statement, std::uint32_t frame);
     void loop(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame);
@@ -54,6 +56,8 @@ private:
     Id<Expr> alive();
     void fail(const Diagnostic& diagnostic);
     bool counts(const Program::Statement& statement);
+    Id<Expr> decision(Id<Program::Node> node, std::uint32_t frame);
+    void note(Scan::Execution execution, Id<Expr> condition);
     void event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin,
                ProgramFault fault = ProgramFault::DivisionByZero);
     std::uint32_t address(const Program::Place& place, std::uint32_t frame) const {
@@ -82,6 +86,7 @@ private:
     std::uint64_t executed_ = 0;
     const Program::Statement* loop_ = nullptr;  ///< the outermost loop that is being executed
     bool failed_ = false;
+    std::vector<Scan::Execution>* executions_ = nullptr;
 };
 
 }  // namespace grafverif

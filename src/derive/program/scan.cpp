@@ -22,13 +22,14 @@ class ScanDerivation {
 public:
     ScanDerivation(const Program& program, Diagnostics& diagnostics) : program_(program), diagnostics_(diagnostics) {}
 
-    std::optional<Scan> scan() {
+    std::optional<Scan> scan(bool records) {
         scan_.layout = layout_of(program_);
         scan_.equations.name = program_.units[program_.main].name;
         scan_.equations.origin = program_.units[program_.main].origin;
         SymbolicExecution execution(program_, scan_.layout, exprs(), diagnostics_);
         add_variables(execution.memory());
         advance_timers(execution.memory());
+        if (records) execution.record(scan_.executions);
         execution.run_main();
         if (execution.failed()) return {};
         scan_.after.assign(execution.memory().begin(),
@@ -117,8 +118,8 @@ private:
 
 }  // namespace
 
-std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics) {
-    return ScanDerivation(program, diagnostics).scan();
+std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics, bool records) {
+    return ScanDerivation(program, diagnostics).scan(records);
 }
 
 std::optional<Id<Expr>> value_after(const Program& program, Id<Program::Node> node, Scan& scan,

@@ -12,9 +12,9 @@
 
 namespace grafverif {
 
-/// Executes one scan. The result is empty after an error: the number of iterations of a loop has no constant bound, or
+/// Executes one scan. If `records` is true, the result contains the executions of the statements. The result is empty after an error: the number of iterations of a loop has no constant bound, or
 /// the program is too large.
-std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics);
+std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics, bool records = false);
 
 /// Returns the value of an expression over the variables of `main` at the end of the scan, or nullopt after an error.
 std::optional<Id<Expr>> value_after(const Program& program, Id<Program::Node> node, Scan& scan,

@@ -3,6 +3,7 @@
 // before the scan and the inputs.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "grafverif/ir/equations.hpp"
@@ -30,6 +31,16 @@ struct Scan {
     /// unspecified.
     std::vector<Event> faults = {};
     std::vector<Event> overflows = {};  ///< results that wrap around
+    /// An execution of a statement, or an evaluation of a condition of IF or WHILE.
+    struct Execution {
+        Id<Program::Statement> statement = {};  ///< invalid for a condition
+        Id<Program::Node> node = {};            ///< the condition; invalid for a statement
+        std::uint32_t cell = 0;                 ///< for an assignment or call: the assigned cell, or the first cell
+        Id<Expr> reached = {};                  ///< true if the execution occurs in the scan
+        Id<Expr> value = {};                    ///< value of the condition, or assigned value
+    };
+    /// In the order of execution; empty unless requested.
+    std::vector<Execution> executions = {};
 };
 
 /// For each variable of the equations: true if `roots` depend on it, directly or through next values.
