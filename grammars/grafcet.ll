@@ -49,6 +49,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "not"           return lexer.word(Kind::NOT_WORD);
 "implies"       return lexer.word(Kind::IMPLIES_WORD);
 "in"            return lexer.word(Kind::IN);
+"any"           return lexer.word(Kind::ANY);
 "true"          return lexer.word(Kind::TRUE);
 "false"         return lexer.word(Kind::FALSE);
 "always"        return lexer.word(Kind::ALWAYS);
@@ -166,6 +167,8 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "}"             return lexer.sign(Kind::CLOSE);
 "("             return lexer.sign(Kind::LEFT);
 ")"             return lexer.sign(Kind::RIGHT);
+"["             return lexer.index();
+"]"             return lexer.sign(Kind::INDEX_END);
 
 "<>"            return lexer.other_spelling(Kind::NOT_EQUAL, "!=");
 "&"             return lexer.other_spelling(Kind::AND, "&&");

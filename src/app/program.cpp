@@ -107,8 +107,8 @@ void render_diagnostics(const CommandContext& job, const Streams& streams) {
     for (const Diagnostic& diagnostic : job.diagnostics.all())
         if (!job.options.quiet || diagnostic.severity == Severity::Error) shown.push_back(diagnostic);
     render(shown, job, streams, streams.err);
-    if (job.options.diagnostics == DiagnosticFormat::Text && job.diagnostics.errors() > Diagnostics::limit)
-        streams.err << fmt::format("and {} more errors\n", job.diagnostics.errors() - Diagnostics::limit);
+    if (job.options.diagnostics == DiagnosticFormat::Text && job.diagnostics.distinct_errors() > Diagnostics::limit)
+        streams.err << fmt::format("and {} more errors\n", job.diagnostics.distinct_errors() - Diagnostics::limit);
 }
 
 WatchdogOptions orders(const CommandContext& job, const Streams& streams) {

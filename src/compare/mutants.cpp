@@ -16,11 +16,12 @@ namespace {
 
 using Items = std::vector<tree::ChartItem>;
 
-/// Collects the lists of items of a chart and of its partial charts, at any depth.
+/// Collects the lists of items of a chart, of its partial charts and of its replications, at any depth.
 void collect_lists(Items& items, std::vector<Items*>& lists) {
     lists.push_back(&items);
     for (tree::ChartItem& item : items)
         if (auto* partial = std::get_if<tree::Partial>(&item)) collect_lists(partial->items, lists);
+        else if (auto* copies = std::get_if<tree::ReplicatedChartItems>(&item)) collect_lists(copies->items, lists);
 }
 
 /// A position in a chart, which denotes the same item in every copy of the file.
@@ -74,9 +75,9 @@ private:
         return text + " }";
     }
     static std::string subject_of(const tree::File& file, const tree::ChartItem& item) {
-        if (const auto* step = std::get_if<tree::Step>(&item)) return "step " + std::string(file.text(step->name));
+        if (const auto* step = std::get_if<tree::Step>(&item)) return "step " + formatted(file, step->name);
         const auto& transition = std::get<tree::Transition>(item);
-        if (transition.name.valid()) return "transition " + std::string(file.text(transition.name));
+        if (transition.name.valid()) return "transition " + formatted(file, transition.name);
         return "transition " +
                one_line(item_lines(file, tree::Transition{.from = transition.from, .to = transition.to}, 0))
                    .substr(std::string("transition ").size());

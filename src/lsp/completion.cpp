@@ -102,15 +102,23 @@ private:
             if (block.size() > 1 && (block[0] == "partial" || block[0] == "expansion")) partial_ = block[1];
         if (top[0] == "grafcet") {
             owner_ = names_.find(DeclarationKind::Chart, top[1]);
+            if (in_index_or_range()) return index_or_range();
             if (contains_word(inner, "force")) return steps(owner_, inner[1], ""), keywords({"INIT"});
             return contains_word(inner, "step") ? in_actions() : in_chart();
         }
         if (top[0] == "component") return owner_ = names_.find(DeclarationKind::Component, top[1]), in_component();
         if (top[0] != "closed_loop") return;
         owner_ = names_.find(DeclarationKind::Loop, top[1]);
+        if (in_index_or_range()) return index_or_range();
         if (inner[0] == "observer") return in_observer(inner[1]);
         if (contains_word(inner, "of")) return term();
         in_loop();
+    }
+
+    bool in_index_or_range() const { return has("[") || (!half_.words.empty() && half_.words[0] == "for"); }
+    void index_or_range() {
+        if (has("[") || half_.words.size() > 2) parts(owner_, {DeclarationKind::Constant});
+        else if (half_.words.size() == 2) keywords({"in"});
     }
 
     void in_file() {
@@ -125,7 +133,7 @@ private:
         if (words.empty())
             return keywords({"input", "output", "internal", "initial step", "step", "macro step", "enclosing step",
                              "entry step", "exit step", "linked step", "transition", "partial", "expansion",
-                             "constraint", "accept"});
+                             "constraint", "accept", "for"});
         if (words[0] == "constraint") return term();
         if (words[0] == "accept" && words.size() == 1)
             for (const FindingKind& kind : finding_kinds())
@@ -178,7 +186,8 @@ private:
 
     void in_component() {
         if (half_.words.empty())
-            return keywords({"initial location", "location", "urgent", "timed", "variable", "clock", "constraint"});
+            return keywords(
+                {"initial location", "location", "urgent", "timed", "variable", "clock", "constraint", "for"});
         const std::string& first = half_.words[0];
         if (first == "urgent" || first == "timed") return links([this] { parts(owner_, {DeclarationKind::Location}); });
         if (first == "variable") return typed();
@@ -200,7 +209,7 @@ private:
         const Words& words = half_.words;
         if (words.empty())
             return keywords({"controller", "plant", "environment", "property", "constraint", "constant", "grain",
-                             "time unit", "schedule", "observer", "fault"});
+                             "time unit", "schedule", "observer", "fault", "for"});
         const std::string& first = words[0];
         if (first == "controller") {
             if (has("with")) return keywords({"stability_search", "every_cycle"});
@@ -338,7 +347,7 @@ private:
         if (last() == ".") return member();
         if (owner_->kind == DeclarationKind::Chart) {
             parts(owner_, {DeclarationKind::Input, DeclarationKind::Output, DeclarationKind::Internal,
-                           DeclarationKind::Partial});
+                           DeclarationKind::Partial, DeclarationKind::Constant});
             steps(owner_, partial_, "X");
             all_steps(owner_, "X");
             keywords({"rise", "fall"});
@@ -353,7 +362,7 @@ private:
             parts(owner_, {DeclarationKind::InputParameter, DeclarationKind::OutputParameter, DeclarationKind::Constant,
                            DeclarationKind::Own, DeclarationKind::Clock});
         }
-        keywords({"and", "or", "not", "true", "false"});
+        keywords({"and", "or", "not", "true", "false", "all", "any"});
     }
 
     void member() {

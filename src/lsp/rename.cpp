@@ -40,16 +40,18 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
                                file->path, element.name);
         for (const tree::Declaration& declaration : file->tree.declarations) {
             const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
-            for (const tree::LoopItem& item : loop != nullptr ? loop->items : std::vector<tree::LoopItem>()) {
+            std::string obstacle;
+            each_item(loop != nullptr ? loop->items : std::vector<tree::LoopItem>(), [&](const tree::LoopItem& item) {
                 const auto* property = std::get_if<tree::Property>(&item);
-                if (property == nullptr) continue;
+                if (property == nullptr) return;
                 for (const Word& word : words_of(property->raw))
                     if (std::string_view(property->raw).substr(word.begin, word.end - word.begin).find(element.name) !=
                             std::string_view::npos &&
                         word.kind != Word::Kind::Sign)
-                        return fmt::format("the formula of property `{}` may contain `{}`; change both manually",
-                                           file->tree.text(property->name), element.name);
-            }
+                        obstacle = fmt::format("the formula of property `{}` may contain `{}`; change both manually",
+                                               file->tree.text(property->name), element.name);
+            });
+            if (!obstacle.empty()) return obstacle;
         }
     }
     return {};

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 22> reserved = {
     "grafcet", "component",  "closed_loop", "include",   "input",      "output",  "internal", "step",
     "when",    "transition", "do",          "force",     "and",        "or",      "not",      "true",
     "false",   "always",     "never",       "reachable", "inevitable", "possible"};
-constexpr std::array<std::string_view, 71> contextual = {
+constexpr std::array<std::string_view, 72> contextual = {
     "constraint",   "initial",     "linked",    "entry",    "exit",       "macro",    "expands",  "enclosing",
     "encloses",     "partial",     "expansion", "if",       "after",      "for",      "on",       "activation",
     "deactivation", "event",       "bool",      "int",      "duration",   "variable", "clock",    "location",
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 71> contextual = {
     "leads",        "to",          "no",        "deadlock", "timelock",   "all",      "steps",    "exactly",
     "one",          "of",          "uppaal",    "ctl",      "ltl",        "observer", "schedule", "implies",
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
-    "between",      "until",       "precedes",  "constant", "times",      "fault",    "program"};
+    "between",      "until",       "precedes",  "constant", "times",      "fault",    "program",  "any"};
 
 /// True if a name may begin with the character that contains `byte`. Characters beyond ASCII are accepted here; the
 /// lexer checks them.
@@ -136,7 +136,14 @@ IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
         }
         if (seen == "(") ++brackets;
         if (seen == ")" && brackets > 0) --brackets;
-        if (seen == "{") {
+        if (seen == "]") {  // an index does not change the declaration
+            const auto index = std::ranges::find(half.words.rbegin(), half.words.rend(), "[");
+            if (index != half.words.rend()) half.words.erase(std::prev(index.base()), half.words.end());
+        } else if (seen == "{" && !half.blocks.empty() && !half.words.empty() && half.words.front() == "for") {
+            half.blocks.push_back(half.blocks.back());  // the same declarations as outside of the replication
+            half.words.clear();
+            brackets = 0;
+        } else if (seen == "{") {
             half.blocks.push_back(std::move(half.words));
             half.words.clear();
             brackets = 0;

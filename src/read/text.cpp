@@ -225,12 +225,12 @@ void take_components(ReadState& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
         if (loop == nullptr) continue;
-        for (const tree::LoopItem& item : loop->items) {
+        each_item(loop->items, [&](const tree::LoopItem& item) {
             if (const auto* instance = std::get_if<tree::Instance>(&item))
                 take_from_library(reading, std::string(file.text(instance->component)));
             if (const auto* fault = std::get_if<tree::Fault>(&item))
                 take_from_library(reading, std::string(file.text(fault->behaviour.component)));
-        }
+        });
     }
 }
 

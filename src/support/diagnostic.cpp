@@ -17,8 +17,28 @@
 namespace grafverif {
 
 void Diagnostics::add(Diagnostic diagnostic) {
-    if (diagnostic.severity == Severity::Error) ++errors_;
-    if (stored_.size() < 2 * limit && errors_ <= limit) stored_.push_back(std::move(diagnostic));
+    const bool error = diagnostic.severity == Severity::Error;
+    if (error) ++errors_;
+    // True for the same problem in another copy of a replicated declaration, whose context has the same position.
+    const auto in_other_copy = [&](const Diagnostic& known) {
+        return context_ && !known.notes.empty() && known.notes.back().where.begin == context_->where.begin &&
+               known.notes.back().message != context_->message;
+    };
+    const auto same = [&](const Diagnostic& known) {
+        return known.code == diagnostic.code && known.where.source == diagnostic.where.source &&
+               known.where.begin == diagnostic.where.begin &&
+               (known.message == diagnostic.message || in_other_copy(known));
+    };
+    if (std::ranges::any_of(stored_, same)) {
+        if (error) ++repeated_;
+        return;
+    }
+    if (context_) diagnostic.notes.push_back(*context_);
+    if (stored_.size() < 2 * limit && distinct_errors() <= limit) stored_.push_back(std::move(diagnostic));
+}
+
+std::optional<Diagnostic> Diagnostics::set_context(std::optional<Diagnostic> note) {
+    return std::exchange(context_, std::move(note));
 }
 
 namespace {

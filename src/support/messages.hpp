@@ -46,6 +46,10 @@ Diagnostic decimal_number(Span where, std::string_view text);
 Diagnostic number_too_large(Span where);
 Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit);
 Diagnostic too_deep(Span where, std::size_t limit);
+Diagnostic empty_replication(Span where, std::string_view index, std::int64_t low, std::int64_t high);
+Diagnostic expansion_too_large(Span where, std::size_t limit);
+/// Note: `values` are those of the index variables of a copy, such as `i = 3`.
+Diagnostic in_copy(Span where, std::string_view values);
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant);
 Diagnostic single_equals(Span where, std::string_view what, std::string_view meant);
 Diagnostic missing_semicolon(Span where);

@@ -74,6 +74,30 @@ Diagnostic too_deep(Span where, std::size_t limit) {
                  fmt::format("the expression is nested deeper than {} levels; use internal variables", limit));
 }
 
+Diagnostic too_many_indices(Span where, std::size_t limit) {
+    return error("too-deep", where, fmt::format("the name has more than {} indices; remove some of them", limit));
+}
+
+Diagnostic blocks_too_deep(Span where, std::size_t limit) {
+    return error("too-deep", where,
+                 fmt::format("the blocks are nested deeper than {} levels; reduce the nesting", limit));
+}
+
+Diagnostic empty_replication(Span where, std::string_view index, std::int64_t low, std::int64_t high) {
+    return error(
+        "bad-range", where,
+        fmt::format("the range {}..{} of `{}` is empty; write the lower bound first", low, high, clipped(index)));
+}
+
+Diagnostic expansion_too_large(Span where, std::size_t limit) {
+    return error("too-large", where,
+                 fmt::format("the copies contain more than {} declarations and terms; reduce the range", limit));
+}
+
+Diagnostic in_copy(Span where, std::string_view values) {
+    return note(where, fmt::format("in the copy with `{}`", values));
+}
+
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant) {
     return with_fix(
         error("other-spelling", where, fmt::format("`{}` is not an operator here; write `{}`", seen, meant)), where,

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
 #include "support/messages_fault.hpp"
@@ -75,21 +77,32 @@ Diagnostic missing_initially(Span where, std::string_view component, std::string
         fmt::format("`{}` has no initial location; write `initially` and one of {}", clipped(component), locations));
 }
 
+namespace {
+
+/// Returns a name for an instance that drives a variable: `START_any`, `FULL_any[3]`.
+std::string driver(std::string_view variable) {
+    return std::string(variable).insert(std::min(variable.find('['), variable.size()), "_any");
+}
+
+}  // namespace
+
 Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean, Span loop) {
-    const std::string cure = boolean
-                                 ? fmt::format("environment {0}_any = free(OUT = {0});", clipped(input))
-                                 : fmt::format("environment {0}_any = free_integer(OUT = {0}, ...);", clipped(input));
+    const std::string cure =
+        boolean
+            ? fmt::format("environment {1} = free(OUT = {0});", clipped(input), clipped(driver(input)))
+            : fmt::format("environment {1} = free_integer(OUT = {0}, ...);", clipped(input), clipped(driver(input)));
     Diagnostic diagnostic =
         error("undriven-input", where,
               fmt::format("the input `{}` of `{}` is not driven; write `{}`", clipped(input), clipped(reader), cure));
     if (!boolean) return diagnostic;
     const Span before_end = {loop.source, loop.end - 1, loop.end - 1};
     return with_fix(std::move(diagnostic), before_end,
-                    fmt::format("    environment {0}_any = free(OUT = {0});\n", input));
+                    fmt::format("    environment {1} = free(OUT = {0});\n", input, driver(input)));
 }
 
 Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion) {
-    std::string cure = fmt::format("write `environment {0}_any = free(OUT = {0});`", clipped(variable));
+    std::string cure =
+        fmt::format("write `environment {1} = free(OUT = {0});`", clipped(variable), clipped(driver(variable)));
     if (!suggestion.empty()) cure = fmt::format("did you mean `{}`?", clipped(suggestion));
     Diagnostic diagnostic =
         error("undriven-input", where, fmt::format("`{}` is not driven; {}", clipped(variable), cure));

@@ -32,6 +32,11 @@ Diagnostic unknown_location(Span where, std::string_view name, std::string_view 
 }
 
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
+    if (first.source == where.source && first.begin == where.begin)
+        return error("duplicate-name", where,
+                     fmt::format("the {} `{}` is declared in several copies; add an index to its name, or move "
+                                 "the declaration out of the replication",
+                                 kind, clipped(name)));
     Diagnostic diagnostic = error("duplicate-name", where,
                                   fmt::format("a second {} is named `{}`; rename one of them", kind, clipped(name)));
     diagnostic.notes.push_back(note(first, "the first one is here"));

@@ -33,4 +33,7 @@ Diagnostic confusable_names(Span where, std::string_view name, std::string_view 
 /// Two partial charts that are active simultaneously force one partial chart to different situations.
 Diagnostic forced_differently(Span where, std::string_view chart, Span first);
 
+Diagnostic too_many_indices(Span where, std::size_t limit);
+Diagnostic blocks_too_deep(Span where, std::size_t limit);
+
 }  // namespace grafverif::messages

@@ -48,6 +48,7 @@ exe 'syn match grafcetModifier /' . s:free . 'urgent\|timed\)\>\%(\s*$\|\s\+' . 
 exe 'syn match grafcetModifier /' . s:free . 'initial\|linked\|entry\|exit\|macro\|enclosing\)\>' .
             \ '\%(\s*$\|\s\+\%(initial\|linked\|entry\|exit\|macro\|enclosing\|step\|location\)\>\)\@=/'
 exe 'syn match grafcetPattern /' . s:free . 'uppaal\|ctl\|ltl\)\>\%(\s*\%($\|"\)\)\@=/'
+exe 'syn match grafcetPattern /' . s:free . 'all\|any\)\>\%(\s*(\)\@=/'
 exe 'syn match grafcetEdge /' . s:free . 'rise\|fall\)\>\%(\s*(\)\@=/'
 syn match grafcetEdge /[↑↓]/
 
@@ -70,7 +71,7 @@ syn match grafcetType /\%(:\s*\)\@<=\%(bool\|int\|duration\)\>\%(\s*\%(->\|\%(le
 
 " Names at their declaration.
 syn match grafcetTypeName /\<\%(\%(and\|or\|when\|do\)\>\)\@!\K\k*/ contained
-syn match grafcetTypeName /\%([:=!<>]\@1<!=\s*\)\@<=\%(\%(not\|rise\|fall\)\>\)\@!\<\K\k*\%(\s*(\)\@=/
+syn match grafcetTypeName /\%([:=!<>]\@1<!=\s*\)\@<=\%(\%(not\|rise\|fall\|all\|any\)\>\)\@!\<\K\k*\%(\s*(\)\@=/
 syn match grafcetBlockName /\<\K\k*\%(\s*\%({\|$\)\)\@=/ contained
 syn match grafcetStepName /\<\%(\%(and\|or\|when\|do\|step\|transition\|input\|output\|internal\)\>\)\@!\k\+/ contained
 syn match grafcetLabel /\<\k\+\%(\s*:\)\@=/ contained

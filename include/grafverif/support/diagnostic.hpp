@@ -37,17 +37,25 @@ class Diagnostics {
 public:
     static constexpr std::size_t limit = 50;
 
+    /// Adds a diagnostic. An equal diagnostic is counted but not stored again, and neither is a diagnostic with the same
+    /// code and position in another copy of a replicated declaration.
     void add(Diagnostic diagnostic);
+    /// Sets the note that is added to the following diagnostics, such as the copy of a replicated declaration. Returns
+    /// the previous note.
+    std::optional<Diagnostic> set_context(std::optional<Diagnostic> note);
 
     bool has_errors() const { return errors_ != 0; }
     std::size_t errors() const { return errors_; }
+    /// Number of errors that are not repetitions of stored diagnostics.
+    std::size_t distinct_errors() const { return errors_ - repeated_; }
     const std::vector<Diagnostic>& all() const { return stored_; }
     /// True if there are at least `limit` errors. Further errors are not stored, so that a reader may stop early.
-    bool full() const { return errors_ >= limit; }
+    bool full() const { return distinct_errors() >= limit; }
 
 private:
     std::vector<Diagnostic> stored_ = {};
-    std::size_t errors_ = 0;
+    std::optional<Diagnostic> context_ = {};
+    std::size_t errors_ = 0, repeated_ = 0;
 };
 
 enum class Colour { Plain, Ansi };

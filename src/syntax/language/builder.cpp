@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 
 namespace grafverif::tree {
 
@@ -19,26 +20,25 @@ void Builder::broken() {
 }
 
 void Builder::lost() {
-    take_broken();
+    broken_ = replicated_ = false;
     file_->broken = file_->incomplete = true;
 }
 
-bool Builder::take_broken() { return std::exchange(broken_, false); }
-
 Chart Builder::chart(Name name, std::vector<ChartItem> items, Span where) {
-    return {name, std::move(items), where, take_broken()};
+    return {name, std::move(items), where, std::exchange(broken_, false), std::exchange(replicated_, false)};
 }
 
 Component Builder::component(Name name, Component body, Span where) {
-    return {name, std::move(body.parameters), std::move(body.items), where, take_broken()};
+    return {name,  std::move(body.parameters),    std::move(body.items),
+            where, std::exchange(broken_, false), std::exchange(replicated_, false)};
 }
 
 Component Builder::component_body(std::vector<Variables> parameters, std::vector<ComponentItem> items) const {
-    return {{}, std::move(parameters), std::move(items), {}, false};
+    return {{}, std::move(parameters), std::move(items), {}, false, false};
 }
 
 ClosedLoop Builder::loop(Name name, std::vector<LoopItem> items, Span where) {
-    return {name, std::move(items), where, take_broken()};
+    return {name, std::move(items), where, std::exchange(broken_, false), std::exchange(replicated_, false)};
 }
 
 Variables Builder::variables(VariableKind kind, Variables variables, Span where) const {
@@ -181,22 +181,53 @@ Id<Expr> Builder::duration(std::int64_t milliseconds, Span where) {
     return id;
 }
 
-Id<Expr> Builder::name(Name name) {
-    const Id<Expr> id = constant(Op::Name, name.where);
+/// Returns a node with the word of `name`. Its operands are the owner, if any, and the indices of the name.
+Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {
+    const Id<Expr> id = owner.valid() ? node(op, {owner}, where) : constant(op, where);
     file_->exprs[id].word = name.word;
+    for (Id<Expr> index = name.index; index.valid(); index = file_->exprs[index].next) {
+        append(file_->exprs, id, index);
+        file_->exprs[id].depth =
+            std::max(file_->exprs[id].depth, static_cast<std::uint16_t>(file_->exprs[index].depth + 1));
+    }
     return id;
 }
 
-Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) {
-    const Id<Expr> id = node(Op::Member, {owner}, where);
-    file_->exprs[id].word = name.word;
-    return id;
-}
+Id<Expr> Builder::name(Name name) { return named_node(Op::Name, {}, name, name.where); }
+
+Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) { return named_node(Op::Member, owner, name, where); }
 
 Id<Expr> Builder::place(Id<Expr> owner, Name location, Span where) {
-    const Id<Expr> id = node(Op::In, {owner}, where);
-    file_->exprs[id].word = location.word;
-    return id;
+    return named_node(Op::In, owner, location, where);
+}
+
+Name Builder::indexed(Name name, Id<Expr> index) {
+    replicated_ = true;
+    if (!name.index.valid()) {
+        name.index = index;
+        return name;
+    }
+    std::size_t count = 1;
+    Id<Expr> last = name.index;
+    for (; file_->exprs[last].next.valid(); ++count) last = file_->exprs[last].next;
+    if (count < most_indices) {
+        file_->exprs[last].next = index;
+        return name;
+    }
+    if (too_deep_.begin != name.where.begin)
+        diagnostics_->add(messages::too_many_indices(file_->exprs[index].where, most_indices));
+    too_deep_ = name.where;
+    broken();
+    return name;
+}
+
+Replication Builder::replication(Name index, Range range, Span where) {
+    replicated_ = true;
+    return {index, range, where};
+}
+
+Id<Expr> Builder::replicated(Op op, const Replication& replication, Id<Expr> term, Span where) {
+    return node(op, {name(replication.index), replication.range.low, replication.range.high, term}, where);
 }
 
 Id<Expr> Builder::unary(Op op, Id<Expr> operand, Span where) { return node(op, {operand}, where); }

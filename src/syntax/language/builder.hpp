@@ -59,6 +59,10 @@ public:
     Id<tree::Expr> number(tree::Name digits);
     Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
     Id<tree::Expr> name(tree::Name name);
+    /// Returns `name` with one more index.
+    tree::Name indexed(tree::Name name, Id<tree::Expr> index);
+    tree::Replication replication(tree::Name index, tree::Range range, Span where);
+    Id<tree::Expr> replicated(tree::Op op, const tree::Replication& replication, Id<tree::Expr> term, Span where);
     Id<tree::Expr> member(Id<tree::Expr> owner, tree::Name name, Span where);
     Id<tree::Expr> place(Id<tree::Expr> owner, tree::Name name, Span where);
     Id<tree::Expr> unary(tree::Op op, Id<tree::Expr> operand, Span where);
@@ -69,11 +73,13 @@ public:
 
 private:
     Id<tree::Expr> node(tree::Op op, std::initializer_list<Id<tree::Expr>> operands, Span where);
+    Id<tree::Expr> named_node(tree::Op op, Id<tree::Expr> owner, tree::Name name, Span where);
     bool take_broken();
 
     tree::File* file_;
     Diagnostics* diagnostics_;
     bool broken_ = false;
+    bool replicated_ = false;
     /// Position of the last expression that was reported as too deep. Enclosing expressions are not reported again.
     Span too_deep_ = {};
 };

@@ -148,6 +148,7 @@ std::string expectation(std::span<const Symbol> expected) {
     for (const Symbol symbol : expected) {
         if (patterns && (symbol == Symbols::S_NO || symbol == Symbols::S_EXACTLY)) items.push_back(shown(symbol));
         if (symbol == Symbols::S_RESUME || (names && is_word(symbol))) continue;
+        if (symbol == Symbols::S_INDEX && expected.size() > 1) continue;  // an index is possible after most names
         if (expressions && begins_expression(symbol)) continue;
         if (operators && is_operator(symbol)) continue;
         if (group != nullptr && (is_word(symbol) || symbol < Symbols::S_CONSTRAINT)) continue;

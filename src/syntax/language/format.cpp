@@ -175,7 +175,7 @@ public:
     }
 
 private:
-    std::string text(tree::Name name) const { return std::string(file_.text(name)); }
+    std::string text(tree::Name name) const { return formatted(file_, name); }
 
     void one_line(Span where, const std::string& text) { lines(where, {text}); }
 
@@ -215,6 +215,12 @@ private:
     void item(const tree::Partial& partial) {
         const bool expansion = partial.kind == tree::PartialKind::Expansion;
         block((expansion ? "expansion " : "partial ") + text(partial.name), partial.items, partial.where);
+    }
+
+    template <class Replicated>
+    requires requires(const Replicated& written) { written.replication; }
+    void item(const Replicated& written) {
+        block("for " + formatted(file_, written.replication), written.items, written.where);
     }
 
     void item(const tree::Observer& observer) {

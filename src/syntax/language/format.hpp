@@ -20,5 +20,9 @@ void format(const tree::File& file, std::ostream& out);
 std::string formatted(const tree::File& file);
 /// Returns an expression in the notation of `format`.
 std::string formatted(const tree::File& file, Id<tree::Expr> expression);
+/// Returns a name with its indices: `slot[i][2]`.
+std::string formatted(const tree::File& file, tree::Name name);
+/// Returns `i in 1..4`.
+std::string formatted(const tree::File& file, const tree::Replication& replication);
 
 }  // namespace grafverif

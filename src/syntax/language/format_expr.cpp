@@ -37,6 +37,9 @@ int precedence(tree::Op op) {
     case tree::Op::Name:
     case tree::Op::Member:
     case tree::Op::In:
+    case tree::Op::All:
+    case tree::Op::Any:
+    case tree::Op::Each:
     case tree::Op::Rise:
     case tree::Op::Fall: return 7;
     }
@@ -54,16 +57,25 @@ public:
         case tree::Op::True: text += "true"; return;
         case tree::Op::Number: text += std::to_string(node.value); return;
         case tree::Op::Duration: text += duration_text(node.value); return;
-        case tree::Op::Name: text += file_->text(node.word); return;
+        case tree::Op::Name: print(node.word, node.first); return;
         case tree::Op::Member:
-            print(node.first);
-            text += '.';
-            text += file_->text(node.word);
-            return;
         case tree::Op::In:
             print(node.first);
-            text += " in ";
-            text += file_->text(node.word);
+            text += node.op == tree::Op::In ? " in " : ".";
+            print(node.word, file_->exprs[node.first].next);
+            return;
+        case tree::Op::All:
+        case tree::Op::Any:
+            text += node.op == tree::Op::All ? "all(" : "any(";
+            print(replication(*file_, node));
+            text += ": ";
+            print(node.last);
+            text += ')';
+            return;
+        case tree::Op::Each:
+            print(node.last);
+            text += " for ";
+            print(replication(*file_, node));
             return;
         case tree::Op::Rise:
         case tree::Op::Fall:
@@ -78,6 +90,24 @@ public:
             return;
         default: infix(node);
         }
+    }
+
+    /// Prints a name with its indices, the first of which is `index`.
+    void print(Id<tree::Word> word, Id<tree::Expr> index) {
+        text += file_->text(word);
+        for (; index.valid(); index = file_->exprs[index].next) {
+            text += '[';
+            print(index);
+            text += ']';
+        }
+    }
+
+    void print(const tree::Replication& replication) {
+        print(replication.index.word, {});
+        text += " in ";
+        print(replication.range.low);
+        text += "..";
+        print(replication.range.high);
     }
 
     std::string text = {};
@@ -120,6 +150,18 @@ private:
 std::string formatted(const tree::File& file, Id<tree::Expr> expression) {
     ExprPrinter printer(file);
     printer.print(expression);
+    return std::move(printer.text);
+}
+
+std::string formatted(const tree::File& file, tree::Name name) {
+    ExprPrinter printer(file);
+    printer.print(name.word, name.index);
+    return std::move(printer.text);
+}
+
+std::string formatted(const tree::File& file, const tree::Replication& replication) {
+    ExprPrinter printer(file);
+    printer.print(replication);
     return std::move(printer.text);
 }
 

@@ -16,8 +16,6 @@ namespace {
 constexpr std::size_t widest = 120;       ///< longer lines are broken if possible
 constexpr std::size_t comfortable = 100;  ///< maximum length of an element that can also be written on several lines
 
-std::string text(const tree::File& file, tree::Name name) { return std::string(file.text(name)); }
-
 std::string joined(const std::vector<std::string>& parts) {
     std::string line;
     for (const std::string& part : parts) line += (line.empty() ? "" : ", ") + part;
@@ -26,7 +24,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 std::string names(const tree::File& file, const std::vector<tree::Name>& written) {
     std::vector<std::string> parts;
-    for (const tree::Name name : written) parts.push_back(text(file, name));
+    for (const tree::Name name : written) parts.push_back(formatted(file, name));
     return joined(parts);
 }
 
@@ -48,7 +46,7 @@ Lines filled(const std::string& head, const std::vector<std::string>& parts, con
 }
 
 std::string variable(const tree::File& file, const tree::Variable& written) {
-    std::string line = text(file, written.name);
+    std::string line = formatted(file, written.name);
     switch (written.type) {
     case tree::TypeWord::None: break;
     case tree::TypeWord::Bool: line += ": bool"; break;
@@ -67,7 +65,7 @@ std::vector<std::string> variables(const tree::File& file, const tree::Variables
 }
 
 std::string assignment(const tree::File& file, const tree::Assignment& written) {
-    return text(file, written.target) + " := " + formatted(file, written.value);
+    return formatted(file, written.target) + " := " + formatted(file, written.value);
 }
 
 std::string assignments(const tree::File& file, const std::vector<tree::Assignment>& written) {
@@ -115,7 +113,7 @@ Lines item_lines(const tree::File& file, const tree::Constraint& written, std::s
 
 Lines item_lines(const tree::File& file, const tree::Transition& written, std::size_t column) {
     std::string head = "transition ";
-    if (written.name.valid()) head += text(file, written.name) + ": ";
+    if (written.name.valid()) head += formatted(file, written.name) + ": ";
     if (!written.from.empty()) head += names(file, written.from) + ' ';
     head += "->";
     if (!written.to.empty()) head += ' ' + names(file, written.to);
@@ -123,7 +121,7 @@ Lines item_lines(const tree::File& file, const tree::Transition& written, std::s
 }
 
 Lines item_lines(const tree::File& file, const tree::ContinuousAction& written, std::size_t) {
-    std::string line = text(file, written.output);
+    std::string line = formatted(file, written.output);
     if (written.condition.valid()) line += " if " + formatted(file, written.condition);
     if (written.delay.valid()) line += " after " + formatted(file, written.delay);
     if (written.limit.valid()) line += " for " + formatted(file, written.limit);
@@ -149,7 +147,7 @@ Lines item_lines(const tree::File& file, const tree::ForcingOrder& written, std:
     case tree::ForcedTo::Initial: situation = "INIT"; break;
     case tree::ForcedTo::Steps: situation = names(file, written.steps); break;
     }
-    return {"force " + text(file, written.chart) + " := {" + situation + "};"};
+    return {"force " + formatted(file, written.chart) + " := {" + situation + "};"};
 }
 
 std::string step_head(const tree::File& file, const tree::Step& step) {
@@ -160,7 +158,7 @@ std::string step_head(const tree::File& file, const tree::Step& step) {
     if (step.exit) head += "exit ";
     if (step.kind == tree::StepKind::Macro) head += "macro ";
     if (step.kind == tree::StepKind::Enclosing) head += "enclosing ";
-    head += "step " + text(file, step.name);
+    head += "step " + formatted(file, step.name);
     if (step.kind == tree::StepKind::Macro) head += " expands " + names(file, step.contents);
     if (step.kind == tree::StepKind::Enclosing) head += " encloses " + names(file, step.contents);
     return head;
@@ -189,7 +187,7 @@ Lines item_lines(const tree::File& file, const tree::Clocks& written, std::size_
 
 Lines item_lines(const tree::File& file, const tree::Location& written, std::size_t) {
     std::string line = written.initial ? "initial location " : "location ";
-    line += text(file, written.name);
+    line += formatted(file, written.name);
     if (written.invariant.valid()) line += " invariant " + formatted(file, written.invariant);
     if (!written.values.empty()) line += " with " + assignments(file, written.values);
     return {line + ';'};
@@ -197,12 +195,12 @@ Lines item_lines(const tree::File& file, const tree::Location& written, std::siz
 
 Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t column) {
     const std::string head =
-        (written.urgent ? "urgent " : "timed ") + text(file, written.from) + " -> " + text(file, written.to);
+        (written.urgent ? "urgent " : "timed ") + formatted(file, written.from) + " -> " + formatted(file, written.to);
     return guarded(file, head, written.condition, written.assignments, column);
 }
 
 std::string component_head(const tree::File& file, const tree::Component& component) {
-    const std::string head = "component " + text(file, component.name) + '(';
+    const std::string head = "component " + formatted(file, component.name) + '(';
     std::vector<std::string> parts;  // complete groups, or single variables if a group is too long
     for (const tree::Variables& group : component.parameters) {
         const std::string word = group.kind == tree::VariableKind::Input    ? "input "
@@ -236,7 +234,7 @@ std::string component_head(const tree::File& file, const tree::Component& compon
 // -- closed loops -----------------------------------------------------------------------------------------------------
 
 Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t) {
-    std::string line = "controller " + text(file, written.chart);
+    std::string line = "controller " + formatted(file, written.chart);
     if (written.cycle.least.valid()) line += " every " + formatted(file, written.cycle.least);
     if (written.cycle.most.valid()) line += ".." + formatted(file, written.cycle.most);
     if (!written.options.empty()) line += " with " + names(file, written.options);
@@ -244,15 +242,15 @@ Lines item_lines(const tree::File& file, const tree::Controller& written, std::s
 }
 
 Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t) {
-    return {"grain " + text(file, written.name) + ';'};
+    return {"grain " + formatted(file, written.name) + ';'};
 }
 
 Lines item_lines(const tree::File& file, const tree::Schedule& written, std::size_t) {
-    return {"schedule " + text(file, written.name) + ';'};
+    return {"schedule " + formatted(file, written.name) + ';'};
 }
 
 Lines item_lines(const tree::File& file, const tree::ObserverEdge& written, std::size_t column) {
-    const std::string head = text(file, written.from) + " -> " + text(file, written.to);
+    const std::string head = formatted(file, written.from) + " -> " + formatted(file, written.to);
     return guarded(file, head, written.condition, written.assignments, column);
 }
 
@@ -264,28 +262,29 @@ namespace {
 
 /// Returns the instance; `head` precedes the name of the component.
 Lines instance_lines(const tree::File& file, std::string head, const tree::Instance& written, std::size_t column) {
-    head += text(file, written.component) + '(';
+    head += formatted(file, written.component) + '(';
     std::vector<std::string> parts;
     for (const tree::Argument& argument : written.arguments)
-        parts.push_back(text(file, argument.parameter) + " = " + formatted(file, argument.value));
-    const std::string tail = written.initial.valid() ? ") initially " + text(file, written.initial) + ';' : ");";
+        parts.push_back(formatted(file, argument.parameter) + " = " + formatted(file, argument.value));
+    const std::string tail = written.initial.valid() ? ") initially " + formatted(file, written.initial) + ';' : ");";
     return filled(head, parts, tail, column);
 }
 
 }  // namespace
 
 Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column) {
-    const std::string head = (written.environment ? "environment " : "plant ") + text(file, written.name) + " = ";
+    const std::string head = (written.environment ? "environment " : "plant ") + formatted(file, written.name) + " = ";
     return instance_lines(file, head, written, column);
 }
 
 Lines item_lines(const tree::File& file, const tree::Fault& written, std::size_t column) {
-    const std::string head = "fault " + text(file, written.behaviour.name) + " of " + text(file, written.of) + ": ";
+    const std::string head =
+        "fault " + formatted(file, written.behaviour.name) + " of " + formatted(file, written.of) + ": ";
     return instance_lines(file, head, written.behaviour, column);
 }
 
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column) {
-    std::string head = "property " + text(file, written.name);
+    std::string head = "property " + formatted(file, written.name);
     if (!written.text.empty()) head += " \"" + written.text + '"';
     if (written.expected_violated) head += " expected violated";
     head += ':';

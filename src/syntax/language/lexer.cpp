@@ -56,6 +56,7 @@ bool begins_block(Parser::symbol_kind_type kind) {
     case Symbols::S_PARTIAL:
     case Symbols::S_EXPANSION:
     case Symbols::S_OBSERVER:
+    case Symbols::S_FOR:
     case Symbols::S_STEP: return true;
     default: return false;
     }
@@ -113,6 +114,11 @@ Token Lexer::next() {
     }
     if (nests_too_deep(token.kind())) {
         Token error = broken(messages::too_deep(token.location, deepest_expression));
+        token.clear();
+        token.move(error);
+    }
+    if (token.kind() == Symbols::S_OPEN && blocks_.size() >= deepest_block) {
+        Token error = broken(messages::blocks_too_deep(token.location, deepest_block));
         token.clear();
         token.move(error);
     }
@@ -213,11 +219,18 @@ Span Lexer::operator_of_ctl() const {
     return is_letter && earlier_ == Symbols::S_COLON ? spanning(before_where_, both) : Span{};
 }
 
+/// Reports an operator of CTL or UPPAAL that begins a pattern, with the keyword of the language.
+std::optional<Token> Lexer::error_of_ctl() {
+    const Span where = operator_of_ctl();
+    if (!where.source.valid()) return {};
+    const std::string pattern = pattern_of(seen_text(where));
+    if (pattern.empty()) return {};
+    return broken(messages::other_pattern(where, seen_text(where), pattern));
+}
+
 Token Lexer::other_spelling(Parser::token_kind_type kind, std::string_view meant) {
     begin_element();
-    if (const Span where = operator_of_ctl(); where.source.valid())
-        if (const std::string pattern = pattern_of(seen_text(where)); !pattern.empty())
-            return broken(messages::other_pattern(where, seen_text(where), pattern));
+    if (const auto error = error_of_ctl()) return *error;
     report(messages::other_spelling(here_, match_, meant));
     return {kind, here_};
 }
@@ -234,10 +247,14 @@ Token Lexer::unterminated_string() {
 
 Token Lexer::unexpected_character() {
     begin_element();
-    if (const Span where = operator_of_ctl(); where.source.valid())
-        if (const std::string pattern = pattern_of(seen_text(where)); !pattern.empty())
-            return broken(messages::other_pattern(where, seen_text(where), pattern));
     return broken(messages::unexpected_character(here_, match_));
+}
+
+/// Reads the `[` of an index.
+Token Lexer::index() {
+    begin_element();
+    if (const auto error = error_of_ctl()) return *error;
+    return {Parser::token::INDEX, here_};
 }
 
 /// Reports a lexical error; the parser resumes at the next declaration.
@@ -258,6 +275,7 @@ void Lexer::report(Diagnostic diagnostic) {
 bool Lexer::nests_too_deep(Kind next) const {
     switch (next) {
     case Symbols::S_LEFT:
+    case Symbols::S_INDEX:
     case Symbols::S_NOT:
     case Symbols::S_NOT_WORD:
     case Symbols::S_MINUS:
@@ -275,9 +293,10 @@ void Lexer::consumed() {
     case Symbols::S_MINUS:
     case Symbols::S_UP:
     case Symbols::S_DOWN: ++prefixes_; break;
-    case Symbols::S_LEFT: ++brackets_; break;
+    case Symbols::S_LEFT:
+    case Symbols::S_INDEX: ++brackets_; break;
     default:
-        if (last_ == Symbols::S_RIGHT && brackets_ > 0) --brackets_;
+        if ((last_ == Symbols::S_RIGHT || last_ == Symbols::S_INDEX_END) && brackets_ > 0) --brackets_;
         if (last_ == Symbols::S_SEMICOLON || last_ == Symbols::S_OPEN || last_ == Symbols::S_CLOSE) brackets_ = 0;
         prefixes_ = 0;
     }

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -71,6 +72,7 @@ public:
     Token unterminated_comment();
     Token unterminated_string();
     Token unexpected_character();
+    Token index();
 
 private:
     enum class BlockKind { Body, Actions, Set };
@@ -91,6 +93,7 @@ private:
     bool report_missing_brace(Kind seen, Span where, std::span<const Kind> expected);
     bool report_other_notation(Kind seen, Span where, std::span<const Kind> expected);
     Span operator_of_ctl() const;
+    std::optional<Token> error_of_ctl();
     std::string_view seen_text(Span where) const;
 
     const Source* source_;

@@ -68,6 +68,7 @@ bool declares_in_block(Symbol kind) {
     case Symbols::S_FAULT:
     case Symbols::S_OBSERVER:
     case Symbols::S_SCHEDULE:
+    case Symbols::S_FOR:
     case Symbols::S_ACCEPT: return true;
     default: return declares_in_chart(kind);
     }

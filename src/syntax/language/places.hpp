@@ -10,6 +10,10 @@ namespace grafverif {
 
 /// Maximum nesting of brackets and operators in one expression.
 inline constexpr std::size_t deepest_expression = 1000;
+/// Maximum nesting of blocks in braces.
+inline constexpr std::size_t deepest_block = 100;
+/// Maximum number of indices of a name.
+inline constexpr std::size_t most_indices = 8;
 
 /// Returns the empty span immediately after `span`.
 inline Span after(Span span) { return {span.source, span.end, span.end}; }

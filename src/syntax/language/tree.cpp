@@ -33,6 +33,13 @@ void Words::grow() {
     }
 }
 
+Replication replication(const File& file, const Expr& node) {
+    const Expr& index = file.exprs[node.first];
+    const Id<Expr> low = index.next, high = file.exprs[low].next;
+    return {
+        {index.word, index.where}, {low, high}, {index.where.source, index.where.begin, file.exprs[high].where.end}};
+}
+
 void append(Table<Expr>& exprs, Id<Expr> node, Id<Expr> operand) {
     Expr& parent = exprs[node];
     if (parent.last.valid()) exprs[parent.last].next = operand;

@@ -25,10 +25,14 @@ struct Word {
     std::string text = {};
 };
 
+struct Expr;
+
 /// An occurrence of a name; invalid if an optional name is missing.
 struct Name {
     Id<Word> word = {};
-    Span where = {};
+    Span where = {};         ///< position without indices
+    Id<Expr> index = {};     ///< the first of the indices of `FULL[i]`, which are siblings; invalid if there is none
+    std::uint32_t copy = 0;  ///< in a copy of a replicated declaration: number in `File::copies` plus one
     bool valid() const { return word.valid(); }
 };
 
@@ -37,9 +41,12 @@ enum class Op : std::uint8_t {
     True,
     Number,
     Duration,
-    Name,
-    Member,  // Member: operand `.` word
-    In,      // operand `in` word
+    Name,    // word; the operands are indices
+    Member,  // first operand `.` word; further operands are indices
+    In,      // first operand `in` word; further operands are indices
+    All,     // index variable (a Name), lowest and greatest value, term
+    Any,
+    Each,  // element of a list: one term for each value
     Not,
     Rise,
     Fall,
@@ -79,6 +86,13 @@ struct Comment {
 
 struct Range {
     Id<Expr> low = {}, high = {};
+};
+
+/// The range of an index variable: `i in 1..4`.
+struct Replication {
+    Name index = {};
+    Range range = {};
+    Span where = {};
 };
 
 enum class TypeWord { None, Bool, Int, Duration };
@@ -165,7 +179,8 @@ struct Accept {
 };
 
 struct Partial;
-using ChartItem = std::variant<Variables, Constraint, Accept, Step, Transition, Partial>;
+struct ReplicatedChartItems;
+using ChartItem = std::variant<Variables, Constraint, Accept, Step, Transition, Partial, ReplicatedChartItems>;
 
 enum class PartialKind { Partial, Expansion };
 struct Partial {
@@ -175,11 +190,19 @@ struct Partial {
     Span where = {};
 };
 
+/// Declarations that are repeated for each value of an index variable: `for i in 1..4 { ... }`.
+struct ReplicatedChartItems {
+    Replication replication = {};
+    std::vector<ChartItem> items = {};
+    Span where = {};
+};
+
 struct Chart {
     Name name = {};
     std::vector<ChartItem> items = {};
     Span where = {};
-    bool broken = false;  ///< true if the declaration contains a syntax error
+    bool broken = false;      ///< true if the declaration contains a syntax error
+    bool replicated = false;  ///< true if the declaration contains indices, `for`, `all` or `any`
 };
 
 // -- components -------------------------------------------------------------------------------------------------------
@@ -202,7 +225,13 @@ struct Edge {
     std::vector<Assignment> assignments = {};
     Span where = {};
 };
-using ComponentItem = std::variant<Variables, Constraint, Clocks, Location, Edge>;
+struct ReplicatedComponentItems;
+using ComponentItem = std::variant<Variables, Constraint, Clocks, Location, Edge, ReplicatedComponentItems>;
+struct ReplicatedComponentItems {
+    Replication replication = {};
+    std::vector<ComponentItem> items = {};
+    Span where = {};
+};
 
 struct Component {
     Name name = {};
@@ -210,6 +239,7 @@ struct Component {
     std::vector<ComponentItem> items = {};
     Span where = {};
     bool broken = false;
+    bool replicated = false;
 };
 
 // -- closed loops -----------------------------------------------------------------------------------------------------
@@ -283,14 +313,21 @@ struct Observer {
     Span where = {};
 };
 
+struct ReplicatedLoopItems;
 using LoopItem = std::variant<Controller, Variables, Grain, TimeUnit, Schedule, Instance, Fault, Property, Constraint,
-                              Observer, Accept>;
+                              Observer, Accept, ReplicatedLoopItems>;
+struct ReplicatedLoopItems {
+    Replication replication = {};
+    std::vector<LoopItem> items = {};
+    Span where = {};
+};
 
 struct ClosedLoop {
     Name name = {};
     std::vector<LoopItem> items = {};
     Span where = {};
     bool broken = false;
+    bool replicated = false;
 };
 
 // -- files ------------------------------------------------------------------------------------------------------------
@@ -308,6 +345,12 @@ struct PlcProgram {
 };
 using Declaration = std::variant<Include, Chart, Component, ClosedLoop, PlcProgram>;
 
+/// A copy of replicated declarations.
+struct Copy {
+    std::string values = {};  ///< values of the index variables: `i = 3`
+    Span where = {};          ///< position of the replication
+};
+
 struct File {
     Id<Source> source = {};
     Table<Word> words = {};
@@ -317,12 +360,21 @@ struct File {
     std::vector<std::uint32_t> gaps = {};  ///< start of the first element after each blank line, increasing
     bool broken = false;                   ///< true if a syntax error is in a declaration or between declarations
     bool incomplete = false;               ///< true if a declaration is missing because of an error in its head
+    std::vector<Copy> copies = {};         ///< filled by name resolution (syntax/resolve/expand)
 
     std::string_view text(Name name) const { return words[name.word].text; }
     std::string_view text(Id<Word> word) const { return words[word].text; }
 };
 
 Span where(const Declaration& declaration);
+
+/// Calls `visit` for each declaration of a closed loop, also for replicated declarations, once for all copies.
+template <class Visit>
+void each_item(const std::vector<LoopItem>& items, const Visit& visit) {
+    for (const LoopItem& item : items)
+        if (const auto* replicated = std::get_if<ReplicatedLoopItems>(&item)) each_item(replicated->items, visit);
+        else visit(item);
+}
 
 /// Interns words into the table of a file, which must be empty. The parser and printers that build trees use this
 /// class.
@@ -338,6 +390,9 @@ private:
     std::vector<std::size_t> hashes_ = {};   ///< hash of each word
     std::vector<std::uint32_t> slots_ = {};  ///< open addressing: index into words_ plus one; 0 is free
 };
+
+/// Returns the range of an All, Any or Each node.
+Replication replication(const File& file, const Expr& node);
 
 /// Appends `operand` to the operands of `node`.
 void append(Table<Expr>& exprs, Id<Expr> node, Id<Expr> operand);

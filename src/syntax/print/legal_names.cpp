@@ -152,7 +152,8 @@ std::string spelled(Target target, std::string_view name) {
     const std::string ascii = in_ascii(name);
     std::string text;
     if (ascii.empty() || is_digit(ascii.front())) text += '_';
-    for (const char c : ascii) text += is_letter(c) || is_digit(c) ? c : '_';
+    for (const char c : ascii)
+        if (c != ']') text += is_letter(c) || is_digit(c) ? c : '_';  // `FULL[1]`: `FULL_1`
     if (!has_plain_underscores(target)) return text;
     if (target == Target::C && has_reserved_beginning(text)) text.insert(0, "v");
     std::string single;

@@ -3,6 +3,7 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/nearest.hpp"
 
 namespace grafverif {
@@ -133,6 +134,7 @@ void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::S
 
 void resolve_actions(ChartScope& scope, const WrittenChart& written) {
     for (const WrittenStep& step : written.steps) {
+        const InCopy copy(scope.diagnostics, scope.file, step.step->name);
         scope.here = scope.chart.steps[step.id].chart;
         for (const tree::Action& action : step.step->actions) {
             std::visit(

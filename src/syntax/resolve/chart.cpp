@@ -7,6 +7,7 @@
 #include "grafverif/ir/finding.hpp"
 #include "support/messages.hpp"
 #include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
@@ -88,19 +89,11 @@ void resolve_acceptances(ChartScope& scope, const tree::Chart& written, const Wr
     }
 }
 
-}  // namespace
-
-std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
-                                   Recorder record) {
-    const std::size_t errors = diagnostics.errors();
-    ChartScope scope{file, diagnostics, record};
-    scope.chart.name = file.text(written.name);
-    scope.chart.origin = written.name.where;
-    record.declare(DeclarationKind::Chart, scope.chart.name, written.name.where, written.where);
+void resolve_items(ChartScope& scope, const tree::Chart& written) {
     for (const tree::ChartItem& item : written.items)
         if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_variables(scope, *variables);
     const WrittenChart all = declare_steps(scope, written);
-    if (all.steps.empty()) diagnostics.add(messages::empty_chart(written.name.where, scope.chart.name));
+    if (all.steps.empty()) scope.diagnostics.add(messages::empty_chart(written.name.where, scope.chart.name));
     check_step_like(scope);
     resolve_owners(scope, all);
     resolve_actions(scope, all);
@@ -113,6 +106,35 @@ std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& wr
             scope.chart.constraints.push_back({condition, constraint->where});
     }
     resolve_acceptances(scope, written, all);
+}
+
+/// Returns the position of the declaration of a variable, a step variable or a partial chart; empty if there is none.
+std::optional<Span> declared_name(const ChartScope& scope, std::string_view name) {
+    const auto origin_in = [&](const auto& table) {
+        const auto found = std::ranges::find(table, name, [](const auto& each) { return std::string_view(each.name); });
+        return found == table.end() ? std::nullopt : std::optional(found->origin);
+    };
+    if (const auto variable = origin_in(scope.chart.variables)) return variable;
+    if (const auto partial = origin_in(scope.chart.partial_charts)) return partial;
+    const auto steps = name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
+    if (steps == scope.steps_by_name.end()) return {};
+    return scope.chart.steps[steps->second.front()].origin;
+}
+
+}  // namespace
+
+std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
+                                   Recorder record) {
+    const std::size_t errors = diagnostics.errors();
+    tree::File copies;
+    ChartScope scope{written.replicated ? copies : file, diagnostics, record};
+    scope.chart.name = file.text(written.name);
+    scope.chart.origin = written.name.where;
+    record.declare(DeclarationKind::Chart, scope.chart.name, written.name.where, written.where);
+    Expansion expansion{file, copies, diagnostics, record, scope.chart.origin};
+    expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
+    resolve_expanded(expansion, written, [&](const tree::Chart& all) { resolve_items(scope, all); });
+    check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });
     if (record.beyond_errors()) return std::move(scope.chart);
     if (diagnostics.errors() != errors) return {};
     check_reachability(scope.chart, diagnostics);

@@ -54,6 +54,8 @@ struct WrittenChart {
 };
 
 // -- variables.cpp
+/// Returns a resolver of terms that may contain only constants: each name is an error, which names `user`.
+Terms constant_terms(ChartScope& scope, std::string_view user);
 void resolve_variables(ChartScope& scope, const tree::Variables& written);
 /// Reports variables whose name is that of a step variable, or begins with `X` and a digit.
 void check_step_like(ChartScope& scope);

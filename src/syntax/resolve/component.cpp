@@ -5,6 +5,7 @@
 
 #include "support/messages.hpp"
 #include "syntax/resolve/component_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
@@ -60,32 +61,47 @@ void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) 
     scope.component.constraints.push_back({condition, written.where});
 }
 
-}  // namespace
-
-std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
-                                           Diagnostics& diagnostics, Recorder record) {
-    const std::size_t errors = diagnostics.errors();
-    ComponentScope scope{file, diagnostics, record};
-    scope.component.name = file.text(written.name);
-    scope.component.origin = written.name.where;
-    record.declare(DeclarationKind::Component, scope.component.name, written.name.where, written.where);
-    scope.component.summary = summary(file, written);
+void resolve_items(ComponentScope& scope, const tree::Component& written) {
     resolve_parameters(scope, written);
     for (const tree::ComponentItem& item : written.items) {
         if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_own_variables(scope, *variables);
         if (const auto* clocks = std::get_if<tree::Clocks>(&item))
             for (const tree::Name& name : clocks->names)
-                declare(scope, name, scope.component.clocks.add({std::string(file.text(name)), name.where}),
+                declare(scope, name, scope.component.clocks.add({std::string(scope.text(name)), name.where}),
                         name.where);
         if (const auto* location = std::get_if<tree::Location>(&item)) declare_location(scope, *location);
     }
     if (scope.component.locations.empty())
-        diagnostics.add(messages::empty_component(written.name.where, scope.component.name));
+        scope.diagnostics.add(messages::empty_component(written.name.where, scope.component.name));
     for (const tree::ComponentItem& item : written.items) {
         if (const auto* location = std::get_if<tree::Location>(&item)) resolve_location(scope, *location);
         if (const auto* edge = std::get_if<tree::Edge>(&item)) resolve_edge(scope, *edge);
         if (const auto* constraint = std::get_if<tree::Constraint>(&item)) resolve_constraint(scope, *constraint);
     }
+}
+
+/// Returns the position of the declaration of a parameter, a variable or a clock; empty if there is none.
+std::optional<Span> declared_name(const ComponentScope& scope, std::string_view name) {
+    const auto found =
+        std::ranges::find(scope.symbols, name, [&](const auto& symbol) { return scope.file.text(symbol.first); });
+    return found == scope.symbols.end() ? std::nullopt : std::optional(origin(scope.component, found->second));
+}
+
+}  // namespace
+
+std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
+                                           Diagnostics& diagnostics, Recorder record) {
+    const std::size_t errors = diagnostics.errors();
+    tree::File copies;
+    ComponentScope scope{written.replicated ? copies : file, diagnostics, record};
+    scope.component.name = file.text(written.name);
+    scope.component.origin = written.name.where;
+    record.declare(DeclarationKind::Component, scope.component.name, written.name.where, written.where);
+    scope.component.summary = summary(file, written);
+    Expansion expansion{file, copies, diagnostics, record, scope.component.origin};
+    expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
+    resolve_expanded(expansion, written, [&](const tree::Component& all) { resolve_items(scope, all); });
+    check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });
     if (diagnostics.errors() != errors && !record.beyond_errors()) return {};
     return std::move(scope.component);
 }

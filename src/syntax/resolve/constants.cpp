@@ -4,10 +4,10 @@
 #include "syntax/print/constants.hpp"
 
 #include <string>
-#include <vector>
 
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 
 namespace grafverif {
@@ -97,69 +97,71 @@ void declare_constant(LoopScope& scope, const tree::Variable& written) {
         scope.diagnostics.add(messages::initial_out_of_range(scope.file.exprs[written.value].where, constant.name,
                                                              *value, bounds->low, bounds->high));
     set_from_outside(scope, bounds, constant);
-    for (const Named& known : scope.loop.constants)
-        if (known.name == constant.name)
-            scope.diagnostics.add(
-                messages::duplicate_name(written.name.where, "constant", constant.name, known.origin));
+    std::optional<std::size_t>& known = scope.constants[constant.name].number;
+    if (known)
+        scope.diagnostics.add(messages::duplicate_name(written.name.where, "constant", constant.name,
+                                                       scope.loop.constants[*known].origin));
+    else known = scope.loop.constants.size();
     scope.loop.constants.push_back(std::move(constant));
 }
 
 }  // namespace
 
-void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written) {
-    std::vector<const tree::Variable*> all;
-    for (const tree::LoopItem& item : written.items)
+void announce_constants(LoopScope& scope, const tree::File& file, const tree::ClosedLoop& written) {
+    each_item(written.items, [&](const tree::LoopItem& item) {
         if (const auto* group = std::get_if<tree::Variables>(&item))
-            for (const tree::Variable& variable : group->variables) {
-                all.push_back(&variable);
-                scope.below.insert(scope.text(variable.name));
-                scope.constants.emplace(scope.text(variable.name), variable.name.where);
-                scope.record.declare(DeclarationKind::Constant, scope.text(variable.name), variable.name.where,
-                                     variable.where, scope.loop.origin);
-            }
-    for (const tree::Variable* variable : all) {
+            for (const tree::Variable& variable : group->variables)
+                scope.below.emplace(file.text(variable.name), variable.name.where);
+    });
+}
+
+void resolve_constants(LoopScope& scope, const tree::Variables& written) {
+    for (const tree::Variable& variable : written.variables) {
+        const InCopy copy(scope.diagnostics, scope.file, variable.name);
+        const std::string name(scope.text(variable.name));
         const std::size_t errors = scope.diagnostics.errors();
-        declare_constant(scope, *variable);
-        scope.below.erase(scope.text(variable->name));
+        scope.constants.try_emplace(name, LoopScope::Declared{variable.name.where, {}});
+        scope.record.declare(DeclarationKind::Constant, name, variable.name.where, variable.where, scope.loop.origin);
+        declare_constant(scope, variable);
+        scope.below.erase(without_indices(name));
         if (scope.diagnostics.errors() == errors) continue;
-        scope.excused.insert(scope.text(variable->name));
-        scope.valueless.insert(scope.text(variable->name));
+        scope.excused.insert(name);
+        scope.valueless.insert(name);
     }
 }
 
-void check_constant_names(LoopScope& scope) {
-    for (const Named& constant : scope.loop.constants) {
-        const std::string_view name = constant.name;
-        const auto clash = [&](Span first) {
-            scope.diagnostics.add(messages::duplicate_name(constant.origin, "name", name, first));
-        };
-        if (const auto shared = scope.shared.find(constant.name); shared != scope.shared.end())
-            clash(scope.loop.shared[shared->second].origin);
-        for (const Id<ClosedLoop::Controller> id : scope.loop.controllers.ids()) {
-            const LoopScope::Inside& inside = scope.inside[id.index];
-            const auto internal = inside.internals.find(name);
-            if (internal != inside.internals.end()) clash(scope.chart(id).variables[internal->second].origin);
-            const auto steps =
-                name.size() > 1 && name[0] == 'X' ? inside.steps.find(name.substr(1)) : inside.steps.end();
-            if (steps != inside.steps.end()) clash(scope.chart(id).steps[steps->second.front()].origin);
-        }
+std::optional<Span> variable_named(const LoopScope& scope, std::string_view name) {
+    if (const auto shared = scope.shared.find(std::string(name)); shared != scope.shared.end())
+        return scope.loop.shared[shared->second].origin;
+    for (const Id<ClosedLoop::Controller> id : scope.loop.controllers.ids()) {
+        const LoopScope::Inside& inside = scope.inside[id.index];
+        const auto internal = inside.internals.find(name);
+        if (internal != inside.internals.end()) return scope.chart(id).variables[internal->second].origin;
+        const auto steps = name.size() > 1 && name[0] == 'X' ? inside.steps.find(name.substr(1)) : inside.steps.end();
+        if (steps != inside.steps.end()) return scope.chart(id).steps[steps->second.front()].origin;
     }
+    return {};
+}
+
+void check_constant_names(LoopScope& scope) {
+    for (const Named& constant : scope.loop.constants)
+        if (const auto other = variable_named(scope, constant.name))
+            scope.diagnostics.add(messages::duplicate_name(constant.origin, "name", constant.name, *other));
 }
 
 std::optional<Term> constant_named(LoopScope& scope, std::string_view name, Span where) {
     const auto known = scope.constants.find(name);
     if (known == scope.constants.end()) return {};
-    scope.record.refer(where, known->second);
-    for (const Named& constant : scope.loop.constants) {
-        if (constant.name != name) continue;
-        Exprs& exprs = scope.loop.exprs;
-        switch (constant.kind) {
-        case Named::Kind::Boolean: return Term{exprs.constant(constant.value != 0), TermKind::Boolean};
-        case Named::Kind::Integer: return Term{exprs.integer(constant.value), TermKind::Integer};
-        case Named::Kind::Duration: return Term{exprs.duration(constant.value), TermKind::Duration};
-        }
+    scope.record.refer(where, known->second.where);
+    if (!known->second.number) return {};
+    const Named& constant = scope.loop.constants[*known->second.number];
+    Exprs& exprs = scope.loop.exprs;
+    switch (constant.kind) {
+    case Named::Kind::Boolean: return Term{exprs.constant(constant.value != 0), TermKind::Boolean};
+    case Named::Kind::Integer: return Term{exprs.integer(constant.value), TermKind::Integer};
+    case Named::Kind::Duration: return Term{exprs.duration(constant.value), TermKind::Duration};
     }
-    return {};
+    unreachable();
 }
 
 Terms constant_terms(LoopScope& scope, std::string_view user) {
@@ -170,8 +172,13 @@ Terms constant_terms(LoopScope& scope, std::string_view user) {
         if (simple)
             if (const auto constant = constant_named(scope, name, node.where)) return *constant;
         if (simple && scope.valueless.contains(name)) return Term{};
-        if (simple && scope.below.contains(name)) scope.diagnostics.add(messages::constant_below(node.where, name));
-        else scope.diagnostics.add(messages::not_constant(node.where, user));
+        const auto below = simple ? scope.below.find(without_indices(name)) : scope.below.end();
+        if (below != scope.below.end()) {
+            scope.record.refer(node.where, below->second);
+            scope.diagnostics.add(messages::constant_below(node.where, name));
+        } else {
+            scope.diagnostics.add(messages::not_constant(node.where, user));
+        }
         return Term{};
     };
     return terms;

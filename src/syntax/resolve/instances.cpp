@@ -8,6 +8,7 @@
 #include "support/messages.hpp"
 #include "support/messages_fault.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
 
@@ -279,7 +280,7 @@ void choose_location(LoopScope& scope, Binding& binding) {
 void excuse(LoopScope& scope, const tree::Instance& written) {
     for (const tree::Argument& argument : written.arguments) {
         const tree::Expr& value = scope.file.exprs[argument.value];
-        if (value.op == tree::Op::Name) scope.excused.insert(scope.file.text(value.word));
+        if (value.op == tree::Op::Name) scope.excused.emplace(scope.file.text(value.word));
     }
 }
 
@@ -310,6 +311,7 @@ bool bind_constants(LoopScope& scope, Binding& binding) {
 }
 
 Binding bind_instance(LoopScope& scope, const tree::Instance& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.name);
     Binding binding = begin(scope, written, DeclarationKind::Instance, written.where);
     const auto [known, fresh] = scope.instances.try_emplace(scope.text(written.name));
     if (!fresh && known->second.valid())
@@ -432,6 +434,7 @@ void record_parameters(LoopScope& scope, Binding& binding) {
 
 /// `bindings` are the instances, in the order of the table of the loop.
 void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vector<Binding>& bindings) {
+    const InCopy copy(scope.diagnostics, scope.file, written.behaviour.name);
     Binding binding = begin(scope, written.behaviour, DeclarationKind::Fault, written.where);
     record_arguments(scope, written.behaviour);
     const auto& known = scope.loop.faults;
@@ -473,6 +476,7 @@ void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written) {
     }
     for (std::uint32_t index = 0; index < bindings.size(); ++index) {
         Binding& binding = bindings[index];
+        const InCopy copy(scope.diagnostics, scope.file, binding.written->name);
         record_arguments(scope, *binding.written);
         if (binding.wrong) continue;
         bind_inputs(scope, binding);

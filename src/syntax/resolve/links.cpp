@@ -6,6 +6,7 @@
 #include "support/messages.hpp"
 #include "support/unique_names.hpp"
 #include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 
 namespace grafverif {
 
@@ -29,7 +30,7 @@ public:
         const Span first = written_.at(std::string(name));
         scope_->record.declare(DeclarationKind::Transition, name, written.name.where, written.where,
                                scope_->chart.origin);
-        if (first.begin != written.name.where.begin)
+        if (!named_.emplace(name).second)
             scope_->diagnostics.add(messages::duplicate_name(written.name.where, "transition", name, first));
         return std::string(name);
     }
@@ -37,8 +38,16 @@ public:
 private:
     ChartScope* scope_;
     std::unordered_map<std::string, Span> written_ = {};  ///< the first occurrence of each name
+    std::unordered_set<std::string_view> named_ = {};
     UniqueNames names_ = {};
 };
+
+/// Returns a name that is declared in the same copy as the transition; invalid if there is none.
+tree::Name name_in_copy(const tree::Transition& written) {
+    if (written.name.valid()) return written.name;
+    if (!written.from.empty()) return written.from.front();
+    return written.to.empty() ? tree::Name{} : written.to.front();
+}
 
 std::vector<Id<Chart::Step>> side(ChartScope& scope, const std::vector<tree::Name>& labels,
                                   Id<Chart::PartialChart> partial) {
@@ -62,6 +71,7 @@ void resolve_transitions(ChartScope& scope, const WrittenChart& written) {
     TransitionNames names(scope, written);
     for (std::size_t i = 0; i < written.transitions.size(); ++i) {
         const auto& [transition, partial] = written.transitions[i];
+        const InCopy copy(scope.diagnostics, scope.file, name_in_copy(*transition));
         Chart::Transition resolved;
         resolved.name = names.name(*transition, i + 1);
         resolved.chart = partial;

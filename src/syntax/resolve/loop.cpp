@@ -6,6 +6,7 @@
 #include "support/messages_program.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/formula.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
 #include "syntax/resolve/resolve.hpp"
@@ -231,6 +232,7 @@ std::int64_t count_of(LoopScope& scope, Id<tree::Expr> written) {
 
 void resolve_property(LoopScope& scope, const tree::Property& written,
                       std::unordered_map<std::string_view, Span>& names) {
+    const InCopy copy(scope.diagnostics, scope.file, written.name);
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
     scope.record.declare(DeclarationKind::Property, scope.text(written.name), written.name.where, written.where,
                          scope.loop.origin);
@@ -277,6 +279,7 @@ void resolve_queries(LoopScope& scope, const tree::ClosedLoop& written) {
                        [](const tree::Constraint&) {},
                        [](const tree::Observer&) {},
                        [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
+                       [](const tree::ReplicatedLoopItems&) {},  // expanded before
                        [&](const tree::Accept& accept) {
                            scope.diagnostics.add(messages::not_yet(accept.where, "`accept` outside a chart"));
                        },
@@ -300,18 +303,8 @@ void check_driven(LoopScope& scope, Span loop) {
     }
 }
 
-}  // namespace
-
-std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
-                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record) {
-    const std::size_t errors = diagnostics.errors();
-    LoopScope scope{file, context, diagnostics, record};
-    scope.loop.name = file.text(written.name);
-    scope.loop.origin = written.name.where;
-    record.declare(DeclarationKind::Loop, scope.loop.name, written.name.where, written.where);
-    for (const Id<Chart> id : context.model.charts.ids()) scope.charts.emplace(context.model.charts[id].name, id);
-    for (const Id<Component> id : context.model.components.ids())
-        scope.components.emplace(context.model.components[id].name, id);
+/// Resolves all declarations except constants, which precede them.
+void resolve_items(LoopScope& scope, const tree::ClosedLoop& written) {
     bool controlled = false;
     for (const tree::LoopItem& item : written.items) {
         const auto* controller = std::get_if<tree::Controller>(&item);
@@ -319,14 +312,48 @@ std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::Close
         controlled = true;
         resolve_controller(scope, *controller);
     }
-    if (!controlled) diagnostics.add(messages::no_controller(written.name.where, scope.loop.name));
+    if (!controlled) scope.diagnostics.add(messages::no_controller(written.name.where, scope.loop.name));
     share_variables(scope);
     search_inside(scope);
-    resolve_constants(scope, written);
     resolve_instances(scope, written);
     check_constant_names(scope);
     resolve_queries(scope, written);
     if (!scope.incomplete) check_driven(scope, written.where);
+}
+
+/// Returns the position of the declaration of any name in the terms of the loop; empty if there is none.
+std::optional<Span> declared_name(const LoopScope& scope, std::string_view name) {
+    if (const auto constant = scope.constants.find(name); constant != scope.constants.end())
+        return constant->second.where;
+    if (const auto instance = scope.instances.find(name); instance != scope.instances.end())
+        return scope.loop.instances[instance->second].origin;
+    if (const auto observer = scope.observers.find(name); observer != scope.observers.end())
+        return scope.loop.observers[observer->second].origin;
+    return variable_named(scope, name);
+}
+
+}  // namespace
+
+std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
+                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record) {
+    const std::size_t errors = diagnostics.errors();
+    tree::File copies;
+    LoopScope scope{written.replicated ? copies : file, context, diagnostics, record};
+    scope.loop.name = file.text(written.name);
+    scope.loop.origin = written.name.where;
+    record.declare(DeclarationKind::Loop, scope.loop.name, written.name.where, written.where);
+    for (const Id<Chart> id : context.model.charts.ids()) scope.charts.emplace(context.model.charts[id].name, id);
+    for (const Id<Component> id : context.model.components.ids())
+        scope.components.emplace(context.model.components[id].name, id);
+    announce_constants(scope, file, written);
+    if (!written.replicated)
+        for (const tree::LoopItem& item : written.items)
+            if (const auto* constants = std::get_if<tree::Variables>(&item)) resolve_constants(scope, *constants);
+    Expansion expansion{file, copies, diagnostics, record, scope.loop.origin};
+    expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
+    expansion.constants = [&](const tree::Variables& constants) { resolve_constants(scope, constants); };
+    resolve_expanded(expansion, written, [&](const tree::ClosedLoop& all) { resolve_items(scope, all); });
+    check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });
     if (scope.incomplete || diagnostics.errors() != errors) return {};
     return std::move(scope.loop);
 }

@@ -2,12 +2,15 @@
 // LoopScope: symbol tables of a closed loop during name resolution.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
@@ -19,6 +22,12 @@
 namespace grafverif {
 
 struct LoopScope {
+    /// A constant: its position, and its number in `loop.constants` if it has a value.
+    struct Declared {
+        Span where = {};
+        std::optional<std::size_t> number = {};
+    };
+
     const tree::File& file;
     const LoopContext& context;
     Diagnostics& diagnostics;
@@ -33,10 +42,11 @@ struct LoopScope {
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
     /// For each shared variable: the name of the instance that writes it; empty if no instance writes it.
     std::vector<std::string> instance_writers = {};
-    std::unordered_set<std::string_view> excused = {};          ///< names that instances with errors bind and may drive
-    std::unordered_set<std::string_view> below = {};            ///< constants that have not been declared yet
-    std::unordered_set<std::string_view> valueless = {};        ///< constants with an error
-    std::unordered_map<std::string_view, Span> constants = {};  ///< positions of all constants
+    std::set<std::string, std::less<>> excused = {};    ///< names that instances with errors bind and may drive
+    std::set<std::string, std::less<>> valueless = {};  ///< constants with an error
+    /// Positions of constants, by name without indices, that have not been declared yet.
+    std::unordered_map<std::string_view, Span> below = {};
+    std::map<std::string, Declared, std::less<>> constants = {};
     /// True if an element to which the loop refers contains an error; never true beyond errors.
     bool incomplete = false;
 
@@ -59,10 +69,15 @@ struct LoopScope {
 std::string location_list(const Component& component);
 
 // -- constants.cpp
-/// `resolve_constants` is called before all functions that read constants. `check_constant_names` is called when all
-/// other names are known, and reports conflicts of constants with these names.
-void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written);
+/// `announce_constants` is called first, with the declarations before their expansion. `resolve_constants` is called for
+/// each group of constants before all functions that read them.
+void announce_constants(LoopScope& scope, const tree::File& file, const tree::ClosedLoop& written);
+void resolve_constants(LoopScope& scope, const tree::Variables& written);
+/// Reports conflicts of constants with other names, when all names are known.
 void check_constant_names(LoopScope& scope);
+/// Returns the position of the declaration of a shared variable, an internal variable or a step variable; empty if there
+/// is none.
+std::optional<Span> variable_named(const LoopScope& scope, std::string_view name);
 /// Returns the value of the constant `name`, which occurs at `where`, as a term, or nothing if there is no such
 /// constant.
 std::optional<Term> constant_named(LoopScope& scope, std::string_view name, Span where);

@@ -3,6 +3,7 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
 
@@ -43,6 +44,7 @@ void declare_location(LoopScope& scope, Observer& observer, const tree::Location
 }
 
 void declare_observer(LoopScope& scope, const tree::Observer& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.name);
     Observer observer{.name = std::string(scope.text(written.name)), .origin = written.name.where};
     scope.record.declare(DeclarationKind::Observer, observer.name, observer.origin, written.where, scope.loop.origin);
     for (const tree::ObserverItem& item : written.items)
@@ -163,6 +165,7 @@ void resolve_observers(LoopScope& scope, const tree::ClosedLoop& written) {
     for (const tree::LoopItem& item : written.items) {
         const auto* observer = std::get_if<tree::Observer>(&item);
         if (observer == nullptr) continue;
+        const InCopy copy(scope.diagnostics, scope.file, observer->name);
         for (const tree::ObserverItem& part : observer->items)
             if (const auto* edge = std::get_if<tree::ObserverEdge>(&part)) resolve_edge(scope, {index}, *edge);
         ++index;

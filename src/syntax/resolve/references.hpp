@@ -45,10 +45,10 @@ enum class DeclarationKind {
 struct References {
     struct Declaration {
         DeclarationKind kind = DeclarationKind::Chart;
-        std::string name = {};
-        Span where = {};  ///< position of the name
-        Span whole = {};  ///< position of the declaration
-        Span owner = {};  ///< name of the enclosing declaration; without source for a declaration of the file
+        std::string name = {};  ///< without indices
+        Span where = {};        ///< position of the name
+        Span whole = {};        ///< position of the declaration
+        Span owner = {};        ///< name of the enclosing declaration; without source for a declaration of the file
     };
     struct Reference {
         Span where = {};        ///< position of the occurrence; the `X` of a step variable `X2` precedes the name
@@ -63,6 +63,9 @@ struct References {
     std::vector<std::pair<Span, Span>> shared = {};
 };
 
+/// Returns the name of the declaration of which `name` is a copy: `B` for `B[3]`.
+inline std::string_view without_indices(std::string_view name) { return name.substr(0, name.find('[')); }
+
 /// Records in `References` if there are any. The resolution beyond errors has no other purpose than the record: its
 /// diagnostics and its result are meaningless.
 class Recorder {
@@ -75,7 +78,7 @@ public:
 
     void declare(DeclarationKind kind, std::string_view name, Span where, Span whole, Span owner = {}) const {
         if (references_ != nullptr && where.source.valid())  // some variables of PLC programs have no position
-            references_->declarations.push_back({kind, std::string(name), where, whole, owner});
+            references_->declarations.push_back({kind, std::string(without_indices(name)), where, whole, owner});
     }
     void refer(Span where, Span declaration, bool writes = false) const {
         if (references_ != nullptr && declaration.source.valid())

@@ -6,6 +6,7 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 
 namespace grafverif {
 
@@ -26,6 +27,7 @@ Id<Chart::PartialChart> add_partial(ChartScope& scope, std::string_view name, Ch
 }
 
 void declare_step(ChartScope& scope, const tree::Step& written, Id<Chart::PartialChart> partial, WrittenChart& all) {
+    const InCopy copy(scope.diagnostics, scope.file, written.name);
     scope.record.declare(DeclarationKind::Step, scope.text(written.name), written.name.where, written.where,
                          scope.chart.partial_charts[partial].origin);
     const auto [known, fresh] = scope.steps[partial.index].try_emplace(written.name.word);
@@ -53,6 +55,7 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
                    WrittenChart& all);
 
 void declare_partial(ChartScope& scope, const tree::Partial& written, WrittenChart& all) {
+    const InCopy copy(scope.diagnostics, scope.file, written.name);
     const bool expansion = written.kind == tree::PartialKind::Expansion;
     scope.record.declare(DeclarationKind::Partial, scope.text(written.name), written.name.where, written.where,
                          scope.chart.origin);
@@ -73,14 +76,13 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
                    WrittenChart& all) {
     for (const tree::ChartItem& item : items) {
         std::visit(overloaded{
-                       [](const tree::Variables&) {},
-                       [](const tree::Constraint&) {},
-                       [](const tree::Accept&) {},
+                       [](const tree::Variables&) {}, [](const tree::Constraint&) {}, [](const tree::Accept&) {},
                        [&](const tree::Step& step) { declare_step(scope, step, partial, all); },
                        [&](const tree::Transition& transition) {
                            all.transitions.push_back({&transition, partial});
                        },
                        [&](const tree::Partial& inner) { declare_partial(scope, inner, all); },
+                       [](const tree::ReplicatedChartItems&) {},  // expanded before
                    },
                    item);
     }
@@ -100,6 +102,7 @@ void own(ChartScope& scope, Id<Chart::PartialChart> partial, Id<Chart::Step> ste
 }
 
 void resolve_contents(ChartScope& scope, const WrittenStep& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.step->name);
     for (const tree::Name& name : written.step->contents) {
         const Id<Chart::PartialChart> partial = partial_named(scope, name);
         if (!partial.valid()) continue;

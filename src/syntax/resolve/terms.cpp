@@ -31,6 +31,9 @@ Op ir_op(tree::Op op) {
     case tree::Op::Name: return Op::Variable;
     case tree::Op::Member: return Op::Variable;
     case tree::Op::In: return Op::Variable;
+    case tree::Op::All:
+    case tree::Op::Any:
+    case tree::Op::Each: break;  // expanded before
     case tree::Op::Not: return Op::Not;
     case tree::Op::Rise: return Op::Rise;
     case tree::Op::Fall: return Op::Fall;
@@ -62,6 +65,9 @@ std::string_view spelling(tree::Op op) {
     case tree::Op::Name: return "a name";
     case tree::Op::Member: return ".";
     case tree::Op::In: return "in";
+    case tree::Op::All: return "all";
+    case tree::Op::Any: return "any";
+    case tree::Op::Each: return "for";
     case tree::Op::Not: return "!";
     case tree::Op::Rise: return "rise";
     case tree::Op::Fall: return "fall";
@@ -123,6 +129,9 @@ Term Terms::resolve(Id<tree::Expr> id) {
     case tree::Op::Name:
     case tree::Op::Member: return name(node);
     case tree::Op::In: return place(node);
+    case tree::Op::All:
+    case tree::Op::Any:
+    case tree::Op::Each: break;  // expanded before
     case tree::Op::Not: return boolean_operand(node, Op::Not);
     case tree::Op::Rise: return boolean_operand(node, Op::Rise);
     case tree::Op::Fall: return boolean_operand(node, Op::Fall);

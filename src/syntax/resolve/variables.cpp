@@ -3,6 +3,7 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
@@ -20,19 +21,9 @@ Chart::VariableKind kind_of(tree::VariableKind kind) {
     unreachable();
 }
 
-/// Returns a resolver of terms that may contain only constants: each name is an error.
-Terms constants(ChartScope& scope) {
-    Terms terms(scope.file, scope.chart.exprs, scope.diagnostics);
-    terms.name = [&scope](const tree::Expr& node) {
-        scope.diagnostics.add(messages::not_constant(node.where, "a range or value of a declaration"));
-        return Term{};
-    };
-    return terms;
-}
-
 /// Returns the declared type; Boolean after an error.
 Type type_of(ChartScope& scope, const tree::Variable& written) {
-    Terms terms = constants(scope);
+    Terms terms = constant_terms(scope, "a range or value of a declaration");
     switch (written.type) {
     case tree::TypeWord::Bool: return {};
     case tree::TypeWord::Duration:
@@ -72,7 +63,7 @@ std::int64_t initial_of(ChartScope& scope, const tree::Variable& written, tree::
                                                         kind == tree::VariableKind::Input ? "input" : "output"));
         return type.low;
     }
-    Terms terms = constants(scope);
+    Terms terms = constant_terms(scope, "a range or value of a declaration");
     const auto value =
         terms.constant(written.value, type.boolean ? TermKind::Boolean : TermKind::Integer, "this variable");
     if (!value) return type.low;
@@ -95,8 +86,18 @@ DeclarationKind declaration_kind(Chart::VariableKind kind) {
     unreachable();
 }
 
+Terms constant_terms(ChartScope& scope, std::string_view user) {
+    Terms terms(scope.file, scope.chart.exprs, scope.diagnostics);
+    terms.name = [&scope, user = std::string(user)](const tree::Expr& node) {
+        scope.diagnostics.add(messages::not_constant(node.where, user));
+        return Term{};
+    };
+    return terms;
+}
+
 void resolve_variables(ChartScope& scope, const tree::Variables& written) {
     for (const tree::Variable& variable : written.variables) {
+        const InCopy copy(scope.diagnostics, scope.file, variable.name);
         const std::size_t errors = scope.diagnostics.errors();
         Chart::Variable resolved;
         resolved.name = scope.text(variable.name);

@@ -351,6 +351,55 @@ TEST(LspNames, ConstantsOfALoopAreNamesInAllTheirUses) {
               3U);
 }
 
+const std::string lamps =
+    "grafcet lamps {\n"
+    "    for i in 1..2 {\n"
+    "        input GO[i];\n"
+    "        output LAMP[i];\n"
+    "        partial lamp[i] {\n"
+    "            initial step s[0];\n"
+    "            step s[i] { LAMP[i]; }\n"
+    "            transition s[0] -> s[i] when GO[i] && Xs[0];\n"
+    "            transition s[i] -> s[0] when !all(k in 1..i: GO[k]);\n"
+    "        }\n"
+    "    }\n"
+    "}\n";
+
+TEST(LspNames, OfReplicatedDeclarationsAreThoseOfTheDeclaration) {
+    Editor editor;
+    const auto definition = [&](const std::string& what, const std::string& read) {
+        const Json found = editor.at("textDocument/definition", "lamps.grafcet", with(lamps, what, read));
+        return found.is_null() ? -1 : found["range"]["start"]["line"].get<int>();
+    };
+    EXPECT_EQ(definition("{ LAMP[i]", "{ LA@MP[i]"), 3);
+    EXPECT_EQ(definition("{ LAMP[i]", "{ LAMP[@i]"), 1);
+    EXPECT_EQ(definition("GO[k]", "G@O[k]"), 2);
+    EXPECT_EQ(definition("GO[k]", "GO[@k]"), 8);
+    EXPECT_EQ(definition("1..i:", "1..@i:"), 1);
+    const Json edit =
+        editor.at("textDocument/rename", "lamps.grafcet", with(lamps, "step s[i]", "step @s[i]"), {{"newName", "lit"}});
+    const std::string renamed = edited(lamps, edit["changes"][editor.folder.uri("lamps.grafcet")]);
+    EXPECT_NE(renamed.find("step lit[i] { LAMP[i]; }\n            transition s[0] -> lit[i] when GO[i] && Xs[0]"),
+              std::string::npos)
+        << renamed;
+    const Json symbols = editor.of("textDocument/documentSymbol", "lamps.grafcet");
+    ASSERT_EQ(symbols.size(), 1U);
+}
+
+TEST(LspCompletion, KnowsReplicatedDeclarations) {
+    Editor editor;
+    const auto at = [&](const std::string& before, const std::string& half) {
+        return editor.labels("lamps.grafcet", with(lamps, before, half));
+    };
+    EXPECT_TRUE(holds(at("{ LAMP[i]", "{ @"), "LAMP"));
+    EXPECT_TRUE(holds(at("{ LAMP[i]", "{ LAMP[@"), "i"));
+    EXPECT_TRUE(holds(at("1..i:", "1..@:"), "i"));
+    EXPECT_TRUE(holds(at("when GO[i]", "when GO[i] && @"), "GO"));
+    EXPECT_TRUE(holds(at("partial lamp[i] {", "@"), "transition"));
+    EXPECT_EQ(at("for i in 1..2 {", "for i @").size(), 1U);
+    EXPECT_EQ(at("for i in 1..2 {", "for @"), std::vector<std::string>{});
+}
+
 TEST(LspCompletion, OffersConstantsWhereAConstantIsAllowed) {
     Editor editor;
     editor.open("press.grafcet", press);

@@ -155,10 +155,35 @@ TEST(RenderJson, GivesLinesAndColumnsAndSurvivesInvalidUtf8) {
 TEST(Diagnostics, StoresABoundedNumberAndCountsAll) {
     Diagnostics diagnostics;
     EXPECT_FALSE(diagnostics.has_errors());
-    for (int i = 0; i < 1000; ++i) diagnostics.add(error_at(0, 1));
+    for (std::uint32_t i = 0; i < 1000; ++i) diagnostics.add(error_at(i, i + 1));
     EXPECT_EQ(diagnostics.errors(), 1000u);
     EXPECT_EQ(diagnostics.all().size(), Diagnostics::limit);
     EXPECT_TRUE(diagnostics.full());
+}
+
+TEST(Diagnostics, StoresAnErrorOfSeveralCopiesOnce) {
+    Diagnostics diagnostics;
+    const auto in_copy = [](const char* values) {
+        Diagnostic note = error_at(5, 6);
+        note.message = values;
+        return note;
+    };
+    diagnostics.add(error_at(0, 1));
+    diagnostics.add(error_at(0, 1));
+    diagnostics.set_context(in_copy("i = 1"));
+    diagnostics.add(error_at(2, 3));
+    Diagnostic other = error_at(2, 3);
+    other.message = "another one of the same copy";
+    diagnostics.add(other);
+    EXPECT_EQ(diagnostics.set_context(in_copy("i = 2"))->message, "i = 1");
+    other.message = "the same one of another copy";
+    diagnostics.add(other);
+    diagnostics.set_context({});
+    EXPECT_EQ(diagnostics.errors(), 5u);
+    EXPECT_EQ(diagnostics.distinct_errors(), 3u);
+    ASSERT_EQ(diagnostics.all().size(), 3u);
+    EXPECT_TRUE(diagnostics.all()[0].notes.empty());
+    EXPECT_EQ(diagnostics.all()[2].notes[0].message, "i = 1");
 }
 
 TEST(Diagnostics, HaveAPageIfTheSiteIsPublished) {

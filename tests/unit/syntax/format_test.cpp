@@ -51,6 +51,10 @@ TEST(FormatCondition, UsesOneSpellingAndClarifyingParentheses) {
         {"(a => b) => c", "(a => b) => c"},
         {"not (a implies b) && Gate in open", "!(a => b) && Gate in open"},
         {"!Gate in 3", "!Gate in 3"},
+        {"a [ i ] [j+1]", "a[i][j + 1]"},
+        {"Head[3].X2[k] && Gate[i]in open", "Head[3].X2[k] && Gate[i] in open"},
+        {"not all ( i in 1 .. N+1 : (a[i] or b) )", "!all(i in 1..N + 1: a[i] || b)"},
+        {"any(i in 1..2:all(k in i..3:a[k]))&&any", "any(i in 1..2: all(k in i..3: a[k])) && any"},
         {"(a) && (b == c)", "a && b == c"},
         // The parentheses are kept, because they make the mixed operators unambiguous.
         {"(a && b) || c", "(a && b) || c"},
@@ -151,6 +155,42 @@ TEST(Format, ArrangesDeclarations) {
         "        2 -> l;\n"
         "    }\n"
         "}\n");
+}
+
+TEST(Format, ArrangesReplications) {
+    EXPECT_EQ(formatted_text("grafcet g{for i in 1..2{input a[i];partial p[i]{for k in i..3{// each\n"
+                             "initial step s[k]{q[i];}}transition t[i]:s[1]->s[i+1]when a[i];}}}\n"
+                             "component c(output X){for i in 1..2{location l[i];}}\n"
+                             "closed_loop l{for i in 1..N{}for i in 1..N{constant T[i]=1s;\n"
+                             "environment E[i]=free(OUT=a[i]);fault f[i]of E[i]:c(X=a[i]);\n"
+                             "property p[i]:exactly one of{b,a[k]for k in 1..i};}}"),
+              "grafcet g {\n"
+              "    for i in 1..2 {\n"
+              "        input a[i];\n"
+              "        partial p[i] {\n"
+              "            for k in i..3 {  // each\n"
+              "                initial step s[k] { q[i]; }\n"
+              "            }\n"
+              "            transition t[i]: s[1] -> s[i + 1] when a[i];\n"
+              "        }\n"
+              "    }\n"
+              "}\n"
+              "\n"
+              "component c(output X) {\n"
+              "    for i in 1..2 {\n"
+              "        location l[i];\n"
+              "    }\n"
+              "}\n"
+              "\n"
+              "closed_loop l {\n"
+              "    for i in 1..N {}\n"
+              "    for i in 1..N {\n"
+              "        constant T[i] = 1s;\n"
+              "        environment E[i] = free(OUT = a[i]);\n"
+              "        fault f[i] of E[i]: c(X = a[i]);\n"
+              "        property p[i]: exactly one of {b, a[k] for k in 1..i};\n"
+              "    }\n"
+              "}\n");
 }
 
 TEST(Format, GroupsSuccessivePrograms) {

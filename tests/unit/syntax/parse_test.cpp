@@ -19,8 +19,9 @@ std::string shape(const tree::File& file, Id<tree::Expr> id) {
     if (!node.first.valid()) return formatted(file, id);
     if (node.op == tree::Op::Member) return shape(file, node.first) + '.' + std::string(file.text(node.word));
     const char* const names[] = {
-        "false",   "true", "number", "duration", "name", "member", "in", "not", "rise", "fall", "negate", "and", "or",
-        "implies", "==",   "!=",     "<",        "<=",   ">",      ">=", "+",   "-",    "*",    "/",      "%"};
+        "false", "true", "number", "duration", "name", "member", "in",      "all", "any", "each",
+        "not",   "rise", "fall",   "negate",   "and",  "or",     "implies", "==",  "!=",  "<",
+        "<=",    ">",    ">=",     "+",        "-",    "*",      "/",       "%"};
     std::string text = std::string("(") + names[static_cast<std::size_t>(node.op)];
     for (Id<tree::Expr> operand = node.first; operand.valid(); operand = file.exprs[operand].next)
         text += ' ' + shape(file, operand);

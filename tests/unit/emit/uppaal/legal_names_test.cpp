@@ -41,6 +41,9 @@ TEST(LegalNames, AvoidKeywordsOfTheTarget) {
         {Target::Uppaal, "location", "location_"},
         {Target::Nusmv, "F", "F_"},
         {Target::Uppaal, "X12", "X12"},
+        {Target::Uppaal, "X_head[1]_0", "X_head_1_0"},
+        {Target::Nusmv, "slot[2][-1]", "slot_2__1"},
+        {Target::StructuredText, "FULL[1]", "FULL_1"},
         {Target::StructuredText, "X12", "X12"},
         {Target::StructuredText, "Step", "Step_2"},
         {Target::StructuredText, "r_trig", "r_trig_2"},
@@ -52,6 +55,10 @@ TEST(LegalNames, AvoidKeywordsOfTheTarget) {
         SCOPED_TRACE(name);
         EXPECT_EQ(legal_names(target, Names{name}), Names{legal});
     }
+}
+
+TEST(LegalNames, OfCopiesDifferFromNamesThatAreWrittenOut) {
+    EXPECT_EQ(legal_names(Target::Uppaal, Names{"B[1]", "B_1", "B_1_"}), (Names{"B_1_2", "B_1", "B_1_"}));
 }
 
 TEST(LegalNames, AreCaseInsensitiveInStructuredText) {

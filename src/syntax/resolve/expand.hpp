@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Expansion: replaces replicated declarations and terms by their copies. The result contains neither index variables nor
+// indices: `plant B[i] = ...` in `for i in 1..2` becomes two instances with the names `B[1]` and `B[2]`. Name resolution
+// continues with the result, so that copies obey the same rules as declarations that are written out.
+//
+// Copies keep the positions of the original text. Declarations are expanded in the order of the text; a range or an
+// index may read the constants that are declared before it. The cost is linear in the size of the result, which is
+// limited.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "syntax/language/tree.hpp"
+#include "syntax/resolve/references.hpp"
+#include "syntax/resolve/terms.hpp"
+
+namespace grafverif {
+
+/// Maximum number of copies, names and terms in the expansion of one declaration.
+inline constexpr std::uint64_t largest_expansion = 1'000'000;
+
+struct Expansion {
+    const tree::File& file;
+    tree::File& copy;  ///< receives names and terms of the result; must be empty
+    Diagnostics& diagnostics;
+    Recorder record = {};
+    Span owner = {};  ///< name of the expanded declaration
+    /// Resolves terms of `copy` that read only constants; the argument is named in errors.
+    std::function<Terms(std::string_view)> constant_terms = {};
+    /// Called for each group of constants of the result, if set, before the following declarations are expanded.
+    std::function<void(const tree::Variables&)> constants = {};
+    /// Result: the first position of each index variable.
+    std::map<std::string, Span, std::less<>> indices = {};
+};
+
+/// Return the declaration without replications. After an error, parts may be missing.
+tree::Chart expanded(Expansion& expansion, const tree::Chart& written);
+tree::Component expanded(Expansion& expansion, const tree::Component& written);
+tree::ClosedLoop expanded(Expansion& expansion, const tree::ClosedLoop& written);
+
+/// Calls `resolve` with the declaration, or with its expansion if it contains replications. Does not call it if there is
+/// an error in a range or an index, unless the names beyond errors are recorded.
+template <class Written, class Resolve>
+void resolve_expanded(Expansion& expansion, const Written& written, const Resolve& resolve) {
+    if (!written.replicated) return resolve(written);
+    const std::size_t errors = expansion.diagnostics.errors();
+    const Written all = expanded(expansion, written);
+    if (expansion.diagnostics.errors() == errors || expansion.record.beyond_errors()) resolve(all);
+}
+
+/// Reports each index variable whose name another declaration has. `declared` returns the position of a name.
+void check_indices(const Expansion& expansion, const std::function<std::optional<Span>(std::string_view)>& declared);
+
+/// While it exists, diagnostics state the index values of the copy in which `name` is declared, if it is in a copy.
+class InCopy {
+public:
+    InCopy(Diagnostics& diagnostics, const tree::File& file, tree::Name name);
+    InCopy(const InCopy&) = delete;
+    InCopy& operator=(const InCopy&) = delete;
+    ~InCopy();
+
+private:
+    Diagnostics* diagnostics_;
+    std::optional<Diagnostic> outer_;
+};
+
+}  // namespace grafverif
