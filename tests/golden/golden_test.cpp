@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, Golden,
                          testing::Values("testing_station/testing_station", "testing_station/faulty",
                                          "oven_door/oven_door", "tanks/tanks", "blinker/blinker",
                                          "assembly_station/assembly_station", "pick_and_place/pick_and_place",
-                                         "transfer_line/transfer_line"),
+                                         "transfer_line/transfer_line", "filling_line/filling_line"),
                          [](const auto& sample) { return fs::path(sample.param).filename().string(); });
 
 }  // namespace
