@@ -101,14 +101,14 @@ closed_loop lamps {
 
 TEST(Check, DecidesAFragmentOfALineAndNamesTheOmittedParts) {
     const std::vector<std::string> command = {
-        "check", (root / "samples/transfer_line/transfer_line.grafcet").string(), "--property", "held_2", "--format",
+        "check", (root / "samples/transfer_line/transfer_line.grafcet").string(), "--property", "held[2]", "--format",
         "json"};
     const Result ran = grafverif(command);
     EXPECT_EQ(ran.code, ExitCode::Done) << "the undecided query for timelocks does not change the exit code";
     const Json properties = Json::parse(ran.out)["properties"];
     EXPECT_EQ(properties[0]["verdict"], "holds");
     EXPECT_EQ(properties[0]["cells"],
-              Json::parse(R"({"searched": ["cell_2"], "left_out": ["cell_1", "cell_3", "Buffer_1", "Buffer_2"],
+              Json::parse(R"({"searched": ["cell[2]"], "left_out": ["cell[1]", "cell[3]", "Buffer[1]", "Buffer[2]"],
                               "because": "may do anything at any time, which is an over-approximation"})"));
     EXPECT_EQ(properties[0]["declared"], true);
     EXPECT_TRUE(std::string(properties[0]["notes"].at(0))

@@ -138,8 +138,8 @@ TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
     const Result ran = grafverif(command);
     EXPECT_EQ(ran.code, ExitCode::Unknown) << "an untimed model cannot decide `no timelock`";
     const auto properties = nlohmann::json::parse(ran.out)["properties"];
-    const std::vector<std::string> names = {"held_1", "released_1", "held_2",      "released_2",
-                                            "held_3", "released_3", "no_timelock", "no_out_of_range"};
+    const std::vector<std::string> names = {"held[1]", "released[1]", "held[2]",     "released[2]",
+                                            "held[3]", "released[3]", "no_timelock", "no_out_of_range"};
     ASSERT_EQ(properties.size(), names.size());
     for (std::size_t k = 0; k < names.size(); ++k) {
         SCOPED_TRACE(names[k]);
@@ -155,7 +155,7 @@ TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
         EXPECT_EQ(property["verdict"], properties[std::stoul(key)]["verdict"]) << property["name"];
     std::vector<std::string> whole = command;
     whole.insert(whole.end(),
-                 {"--monolithic", "--property", "no_out_of_range", "--property", "held_2", "--timeout", "300ms"});
+                 {"--monolithic", "--property", "no_out_of_range", "--property", "held[2]", "--timeout", "300ms"});
     EXPECT_EQ(grafverif(whole).out.find("decided by cells"), std::string::npos);
 }
 

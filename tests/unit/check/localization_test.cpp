@@ -26,14 +26,14 @@ TimedResult by_cells(const Network& network, TimedOptions options = {}) {
 TEST(Localization, FragmentIsAPartialChartWithItsExclusiveInstances) {
     const Network network = line();
     const NetworkFragments cells = cells_of(network);
-    EXPECT_EQ(cells.names, (std::vector<std::string>{"cell_1", "cell_2", "cell_3", "Buffer_1", "Buffer_2"}));
+    EXPECT_EQ(cells.names, (std::vector<std::string>{"cell[1]", "cell[2]", "cell[3]", "Buffer[1]", "Buffer[2]"}));
     const auto cell_of = [&](const std::string& process) {
         for (const Id<Network::Process> id : network.processes.ids())
             if (network.processes[id].name == process) return cells.of_process[id.index];
         return NetworkFragments::none;
     };
-    EXPECT_EQ(cell_of("Clamp_Sen_2"), 1U);
-    EXPECT_EQ(cell_of("Bringer"), 0U) << "through Buffer_0";
+    EXPECT_EQ(cell_of("Clamp_Sen[2]"), 1U);
+    EXPECT_EQ(cell_of("Bringer"), 0U) << "through Buffer[0]";
     EXPECT_EQ(cell_of("PLC"), NetworkFragments::none);
 }
 
@@ -45,7 +45,7 @@ TEST(Localization, AbstractionKeepsItsFragmentAndTheEffectsOfTheRest) {
     EXPECT_EQ(verify(local.network), std::vector<std::string>{});
     std::vector<std::string> names;
     for (const Network::Process& process : local.network.processes) names.push_back(process.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"Clamp_2", "Clamp_Sen_2", "Drill_2", "Drill_Sen_2", "PLC", "rest"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"Clamp[2]", "Clamp_Sen[2]", "Drill[2]", "Drill_Sen[2]", "PLC", "rest"}));
     EXPECT_EQ(local.borders, (std::vector<std::uint32_t>{3, 4})) << "the buffers";
     EXPECT_EQ(local.tied, (std::vector<std::uint32_t>{0, 2, 3, 4})) << "the charts are included because of `stable`";
     EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "this edge causes a cycle of the PLC";
@@ -245,9 +245,9 @@ TEST(Localization, VerdictsNoteHowFarTimelocksWereSearched) {
         return notes.empty() ? "" : notes.back();
     };
     const std::string looked = "timelocks were searched only in the first ";
-    TimedResult found = by_cells(line(), {.properties = {"held_2"}});
+    TimedResult found = by_cells(line(), {.properties = {"held[2]"}});
     EXPECT_EQ(outcome_text(found, "no_timelock"), "unknown (bound)");
-    EXPECT_EQ(note(found, "held_2"),
+    EXPECT_EQ(note(found, "held[2]"),
               looked + verdict(found, "no_timelock").states + " states; declare `no timelock` to search all states");
     found = by_cells(read_sample("testing_station/testing_station.grafcet").network);
     for (const Verdict& each : found.verdicts)
@@ -277,8 +277,8 @@ TEST(Localization, ResultsOfTheFirstSearchRemainIfTheNextIsStopped) {
 }
 
 TEST(Localization, UnrequestedVerdictDoesNotNeedTheCompleteNetwork) {
-    const TimedResult found = by_cells(line(), {.properties = {"held_2"}});
-    EXPECT_EQ(outcome_text(found, "held_2"), "holds");
+    const TimedResult found = by_cells(line(), {.properties = {"held[2]"}});
+    EXPECT_EQ(outcome_text(found, "held[2]"), "holds");
     EXPECT_FALSE(verdict(found, "no_timelock").declared);
     EXPECT_EQ(verdict(found, "no_timelock").outcome, Outcome::Unknown);
 }
@@ -289,9 +289,9 @@ TEST(Localization, NumberOfTransitionsOfASearchIsLimited) {
     EXPECT_GE(limited.transitions, 1000U);
     EXPECT_LT(limited.transitions, 1200U) << "the edges of the last expanded state";
     const auto scope_of = [](std::uint64_t transitions) {
-        const TimedResult found = check_timed_by_cells(line(), {.properties = {"held_2"}, .max_states = 100'000},
+        const TimedResult found = check_timed_by_cells(line(), {.properties = {"held[2]"}, .max_states = 100'000},
                                                        {.whole = 10, .local = 100'000, .transitions = transitions});
-        return verdict(found, "held_2").scope.cells;
+        return verdict(found, "held[2]").scope.cells;
     };
     EXPECT_TRUE(scope_of(8));
     EXPECT_TRUE(scope_of(0)) << "the last round has no such limit";
