@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Public interface: reads charts and closed loops, and returns all models and results that are derived from them.
-// Functions are pure: they take and return plain values and keep no state between calls, except in a Simulator. Calls
-// on different values may run concurrently.
+// Functions are pure: they take and return plain values and keep no state between calls. The only exception is the
+// class Simulator. Calls whose arguments are different objects may run concurrently.
 //
 //   read_file, read_string    text -> Model (Chart, Component, ClosedLoop)
 //   equations_of              Chart -> Equations
 //   network_of                ClosedLoop -> Network of timed automata
 //   transition_system_of      ClosedLoop or Chart -> TransitionSystem, untimed or with discrete time
-//   uppaal_project, nusmv_model, structured_text_of   the same models as text for other tools
-//   check, check_untimed      -> Report: a Verdict per property, with its run
+//   uppaal_project, nusmv_model, structured_text_of   Network, TransitionSystem or Equations -> text for other tools
+//   check, check_untimed      ClosedLoop -> Report: a Verdict per property, and the run that shows it
 //   compare                   Chart, Chart -> Comparison: equal for all inputs, or a distinguishing sequence
-//   analysis_of               Chart -> Analysis: possible faults, and elements that are never used
-//   drawing_of, svg_of        Chart -> Drawing, and a drawing as SVG
+//   analysis_of               Chart -> Analysis: possible faults of the chart, and its elements that are never used
+//   drawing_of, svg_of        Chart -> Drawing, and Drawing -> SVG text
 //   automaton_of, mealy_of, test_of                 Chart -> LocationAutomaton, MealyMachine, TestSequence
 //   simulator_of              ClosedLoop or Chart -> Simulator, controlled by commands
 //
-// Invalid input is reported as Diagnostics: a function that returns an empty optional has added at least one error.
-// Failures of the system (memory, a library) are thrown as std::bad_alloc or std::system_error.
+// Invalid input is reported as Diagnostics: a function that returns an empty optional has added at least one error. If
+// memory is exhausted or a system call fails, functions throw std::bad_alloc or std::system_error.
 #pragma once
 
 #include <array>
@@ -54,10 +54,11 @@ namespace grafverif {
 struct ReadOptions {
     /// Folders in which included files are searched, after the folder of the including file.
     std::vector<std::string> include_folders = {};
-    /// True: constructs of other formats that a chart cannot represent are omitted, with a warning.
+    /// True: constructs of imported formats (AGRAFE, PLCopen XML, SFC) that a Chart cannot represent are omitted, with
+    /// a warning. False: these constructs are errors.
     bool lossy = false;
-    /// Values of constants of closed loops, as text, by name. Each value overrides the constant in every loop that
-    /// declares it. If no loop declares the constant, the error `no-such-choice` is reported.
+    /// Maps the name of a constant of closed loops to its value, as text. Each value overrides the constant in every
+    /// loop that declares it. If no loop declares the constant, the error `no-such-choice` is reported.
     std::map<std::string, std::string> constants = {};
     /// Loads included files. By default, `read_file` loads only files below the folder of the file, the folder of its
     /// project (see docs/reference/files.md) or `include_folders`; `read_string` uses the current folder instead of the
@@ -68,16 +69,17 @@ struct ReadOptions {
 /// Parse result: sources, diagnostics and, without errors, the model.
 struct ParseResult {
     Sources sources = {};
-    Diagnostics diagnostics = {};  ///< later stages append their diagnostics
+    Diagnostics diagnostics = {};  ///< functions that are called with these diagnostics append to them
     std::optional<Model> model = {};
 
     /// Returns the diagnostics as text, each with its source line and a caret.
     std::string diagnostics_text() const;
 };
 
-/// Reads a file and all its includes. The format is detected: input language, AGRAFE, PLCopen XML or textual SFC.
+/// Reads a file and all files that it includes. The format is detected: input language, AGRAFE, PLCopen XML or textual
+/// SFC.
 ParseResult read_file(const std::string& path, const ReadOptions& options = {});
-/// Reads a model from a string. Diagnostics refer to the string by `name`.
+/// Reads a model from a string. Diagnostics use `name` as the file name of the string.
 ParseResult read_string(std::string text, const std::string& name, const ReadOptions& options = {});
 
 /// Returns the chart or closed loop with the given name.
@@ -86,11 +88,11 @@ std::optional<Id<ClosedLoop>> find_loop(const Model& model, std::string_view nam
 
 // Models
 
-/// Options of charts and of models of loops. They override the values in the file.
+/// Options for the translation of charts and closed loops. A given option overrides the value in the input file.
 struct ModelOptions {
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
-    ScheduleOptions untimed = {};  ///< options of transition systems; `mode` above replaces its mode
+    ScheduleOptions untimed = {};  ///< options of transition systems; `ModelOptions::mode` replaces `untimed.mode`
 };
 
 std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Diagnostics& diagnostics);
@@ -116,8 +118,8 @@ UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics);
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics);
 
 /// Returns a function block of the chart (IEC 61131-3) as text or as PLCopen XML (TC6 2.01). Each call executes one PLC
-/// cycle with at most `max_evolutions` evolutions. Returns nullopt after an error, if Structured Text cannot express
-/// the chart.
+/// cycle with at most `max_evolutions` evolutions. If Structured Text cannot express the chart, reports an error and
+/// returns nullopt.
 std::optional<std::string> structured_text_of(const Equations& equations, ExecutionMode mode, Diagnostics& diagnostics,
                                               bool plcopen_xml = false, std::uint32_t max_evolutions = 1000);
 
@@ -128,13 +130,14 @@ struct Progress {
     std::function<std::string()> words = {};
 };
 
-/// Limits of a computation. A computation that reaches a limit returns its results so far; all other verdicts are
-/// unknown, with the reason.
+/// Limits of a computation. A computation that reaches a limit returns the verdicts that it has decided; all other
+/// verdicts are unknown, and the report states the reason.
 struct Limits {
     std::optional<std::uint64_t> states = {};  ///< maximum number of states; empty selects the default of the engine
     std::optional<std::uint64_t> memory = {};  ///< bytes; empty selects the default of the engine
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;             ///< cancellation flag; any thread and `progress` may set it
+    /// Cancellation flag; any thread, and the function `progress`, may set it.
+    const std::atomic<bool>* stop = nullptr;
     std::function<void(const Progress&)> progress = {};  ///< called periodically
 };
 
@@ -142,14 +145,15 @@ struct CheckOptions {
     /// Names of the properties to check; all if empty. If property `S` has the form `reachable all steps`, `S` selects
     /// all steps, and `S.X7` only step 7.
     std::vector<std::string> properties = {};
-    bool witnesses = true;    ///< also return runs for properties `reachable` that hold
+    bool witnesses = true;    ///< also return a run for each `reachable` property that holds
     bool every_move = false;  ///< also return a row for each internal move of the translation
     Limits limits = {};
-    bool profile = false;  ///< timed engine: return a state profile even if there are few states
-    /// Called by each search of the timed engine that finds a million states.
+    bool profile = false;  ///< timed engine: compute a state profile even if the search finds few states
+    /// Called once by each search of the timed engine, when the search has found one million states.
     std::function<void(const StateProfile&)> many = {};
     bool whole = false;  ///< true: independent subsystems are explored together, not separately
-    unsigned jobs = 0;   ///< threads; 0 selects one per core (untimed: at most two); the verdicts do not depend on it
+    /// Number of threads; 0 selects one per core (untimed: at most two); the verdicts do not depend on this number.
+    unsigned jobs = 0;
 };
 
 /// Decides the properties of a closed loop with the timed engine. All runs in the report have been replayed under the
@@ -157,7 +161,7 @@ struct CheckOptions {
 std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                             const CheckOptions& options, Diagnostics& diagnostics);
 /// Decides the properties of the untimed model with the symbolic engine. If the symbolic engine needs a long time,
-/// localization, PDR and BMC also run, in parallel. Each verdict states its consequence for the timed loop.
+/// localization, PDR and BMC run in parallel with it. Each verdict states what it implies for the timed closed loop.
 std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics);
 /// Decides for each step of a chart without a closed loop if the step is reachable.
@@ -172,11 +176,12 @@ std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::op
 
 struct CompareOptions {
     std::optional<ExecutionMode> mode = {};
-    /// The time between scans is a multiple of this value. If empty, a common divisor of all durations is selected.
-    /// This divisor is so small that each timer can start in a different scan, unless this requires fractions of a
-    /// millisecond.
+    /// The time between two scans is a multiple of this value. If empty, a common divisor of all durations of the two
+    /// charts is selected. The divisor is small enough that all timers can start in different scans, unless this
+    /// requires fractions of a millisecond.
     std::optional<std::int64_t> resolution_ms = {};
-    /// Initial situation of each chart, instead of its initial steps. Both situations must be given, or both are empty.
+    /// Initial situations of the two charts, which replace their initial steps. Either both situations are given, or
+    /// both are empty.
     std::array<std::vector<Id<Chart::Step>>, 2> from = {};
     bool shortest = true;  ///< true: search for a shortest distinguishing sequence
     Limits limits = {};
@@ -226,15 +231,16 @@ std::string json_of(const MealyMachine& machine);
 std::string json_of(const TestSequence& test);
 /// Returns a timing diagram of the run.
 std::string svg_of(const ChartRun& run, std::string_view title);
-/// Returns a graph, a table if there are many states, or an empty string if there are too many states for a table.
+/// Returns a drawing: a graph if there are few states, otherwise a table; an empty string if there are too many states
+/// for a table.
 std::string svg_of(const LocationAutomaton& automaton);
 std::string svg_of(const MealyMachine& machine);
 
 // Simulation
 
-/// Simulates a closed loop, or a chart without a closed loop. The simulator is controlled by the commands of
-/// `grafverif simulate` and has the same semantics as the checks. It contains copies of all data of the model that it
-/// needs.
+/// Simulates a closed loop, or a chart without a closed loop. The simulator is controlled by the commands of `grafverif
+/// simulate` and has the same semantics as the checks. It copies all data of the model that it needs, so the model may
+/// be destroyed before the simulator.
 class Simulator {
 public:
     struct Inside;
@@ -243,8 +249,8 @@ public:
     Simulator& operator=(Simulator&&) noexcept;
     ~Simulator();
 
-    /// Executes one command, such as `START = true`, `wait 3s`, `do Gate open` or `back`, and then the automatic moves.
-    /// Returns an error message or an empty string.
+    /// Executes one command, such as `START = true`, `wait 3s`, `do Gate open` or `back`, and then all moves that the
+    /// simulator executes automatically. Returns an error message or an empty string.
     std::string execute(std::string_view command);
     /// Returns the error message of the last command, or of the initialization.
     const std::string& problem() const;

@@ -6,15 +6,16 @@
 // the timer outputs and the inputs, before an evolution. An instant begins when inputs are sampled. Under stability
 // search, an instant consists of the evolutions with constant inputs, until an evolution changes nothing (IEC 60848:
 // input events occur only in stable situations). In every_cycle mode, an instant is one evolution. If an instant does
-// not end, the points that repeat forever are the total instability. Since evolutions are functions, these are the
-// points with an infinite sequence of predecessors in the instant.
+// not end, the points that repeat forever are the total instability. Since an evolution is a function of its point, a
+// point repeats forever if and only if it has an infinite sequence of predecessors in the instant.
 //
-// The parts of the chart are analysed separately. A part does not depend on the rest of the chart (analyse/cones.hpp).
-// Therefore, an event that is impossible in the part is impossible in the chart. If an event is possible in the part, a
-// run of the complete chart must confirm it. Queries that no part decides are decided on the complete chart. Parts are
-// searched alternately, with four times the work in each round, so that no part delays another. Values of counters are
-// distinguished only up to the thresholds of the counters (analyse/counters.hpp). If the time or memory limit is
-// reached, undecided queries remain open, and the analysis reports how many instants were searched for each of them.
+// The parts of the chart are analysed separately. A part is a cone of influence, which does not depend on the other
+// equations of the chart (analyse/cones.hpp). Therefore, an event that is impossible in a part is impossible in the
+// chart. If an event is possible in a part, a run of the complete chart must confirm it. Queries that no part decides
+// are decided on the complete chart. Parts are searched alternately, in rounds with four times the work of the previous
+// round, so that no part delays another part. Values of counters are distinguished only up to the thresholds of the
+// counters (analyse/counters.hpp). If the time or memory limit is reached, undecided queries remain open, and the
+// analysis reports how many instants were searched for each of them.
 //
 // An evolution with a race, or with a value that is undefined or out of range, has no successor (see
 // run/interpreter.hpp); the notes of the analysis state that the continuation is not explored.
@@ -42,7 +43,7 @@ namespace grafverif {
 /// The progress of an analysis.
 struct AnalyseProgress {
     std::size_t questions = 0, open = 0, findings = 0;
-    std::size_t part = 0, parts = 0;  ///< index of the current part of the chart, and the number of parts
+    std::size_t part = 0, parts = 0;  ///< index of the part that is currently searched, and the number of parts
     std::size_t instant = 0;
 };
 

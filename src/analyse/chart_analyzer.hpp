@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Chart analyzer: evaluates the open queries of an analysis on the points of one machine after each instant of the
 // search, so that findings are available immediately. An event is possible if the interpreter confirms a run that shows
-// the event. It is impossible if the complete search has not found it. A query remains open if the event occurs in a
-// cone but no run of the chart confirms it.
+// the event. An event is impossible if a complete search has not found it. A query remains open if its event occurs in
+// a cone but no run of the chart confirms the event.
 #pragma once
 
 #include <cstddef>
@@ -72,11 +72,12 @@ public:
     void look();
     /// Reports impossible events. Requires that the search is complete and every instant was examined.
     void conclude();
-    /// Reports events that are impossible after some points. The requirements are the same as for conclude().
+    /// Reports events that can no longer occur after some reached points. The requirements are the same as for
+    /// conclude().
     void find_traps();
     /// Reports events that are impossible even if inputs change before every evolution. Requires a search in which
-    /// inputs change before every evolution, and a chart that is executed with stability search. The points of such a
-    /// search permit no other conclusion.
+    /// inputs change before every evolution, and a chart that is executed with stability search. Only such impossible
+    /// events can be concluded from the points of this search.
     void conclude_loosely();
     /// Examines the last instant of a search in which inputs change before every evolution.
     void search_loosely();
@@ -99,7 +100,7 @@ private:
     };
     /// Sets of points: all points, the stable points, or the points directly after an evolution.
     enum class PointSet { Points, Stable, Landings };
-    /// An event whose absence is a finding. It occurs at the points of `goal` in the set `among`.
+    /// An event whose absence is a finding. The event occurs at the points of `goal` in the set `among`.
     struct Sign {
         Query* question = nullptr;
         PointSet among = PointSet::Points;
@@ -181,14 +182,15 @@ private:
     const std::string& name(Transition transition) const { return chart_.transitions[transition].name; }
 
     Finding finding(std::string_view code, std::string subject, std::string message, Span origin) const;
-    /// Adds to the finding the run along a path. Returns false if the interpreter does not confirm the run; this is an
-    /// internal error if `certain` is true.
+    /// Adds to the finding the run along a path. Returns false if the interpreter does not confirm the run; a run that
+    /// is not confirmed is an internal error if `certain` is true.
     bool show(Finding& finding, const std::optional<Path>& path, const EvolutionRequirement& demand, std::string shows,
               bool certain);
     bool show(Finding& finding, const Bdd& goal, const EvolutionRequirement& demand, std::string shows) {
         return show(finding, search_.path_to(goal), demand, std::move(shows), certain());
     }
-    /// Returns the points in `points` whose evolution does not abort, or `points` if there are none.
+    /// Returns the points in `points` whose evolution does not abort, or `points` if the evolutions of all points
+    /// abort.
     Bdd prefer_unbroken(const Bdd& points) const;
     bool keep(Finding finding);
 

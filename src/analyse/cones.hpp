@@ -12,7 +12,7 @@
 
 namespace grafverif::analysis {
 
-/// A cone: marks the variables of the equations that it contains.
+/// A cone: for each variable of the equations, true if the cone contains the variable.
 using Cone = std::vector<bool>;
 
 /// The variables that determine the next value of each variable, through firing conditions, timers and stored actions.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Counters: integer variables that a chart only increments, sets to constants and compares with constants. The chart
 // does not distinguish the values above the greatest of these constants; therefore the analysis represents all of them
-// by one value. A chart that counts parts without limit then has only as many situations as its thresholds distinguish.
-// The abstraction does not represent that a counter leaves its range.
+// by one value. With this abstraction, a chart that counts workpieces without limit has only as many states as its
+// thresholds distinguish. The abstraction does not represent that a counter leaves its range.
 #pragma once
 
 #include <optional>

@@ -4,8 +4,8 @@
 // the inputs. A set of points is a Bdd over the bits `before` an evolution. A *rest* is a set of assignments to the
 // kept variables only.
 //
-// A machine represents one cone (see cones.hpp). Its functions are undefined for elements outside of the cone. A
-// counter may be represented only up to its thresholds (see counters.hpp).
+// A machine represents one cone (see cones.hpp). The functions of the machine are undefined for elements outside of the
+// cone. A counter may be represented only up to its thresholds (see counters.hpp).
 #pragma once
 
 #include <cstdint>
@@ -104,7 +104,7 @@ public:
     /// Returns the points at which the evolution changes the variable. A counter that exceeds its represented values
     /// also changes.
     Bdd changes(Id<Equations::Variable> variable) const;
-    /// True if points contain the variable.
+    /// True if the points of this machine contain a value of the variable.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }
     /// Returns the points after an evolution at which a term over the variables has a value other than `value`.
     Bdd differs(Id<Expr> term, std::int64_t value);

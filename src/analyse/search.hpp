@@ -13,9 +13,9 @@
 
 namespace grafverif::analysis {
 
-/// The instants of all runs that have the same number: the points that earlier instants do not contain, in rings by the
-/// number of evolutions before them, and the new rests at the ends of the instants. In every_cycle mode, the first
-/// instant has no points, because it consists only of the first evolution.
+/// The instants with the same number in all runs. The points of these instants that no earlier instant contains are
+/// grouped into rings by the number of preceding evolutions. `rest` contains the new rests at the ends of the instants.
+/// In every_cycle mode, the first instant has no points, because it consists only of the first evolution.
 struct Instant {
     std::size_t first = 0, end = 0;  ///< range [first, end) of the rings of this instant
     Bdd rest = {};
@@ -54,16 +54,18 @@ public:
     Bdd endless(const Bdd& within) const;
     /// Returns an upper bound of the number of evolutions in a run to the end of the last instant.
     std::int64_t evolutions() const { return evolutions_; }
-    /// Returns all points; in every_cycle mode, all points directly after an evolution, with its inputs.
+    /// Returns all points found so far; in every_cycle mode, these are the points directly after an evolution, with the
+    /// inputs of the evolution.
     const Bdd& reached() const { return rings_.reached; }
     const Bdd& landings() const { return landings_; }
     /// Returns all points, grouped by distance.
     const std::vector<Bdd>& rings() const { return rings_.each; }
     /// Returns the points of the first instant.
     Bdd first() const;
-    /// Returns the points in `goal` with the smallest distance. A shortest path leads to one of them.
+    /// Returns the points in `goal` with the smallest distance. Each shortest path to `goal` leads to one of these
+    /// points.
     Bdd nearest(const Bdd& goal) const;
-    /// Returns a shortest path to a point of `goal`, or nothing if there is none.
+    /// Returns a shortest path to a point of `goal`, or nothing if the search has found no point of `goal`.
     std::optional<Path> path_to(const Bdd& goal) const;
 
 private:

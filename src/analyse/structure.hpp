@@ -15,7 +15,7 @@ namespace grafverif::analysis {
 std::vector<bool> variables_read(const Equations& equations);
 
 /// Returns cycles of forcing orders. Each order forces the partial chart that contains the step of the next order, and
-/// the last order forces the partial chart of the first one.
+/// the last order forces the partial chart that contains the step of the first order.
 std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_cycles(const Chart& chart);
 
 /// Returns the forcing orders on partial charts that an enclosing step also controls, together with this step. The step

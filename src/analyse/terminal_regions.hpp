@@ -34,7 +34,7 @@ public:
     /// Returns the points from which `points` is reachable, including `points`.
     Bdd to(const Bdd& points) const;
     /// Returns at most `most` terminal regions of runs from `among`. No run may leave `among`. If the result has fewer
-    /// than `most` regions, it is complete.
+    /// than `most` regions, it contains all terminal regions.
     std::vector<Bdd> regions(Bdd among, std::size_t most) const;
     /// Returns the points in `within` from which a run stays in `within` and visits `often` infinitely often. No run
     /// may enter `within` again after leaving it.

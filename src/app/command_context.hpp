@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Context of one execution of a command. It translates the options to calls of the pipeline for all commands. A
-// function that returns an empty optional has added an error to the diagnostics of the context.
+// Context of one execution of a command. The functions of this file translate the options to calls of the pipeline for
+// all commands. A function that returns an empty optional has added an error to the diagnostics of the context.
 #pragma once
 
 #include <iosfwd>
@@ -87,12 +87,12 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
 
 /// True if the options select a chart without a loop, or `model` has no loop.
 bool is_of_a_chart(const Model& model, const Options& options);
-/// Returns the loop that the options select; by default, the only one of the model.
+/// Returns the loop that the options select; by default, the only loop of the model.
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, CommandContext& job);
-/// If `--property` is given, keeps only the properties that it names. Returns false after an error: one of the
-/// properties does not exist.
+/// If `--property` is given, keeps only the properties that it names. Returns false after an error: a property named by
+/// `--property` does not exist.
 bool keep_requested(ClosedLoop& loop, CommandContext& job);
-/// Returns the chart that the options select; by default, the only one of the model.
+/// Returns the chart that the options select; by default, the only chart of the model.
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job);
 
 /// Returns the steps of a list such as `3,X5,G1.3`, which is the value of `option`. A step that does not exist or is
@@ -104,8 +104,8 @@ ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const CommandC
 /// Returns the options with which commands read variants of the model again.
 ReadOptions read_options(const Options& options);
 ModelOptions model_options(const Options& options);
-/// Returns the same options for `loop`: an untimed model of a loop with a task cycle has plant automata unless
-/// `--plant` is present.
+/// Returns the options of the models of `loop`. The result differs from model_options(options) if the loop has a task
+/// cycle: an untimed model of such a loop has plant automata unless `--plant` is present.
 ModelOptions model_options(const Options& options, const ClosedLoop& loop);
 /// Returns the output format selected by `--format`; the default is PLCopen XML.
 structured_text::Form structured_text_form(const Options& options);

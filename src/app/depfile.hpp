@@ -18,8 +18,8 @@ namespace grafverif::app {
 /// Position of a name in a depfile: left or right of the colon.
 enum class DepfileSide { Result, File };
 
-/// Returns `name` in the form that `reader` (GNU make 4.3, Ninja 1.11, CMake 3.25 and later versions) expects on that
-/// side of the colon; empty if the reader cannot represent the name.
+/// Returns `name` in the form that `reader` (GNU make 4.3, Ninja 1.11, CMake 3.25 and later versions) expects on the
+/// given side of the colon; empty if the reader cannot represent the name.
 std::optional<std::string> depfile_name(std::string_view name, DepfileSide side, DepfileReader reader);
 
 /// Returns the text of a depfile. Requires names that `reader` can represent.

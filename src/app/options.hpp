@@ -64,8 +64,8 @@ struct FaultsOptions {
 
 /// Options of `st`.
 struct StOptions {
-    /// Maximum number of evolutions of a stable cycle; at most 32 bits. If it is empty: 1000, or with `prove` the
-    /// smallest number that is found to be sufficient.
+    /// Maximum number of evolutions in one cycle under stability search; less than 2^32. If this member is empty, the
+    /// maximum is 1000 or, with `prove`, the first number tried that is sufficient.
     std::optional<std::uint64_t> max_evolutions = {};
     structured_text::Dialect dialect = structured_text::Dialect::Iec;
     bool prove = false;  ///< prove that the program is equivalent to the chart before it is written
@@ -96,7 +96,7 @@ struct Options {
     ScheduleOptions untimed = {};             ///< options of untimed models; its member `mode` is not used
     std::optional<PlantApproach> plant = {};  ///< value of `--plant`, the plant of untimed models
     Target target = Target::Both;
-    std::optional<bool> binary = {};  ///< option of `aiger`; if empty, it depends on the name of the output
+    std::optional<bool> binary = {};  ///< option of `aiger`; if empty, the name of the output determines the form
     Clock clock = Clock::Simulated;
     Format format = Format::Text;  ///< output format; Csv is only for `testgen`
     TestCover cover = TestCover::Transitions;
@@ -148,9 +148,9 @@ struct Options {
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     EventRange events = {};    ///< range of events that the timing diagram shows
     std::string against = {};  ///< option of `test`: the command that runs the controller under test
-    /// Table of a test. If it is empty, `test` generates the test from the chart.
+    /// File with the table of a test. If this member is empty, `test` generates the test from the chart.
     std::optional<std::string> sequence = {};
-    /// Limit for one response (`test`), for one check (`serve` and `lsp`) or for one call (`mcp`).
+    /// Time limit in milliseconds for one response (`test`), for one check (`serve` and `lsp`) or for one call (`mcp`).
     std::optional<std::uint64_t> response_timeout_ms = {};
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
     std::optional<std::string> open_psa = {};          ///< option of `faults`
@@ -297,7 +297,7 @@ bool accepts(const CliCommand& verb, OptionGroup what);
 struct OptionText {
     std::string name = {};    ///< name without dashes: `output`
     std::string letter = {};  ///< letter such as `o`; may be empty
-    std::string value = {};   ///< placeholder of its value: `FILE`, `text|json`; empty if it has no value
+    std::string value = {};   ///< placeholder of its value: `FILE`, `text|json`; empty if the option has no value
     std::string help = {};
 };
 /// Returns the visible options of a command, in the order of --help.

@@ -35,7 +35,7 @@ bool folders_are_there(bool folder, CommandContext& job);
 /// Records that the command reads the file at `path`. Returns false after an error: the file is also an output.
 bool note_input(const std::string& path, CommandContext& job);
 
-/// Writes the set of files (see write_files), preceded by the depfile if one is requested. `-` and other names of
+/// Writes the set of files (see write_files), preceded by the depfile if a depfile is requested. `-` and other names of
 /// standard output and error denote the streams. Returns false after an error: one of the files is an input, or occurs
 /// twice.
 bool write_outputs(const std::vector<OutputFile>& files, CommandContext& job, const Streams& streams);

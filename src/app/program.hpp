@@ -33,7 +33,7 @@ struct Streams {
     /// True if the process executes only this program, which may then limit and end the process.
     bool alone = false;
     Screen out_screen = {}, err_screen = {};
-    bool typed = false;  ///< true if `in` is a terminal, and `out` is one that can overwrite a line
+    bool typed = false;  ///< true if `in` is a terminal, and `out` is a terminal that can overwrite a line
     /// Stream for outputs with the name `-`; null selects `out`. `documents_screen` has the properties of its terminal.
     std::ostream* documents = nullptr;
     Screen documents_screen = {};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Report files of an invocation. No report of an earlier invocation remains, even if this invocation is killed. Before
-// any work, an old JUnit or SARIF report is replaced by one that states that the run did not finish. Other old reports
-// (traces, pages, findings) are removed. The reports are written after the work, also after errors. Until the inputs
-// are known, no existing file is modified except old reports. Therefore a chart is not overwritten if the user names it
-// as a report by mistake.
+// any work, an old JUnit or SARIF report is replaced by a report that states that the run did not finish. Other old
+// reports (traces, pages, findings) are removed. The reports are written after the work, also after errors. Until the
+// inputs are known, no existing file is modified except old reports. Therefore a chart is not overwritten if the user
+// names it as a report by mistake.
 #pragma once
 
 #include <string>

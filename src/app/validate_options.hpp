@@ -19,7 +19,7 @@ std::string validate_outputs(const CliCommand& verb, const Options& options);
 std::string validate_combinations(const CliCommand& verb, const Options& options,
                                   const std::function<bool(const char* name)>& given);
 
-/// Validates limits. Reduces a time that exceeds the range of the clock.
+/// Validates limits. Reduces a time limit that exceeds the range of the clock to this range.
 std::string validate_limits(Options& options);
 
 /// Validates the options of the untimed model.

@@ -2,17 +2,17 @@
 // Bdd: Boolean functions as reduced ordered binary decision diagrams with complement edges (Bryant 1986; Brace, Rudell
 // and Bryant 1990).
 //
-// A BddSpace owns variables, nodes and memory. Several spaces may exist; each is used by only one thread at a time.
-// Variables are added at the bottom of the order and keep their positions unless reordering is requested. The caller
-// therefore determines the order, and the order determines the cost.
+// A BddSpace owns variables, nodes and memory. Several spaces may exist; each space must be used by only one thread at
+// a time. Variables are added at the bottom of the order and keep their positions unless reordering is requested. The
+// caller therefore determines the order; the order determines the number of nodes, and hence the cost of operations.
 //
-// A Bdd is a handle: equal functions are equal handles, and copies are cheap. A handle refers to its space. Constants
-// do not belong to a space and can be combined with handles of every space. All handles and renamings of a space must
-// be destroyed before the space.
+// A Bdd is a handle of a function. Handles of equal functions are equal, and copying a handle is cheap. A handle refers
+// to its space. Constants do not belong to a space and can be combined with handles of every space. All handles and
+// renamings of a space must be destroyed before the space.
 //
 // Every operation throws BddExhausted if a limit of the space is reached, an allocation fails, or the stop flag is set.
-// The stop flag is detected within milliseconds. The function that created the space catches the exception and returns
-// an unknown result. After the exception, all handles denote the same functions as before.
+// The stop flag is detected within milliseconds. By convention, the function that created the space catches the
+// exception and returns the result `unknown`. After the exception, all handles denote the same functions as before.
 #pragma once
 
 #include <atomic>
@@ -88,16 +88,16 @@ public:
     /// True if both handles denote the same function.
     bool operator==(const Bdd& other) const = default;
 
-    /// The functions return the topmost variable on which the function depends, and the cofactors for the values false
-    /// and true of this variable. Requires a function that is not constant.
+    /// `top` returns the topmost variable on which the function depends. `low` and `high` return the cofactors for the
+    /// values false and true of this variable. Requires that the function is not constant.
     std::uint32_t top() const;
     Bdd low() const;
     Bdd high() const;
 
     std::size_t hash() const { return std::size_t{edge_} * 0x9E3779B97F4A7C15U; }
 
-    /// Creates the handle of a function; only for the implementation. A handle of a constant does not refer to
-    /// `kernel`.
+    /// Creates the handle of a function. Only the implementation of the operations calls this constructor. A handle of
+    /// a constant does not refer to `kernel`.
     Bdd(bdd::Kernel& kernel, std::uint32_t edge);
     bdd::Kernel* kernel() const { return kernel_; }
     std::uint32_t edge() const { return edge_; }
@@ -124,22 +124,23 @@ public:
 
     std::uint64_t nodes() const;  ///< nodes in use, including garbage
     std::uint64_t bytes() const;  ///< memory allocated for nodes, tables and cache
-    /// Number of operation steps so far: a measure of work that does not depend on the processor.
+    /// Returns the number of operation steps so far: a measure of work that does not depend on the speed of the
+    /// processor.
     std::uint64_t work() const;
 
-    /// Frees unused nodes. The space calls this function automatically when it needs memory.
+    /// Frees unused nodes. The space collects garbage automatically when it needs memory.
     void collect_garbage();
 
     /// Returns the variables in their order, topmost first.
     std::vector<std::uint32_t> order() const;
-    /// Makes a group of `count` adjacent variables, starting with `first`. Reordering moves the variables of a group
-    /// together.
+    /// Makes a group of the `count` adjacent variables from the index `first` on. Reordering moves the variables of a
+    /// group together.
     void keep_together(std::uint32_t first, std::size_t count);
-    /// Searches for an order with fewer nodes. The search ends early if it needs more memory than the limit. All
-    /// handles keep their functions.
+    /// Searches for a variable order with fewer nodes. The search ends early if it would need more memory than the
+    /// limit. All handles keep their functions.
     void reorder();
     /// Enables automatic reordering: an operation first reorders if more than `nodes` nodes are in use, and again
-    /// whenever the number of nodes has doubled. 0 (the default) disables it.
+    /// whenever the number of nodes has doubled. The value 0 (the default) disables automatic reordering.
     void reorder_above(std::uint64_t nodes);
 
     /// Only for the implementation.
@@ -169,31 +170,34 @@ struct BddLiteral {
     bool operator==(const BddLiteral&) const = default;
 };
 
-/// Returns the conjunction of the literals; true if there are none.
+/// Returns the conjunction of the literals; the constant true if `literals` is empty.
 Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals);
-/// Returns the conjunction of the variables, which represents a set of variables in the quantifiers.
+/// Returns the conjunction of the variables. This function represents the set of variables as an argument of `exists`
+/// and `and_exists`.
 Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables);
 
 Bdd exists(const Bdd& f, const Bdd& variables);
 /// Returns exists(f & g, variables) without computing f & g: the relational product.
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables);
-/// Returns the cofactor of f for the literals of the cube. The result does not depend on the variables of the cube.
+/// Returns the cofactor of f for the literals of the cube. The result is a function that does not depend on the
+/// variables of the cube.
 Bdd cofactor(const Bdd& f, const Bdd& cube);
-/// Returns a function, small if possible, that equals f for all assignments that satisfy `care` (Coudert and Madre
-/// 1990). Requires that `care` is not false.
+/// Returns a function that equals f for all assignments that satisfy `care`, and that has few nodes if possible
+/// (Coudert and Madre 1990). Requires that `care` is not false.
 Bdd simplify(const Bdd& f, const Bdd& care);
 
 /// A simultaneous renaming of variables.
 class BddRenaming {
 public:
-    /// Maps the first variable of each pair to the second. The second variables must be distinct.
+    /// Maps the first variable of each pair to the second variable of the pair. Requires that the second variables are
+    /// distinct.
     explicit BddRenaming(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     BddRenaming(const BddRenaming&) = delete;
     BddRenaming& operator=(const BddRenaming&) = delete;
     ~BddRenaming();
 
-    /// Returns f with renamed variables. Requires that f does not depend on a new variable unless that variable is also
-    /// renamed.
+    /// Returns f with renamed variables. Requires that f does not depend on the second variable of a pair, unless this
+    /// variable is also the first variable of a pair.
     Bdd operator()(const Bdd& f) const;
 
     struct Map;  ///< only for the implementation
@@ -202,23 +206,24 @@ private:
     std::unique_ptr<Map> map_;
 };
 
-/// Returns the variables on which f depends, increasing.
+/// Returns the variables on which f depends, in increasing order.
 std::vector<std::uint32_t> support(const Bdd& f);
 /// Returns the number of nodes of f without constants.
 std::size_t size(const Bdd& f);
-/// Returns f under the assignment of values[i] to variable i. `values` contains all variables on which f depends.
+/// Returns the value of f if each variable i has the value values[i]. Requires that `values` contains a value for each
+/// variable on which f depends.
 bool evaluate(const Bdd& f, const std::vector<bool>& values);
 
 /// Returns literals that make f true, in increasing order of their variables, or nullopt if f is false.
 std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f);
-/// Enumerates disjoint cubes whose disjunction is f, until `visit` returns false. False branches are enumerated first.
-/// The number of cubes can be exponential in the size of f.
+/// Enumerates disjoint cubes whose disjunction is f, until `visit` returns false. For each variable, cubes with the
+/// value false are enumerated first. The number of cubes can be exponential in the size of f.
 void for_each_cube(const Bdd& f, const std::function<bool(std::span<const BddLiteral>)>& visit);
 
-/// Returns the exact number of assignments to `variables` that make f true, in decimal. `variables` is increasing and
-/// contains every variable on which f depends.
+/// Returns the exact number of assignments to `variables` that make f true, in decimal. Requires that `variables` is in
+/// increasing order and contains every variable on which f depends.
 std::string count(const Bdd& f, std::span<const std::uint32_t> variables);
-/// Returns the same number, or nullopt if it does not fit into 64 bits.
+/// Returns the same number as `count`, or nullopt if the number does not fit into 64 bits.
 std::optional<std::uint64_t> small_count(const Bdd& f, std::span<const std::uint32_t> variables);
 
 }  // namespace grafverif

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Block: an array in memory with a limit. Its memory is charged to a budget, and its growth may fail. All memory that
-// grows with the diagrams is allocated as Blocks, so that the memory limit is exact. If growing a block would exceed
-// the limit, or if the system refuses memory, the block is unchanged and an error is returned.
+// Block: an array whose memory is charged to a Budget. All memory that grows with the decision diagrams is allocated as
+// Blocks, so that the memory limit is exact. If growing a block would exceed the limit, or if the system refuses
+// memory, the block is unchanged and an error is returned.
 //
-// A block is resized in place or moved as a unit. For large blocks this requires no second copy, because pages are
-// remapped.
+// A block is resized in place or moved as a unit. Moving a large block needs no second copy of its memory, because the
+// system remaps the pages.
 #pragma once
 
 #include <cassert>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Cache of operation results: maps an operation and its operands to the resulting edge. The cache is lossy: a new
-// result replaces the result that was in the same slot. All operations share one table, which grows with the number of
+// result replaces any earlier result in the same slot. All operations share one table, which grows with the number of
 // nodes.
 //
-// A garbage collection keeps an entry if it keeps all nodes of the entry. Two unused bits of each of the first two
-// operand edges encode the operation. An entry with all bits zero is empty; it cannot be a result, because the cache is
-// not used for operations with constant operands.
+// A garbage collection keeps an entry if it keeps all nodes to which the entry refers. Two unused bits of each of the
+// first two operand edges encode the operation. An entry whose bits are all zero is empty. No stored result has this
+// form, because the cache is not used for operations whose first operand is constant.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,8 @@ public:
         entries_[slot(entry)] = entry;
     }
 
-    /// Doubles the size and keeps all entries. If the memory is not available, the cache is unchanged. The first call
-    /// allocates the initial entries.
+    /// Doubles the number of slots and keeps all entries. If the memory is not available, returns false and leaves the
+    /// cache unchanged. The first call allocates the initial entries.
     bool grow(InterruptPoll& watch);
     std::size_t size() const { return size_; }
     /// Removes all entries.
@@ -58,7 +58,7 @@ public:
         std::uint32_t h = 0;
         Edge result = 0;
     };
-    /// Returns the entry of a slot; it is empty if f is 0.
+    /// Returns the entry of a slot; the slot is empty if `f` of the result is 0.
     CachedResult known(std::size_t slot) const;
 
 private:

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Explicit-stack recursion for BDD operations. An operation splits its operands at their topmost level, processes both
-// cofactors and combines the results; known results come from the cache. Pending calls are frames in the BDD space: the
-// depth of the native stack is constant, garbage collection sees all live operands, and removing its frames cancels an
-// operation.
+// cofactors and combines the results. Known results are read from the cache. Pending calls are stored as frames in the
+// kernel of the BDD space. Therefore, the depth of the native stack is constant, garbage collection finds all operands
+// that are in use, and an operation is cancelled by removing its frames.
 //
 // A Rule defines one operation:
 //   Operation operation             cache key
 //   bool terminal_case(Kernel&, Call&, Edge& result, bool& flip)
-//                                   true in a terminal case, with the result; otherwise normalizes the call. `flip`:
-//                                   the result must be complemented
+//                                   in a terminal case, stores the result and returns true; otherwise normalizes the
+//                                   call and returns false. Sets `flip` if the result must be complemented
 //   uint32_t level(Kernel&, Call)   branching level
 //   uint32_t third(Call)            third operand of the cache key
 //   Call low(Kernel&, Frame), high(Kernel&, Frame)
 //   bool enough(Kernel&, Frame, Edge& low)      true if the low branch determines the result, which it stores in `low`
-//   Edge join(Kernel&, Frame, Edge high)        combines both results; the frame is still on the stack
-// `terminal_case` and `join` may run other operations on edges that frames contain. They must pass each result directly
-// to the next operation, because no frame protects the result from a garbage collection.
+//   Edge join(Kernel&, Frame, Edge high)        combines the results of both branches; the frame is still on the stack
+// `terminal_case` and `join` may run other operations on edges that frames contain. They must pass each result of such
+// an operation directly to the next operation, because no frame protects this result from a garbage collection.
 #pragma once
 
 #include "bdd/kernel.hpp"

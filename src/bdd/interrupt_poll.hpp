@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polls the stop flag, the deadline and the work limit every N operations. The cost of polling is negligible. The flag
-// is detected soon after it is set, because one operation step takes far less than a microsecond.
+// Polls the stop flag, the deadline and the work limit every N operations. The cost of polling is negligible. The poll
+// detects the stop flag soon after it is set, because one operation step takes far less than a microsecond.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ class InterruptPoll {
 public:
     explicit InterruptPoll(const BddLimits& limits) : limits_(limits) {}
 
-    /// Counts steps. Throws BddExhausted if a limit is reached or the stop flag is set.
+    /// Counts `steps` operation steps and polls if necessary. Throws BddExhausted if a poll finds that a limit is
+    /// reached or the stop flag is set.
     void step(std::uint32_t steps = 1) {
         left_ -= steps;
         if (left_ <= 0) look();

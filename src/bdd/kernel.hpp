@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Kernel: all data of a space, which are its order, nodes, cache, and the frames of the running operation. The
-// operations on a kernel are functions in several files: kernel.cpp (allocation), collect.cpp, connectives.cpp,
-// quantify.cpp, restrict.cpp, rename.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp create no nodes.
+// Kernel: all data of a BddSpace, namely the variable order, the nodes, the cache, and the frames of the running
+// operation. The operations on a kernel are functions in several files: kernel.cpp (allocation), collect.cpp,
+// connectives.cpp, quantify.cpp, restrict.cpp, rename.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp contain
+// operations that create no nodes.
 //
 // The creation of a node may collect garbage or throw BddExhausted. Therefore each edge that an operation still needs
-// must be in one of its frames or be an argument of `make`. Handles protect the operands of the operation.
+// must be in one of its frames or be an argument of `make`. The operands of the operation itself are protected by
+// handles.
 #pragma once
 
 #include <initializer_list>
@@ -16,7 +18,7 @@
 
 namespace grafverif::bdd {
 
-/// A pending call of an operation; operands and results are edges, so that collection can mark them.
+/// A pending call of an operation. Operands and results are edges, so that a garbage collection can mark their nodes.
 struct Frame {
     Edge f = 0, g = 0, h = 0;            ///< operands of the call
     Edge low = 0;                        ///< result of the low branch, valid if `has_low`
@@ -52,7 +54,7 @@ public:
     explicit Order(Budget& budget) : level_of(budget), variable_at(budget), group_of(budget) {}
 
     std::uint32_t size() const { return size_; }
-    /// Returns false if the memory is not available.
+    /// Adds `count` variables at the bottom of the order. Returns false if the memory is not available.
     bool add(std::uint32_t count);
 
     Block<std::uint32_t> level_of, variable_at;
@@ -73,7 +75,7 @@ struct Kernel {
     std::uint32_t level(Edge edge) const { return node(edge).level; }
     Edge low(Edge edge) const { return node(edge).low ^ complement_bit(edge); }
     Edge high(Edge edge) const { return node(edge).high ^ complement_bit(edge); }
-    /// Return the low or high branch of an edge, or the edge itself if its node is not at `level`.
+    /// Return the low or high branch of an edge if its node is at `level`; otherwise, return the edge itself.
     Edge low(Edge edge, std::uint32_t level) const { return node(edge).level == level ? low(edge) : edge; }
     Edge high(Edge edge, std::uint32_t level) const { return node(edge).level == level ? high(edge) : edge; }
 
@@ -83,25 +85,26 @@ struct Kernel {
     NodeTable table;
     Cache cache;
     Frames frames;
-    std::uint32_t numbers = 0;  ///< last number assigned to a renaming, which identifies the renaming in the cache
-    std::uint64_t handles = 0;  ///< sum of `refs`
+    /// Last number that was assigned to a renaming; the number identifies the renaming in the cache.
+    std::uint32_t numbers = 0;
+    std::uint64_t handles = 0;  ///< number of all handles of the space, the sum of NodeTable::refs
     /// Number of nodes above which operations reorder; 0 disables automatic reordering.
     std::uint64_t reorder_above = 0;
 };
 
-/// Obtains memory for a node by growth or by a collection, which does not free `low` and `high`. Throws BddExhausted if
-/// this fails.
+/// Obtains memory for a node by growth or by a garbage collection, which does not free the nodes of `low` and `high`.
+/// Throws BddExhausted if no memory can be obtained.
 void free_memory(Kernel& kernel, Edge low, Edge high);
-/// Rebuilds the chains and the free list, and completes an interrupted sweep.
+/// Rebuilds the hash chains and the free list of the node table, and completes an interrupted sweep.
 void relink(Kernel& kernel);
 /// Frees the nodes that are not reachable from handles, frames or the edges `spared`.
 void collect(Kernel& kernel, std::initializer_list<Edge> spared);
-/// Doubles the number of nodes, or grows as far as the limit permits. Returns false if not even a sixteenth more can be
-/// allocated, or if there is no memory for the hash table or the cache.
+/// Doubles the number of nodes, or grows as far as the limit permits. Returns false if the limit permits less than a
+/// sixteenth of additional nodes, or if there is no memory for the hash table or the cache.
 bool grow(Kernel& kernel);
 
-/// Returns the function "if the variable of `level` then high else low". Both operands must depend only on variables
-/// below `level`.
+/// Returns the function "if the variable of `level` then high else low". Requires that `low` and `high` depend only on
+/// variables below `level`.
 inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     if (low == high) return low;
     const Edge flip = complement_bit(low);
@@ -145,10 +148,11 @@ Edge product_quantified(Kernel& kernel, Edge f, Edge g, Edge cube);
 Edge restricted(Kernel& kernel, Edge f, Edge cube);
 Edge simplified(Kernel& kernel, Edge f, Edge care);
 
-/// Improves the order by sifting. Groups remain together.
+/// Improves the variable order by sifting. The variables of a group remain adjacent.
 void reorder(Kernel& kernel);
 
-/// Returns the nodes of a function without the constant, children before parents. All marks are cleared.
+/// Returns the nodes of a function without the constant node, children before parents. On return, all marks are
+/// cleared.
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root);
 
 }  // namespace grafverif::bdd

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Node table of a space.
 //
-// An edge is the doubled index of a node, plus one if the function is the complement of the node's function (Brace,
-// Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is true. A node represents the function "if
-// the variable of the node then high else low". Its low edge is never complemented, which makes nodes canonical. A
-// function and its complement share one node, whose function is false if all variables are false.
+// An edge represents a function by a node. Its value is twice the index of the node, plus one if the function is the
+// complement of the node's function (Brace, Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is
+// true. A node represents the function "if the variable of the node then high else low". The low edge of a node is
+// never complemented, so that each function has a unique edge. A function and its complement share one node; the
+// function of a node is false for the assignment in which all variables are false.
 //
-// A node stores its level, which is the position of its variable in the order. Deeper levels are larger, and the
-// constant has the largest level. One hash table, with chains through the nodes, maps a triple (level, low, high) to
-// its node. The table contains each triple at most once, so that equal functions have equal edges.
+// A node stores its level, which is the position of its variable in the order. The topmost variable has level 0, and
+// the constant node has the largest level. One hash table, with chains through the nodes, maps a triple (level, low,
+// high) to its node. The table contains each triple at most once, so that equal functions have equal edges.
 //
-// Nodes have no reference counts for edges; handles are counted per node (`refs`). Nodes that are reachable neither
-// from handles nor from frames of a running operation are garbage. Garbage stays in the table, and can be used again,
-// until memory is needed.
+// `refs` counts the handles of each node; edges from other nodes are not counted. Nodes that are reachable neither from
+// handles nor from frames of a running operation are garbage. Garbage nodes stay in the table until memory is needed.
+// Until then, an operation that needs the same triple uses the node again.
 //
-// `stale` is true until the chains are rebuilt. If the rebuild is interrupted, `stale` stays true, and the next
-// operation first completes the rebuild.
+// A garbage collection and other changes of the table set `stale`; it is true until the hash chains are rebuilt. If the
+// rebuild is interrupted, `stale` stays true, and the next operation first completes the rebuild.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +54,7 @@ public:
         return static_cast<std::uint32_t>(((pair ^ pair >> 32U) + level) * 0xD6E8FEB86659FD93U >> shift);
     }
 
-    /// Returns the node of the triple; 0 if it does not exist.
+    /// Returns the node of the triple; 0 if the table does not contain the triple.
     std::uint32_t find(std::uint32_t level, Edge low, Edge high) const {
         for (std::uint32_t n = buckets[bucket(level, low, high)]; n != 0; n = nodes[n].next)
             if (const Node& node = nodes[n]; node.low == low && node.high == high && node.level == level) return n;
@@ -105,11 +106,11 @@ public:
 
     Block<Node> nodes;
     Block<std::uint32_t> refs;     ///< number of handles per node; 0 for free nodes
-    Block<std::uint64_t> marks;    ///< one bit per node, 0 except during a walk or a collection
+    Block<std::uint64_t> marks;    ///< one bit per node; all bits are 0 except during a walk or a garbage collection
     Block<std::uint32_t> buckets;  ///< first node of each chain; the size is a power of two
     unsigned shift = 63;           ///< number of bits by which a hash is shifted to select a bucket
     std::uint32_t capacity = 0;    ///< number of usable nodes; the blocks may be larger
-    std::uint32_t used = 0;        ///< nodes from this index on were never used
+    std::uint32_t used = 0;        ///< index of the first node that was never used
     std::uint32_t in_use = 0;      ///< number of nodes in use, including garbage
     std::uint32_t free = 0;        ///< list of unused nodes below `used`
     bool stale = false;            ///< true if the chains and the free list must be rebuilt

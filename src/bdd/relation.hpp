@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Transition relation: defines the next value of each bit of a state, and computes images and preimages of sets of
-// states.
+// Transition relation: represents steps by the next value of each bit of a state, and computes images and preimages of
+// sets of states.
 //
-// A bit has a variable for its value before a step and, directly below it in the order, a variable for its value after
-// the step. The relation is partitioned into conjuncts ("parts") and never represented by one diagram. An image
-// quantifies a variable together with the last part that reads it (Burch, Clarke and Long 1991). Parts that read the
-// same choice, which is a variable local to one step, are conjoined and the choice is quantified, if the resulting
-// diagram is small. The other parts are ordered so that variables can be quantified early and are introduced late
-// (Ranjan, Aziz, Brayton, Plessier, Pixley 1995).
+// Each bit has two variables: one for its value before a step and, directly below in the variable order, one for its
+// value after the step. The relation is partitioned into conjuncts ("parts") and is never represented by a single
+// diagram. An image quantifies a variable together with the last part that reads it (Burch, Clarke and Long 1991). A
+// choice is a variable that has a value only within one step. Parts that read the same choice are conjoined and the
+// choice is quantified, if the resulting diagram is small. All remaining parts are ordered so that variables can be
+// quantified early and are introduced late (Ranjan, Aziz, Brayton, Plessier, Pixley 1995).
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,8 @@ struct NextBit {
 
 class Relation {
 public:
-    /// Represents the steps in which each of `bits` takes its next value; other variables are unchanged. `conditions`
-    /// are further constraints on variables before a step and on `choices`, which are variables that are local to a
-    /// step.
+    /// Represents the steps in which each bit of `bits` gets its next value; all other variables are unchanged.
+    /// `conditions` are further constraints on the variables before a step and on `choices`.
     Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions = {},
              std::vector<std::uint32_t> choices = {});
 
@@ -41,21 +40,21 @@ public:
     /// Distributes `variables` and the choices over the parts.
     Quantified quantified(std::span<const std::uint32_t> variables) const;
 
-    /// Returns the successors of `from`, in terms of the variables before a step. The quantified `variables` must
-    /// include all bits; the result constrains only the next values of bits and the variables that are not quantified.
+    /// Returns the successors of `from` as a function of the variables before a step. Requires that the quantified
+    /// `variables` include all bits. The result constrains only the bits and the variables that are not quantified.
     Bdd image(const Bdd& from, const Quantified& variables) const;
     /// Returns the states from which a step, with some values of the choices, leads to a state of `to`.
     Bdd preimage(const Bdd& to) const;
 
     /// Returns the bits, ordered by their variables.
     const std::vector<NextBit>& bits() const { return bits_; }
-    /// Returns the variables before or after a step that the relation reads or writes, increasing.
+    /// Returns the variables that the relation reads or writes, before or after a step, in increasing order.
     std::vector<std::uint32_t> variables() const;
 
 private:
     struct Conjunct {
         Bdd relation = {};
-        std::vector<std::uint32_t> reads = {};  ///< variables on which the part depends, increasing
+        std::vector<std::uint32_t> reads = {};  ///< variables on which the part depends, in increasing order
         Bdd after = {};                         ///< variables that a preimage quantifies together with this part
     };
 

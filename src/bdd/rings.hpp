@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rings: layers of a breadth-first search with sets of states. Each ring contains the successors of the previous ring
-// that are not in any earlier ring. The first ring with a goal state contains the nearest goal states. A shortest path
-// to a goal state has one state in each ring up to this ring.
+// that are not in any earlier ring. The first ring that contains a goal state contains the nearest goal states. A
+// shortest path to a goal state has one state in each ring, from the first ring to the ring of the goal state.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ struct Rings {
     std::vector<Bdd> each = {};
     Bdd reached = {};  ///< union of all rings
 
-    /// Adds a ring with the states of `states` that are not in earlier rings. Returns false if there are no such
-    /// states.
+    /// Adds a ring with the states of `states` that are not in earlier rings. Returns false and adds no ring if all
+    /// states are in earlier rings.
     bool add(const Bdd& states) {
         const Bdd ring = states & ~reached;
         if (ring.is_false()) return false;
@@ -37,8 +37,8 @@ struct Rings {
     }
 };
 
-/// Returns a path to `last`, which is in ring `steps`, with one state in each previous ring. `before(k, state)` returns
-/// a state of ring k with `state` as a successor.
+/// Returns a path to `last` with one state in each of the rings 0 to `steps`. Requires that `last` is in ring `steps`.
+/// `before(k, state)` returns a predecessor of `state` in ring k.
 template <class State, class Before>
 std::vector<State> path_back(std::size_t steps, State last, const Before& before) {
     std::vector<State> path{std::move(last)};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Saturation (Ciardo, Luettgen, Siminiscu 2001): computes the reachable states of a disjunctively partitioned
-// transition relation. Each cluster of the relation should read and write only few variables. A diagram is closed
-// bottom-up. First each subdiagram is closed under the steps that concern only lower variables. Then the complete
-// diagram is closed under the steps whose topmost variable is its top variable. This is repeated up to a fixed point.
-// Results for subdiagrams are cached and reused. The algorithm does not compute diagrams of breadth-first layers.
+// transition relation. The algorithm is efficient if each cluster of the relation reads and writes only few variables.
+// A diagram is closed bottom-up. First, each subdiagram is closed under the steps that concern only variables below the
+// top variable of the diagram. Then, the complete diagram is closed under the steps whose topmost variable is the top
+// variable of the diagram. Both are repeated up to a fixed point. Results for subdiagrams are cached and reused. The
+// algorithm does not compute diagrams of breadth-first layers.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct ClusterSteps {
 
 class Saturation {
 public:
-    /// The clusters must outlive this object, and the order must not change while it exists.
+    /// The clusters must outlive this object, and the variable order must not change while this object exists.
     Saturation(const BddSpace& space, const std::deque<ClusterSteps>& kinds);
     Saturation(const Saturation&) = delete;
     Saturation& operator=(const Saturation&) = delete;
@@ -37,7 +38,7 @@ public:
 
 private:
     struct Level {
-        std::uint32_t level = 0;  ///< level of the topmost variable
+        std::uint32_t level = 0;  ///< level of the topmost variable of the clusters in `kinds`
         std::vector<const ClusterSteps*> kinds = {};
     };
     struct CacheKey {

@@ -17,23 +17,25 @@ using BddTerms = BitTerms<Bdd>;
 inline BddTerm bdd_boolean(const Bdd& value) { return boolean_term(value); }
 inline BddTerm bdd_integer(std::int64_t value) { return integer_term<Bdd>(value); }
 
-/// A variable of `type` as bits of a space: the unsigned offset of the value from type.low, least significant bit
-/// first, with as many bits as the range requires (none for a single value). A Boolean has one bit.
+/// Represents a value of `type` by variables of a space. The bits encode the offset of the value from type.low, as an
+/// unsigned number with the least significant bit first. There are as many bits as the range requires (no bits for a
+/// range with a single value). A Boolean has one bit.
 struct BddWord {
     Type type = {};
     std::vector<std::uint32_t> bits = {};
 };
 
-/// Returns the word as a term. For assignments outside `in_range`, the value exceeds type.high.
+/// Returns the word as a term. For assignments for which `in_range` is false, the value of the term exceeds type.high.
 BddTerm term_of(const BddSpace& space, const BddWord& word);
-/// True for assignments for which the word has a value of its type.
+/// True for assignments for which the value of the word is in the range of its type.
 Bdd in_range(const BddSpace& space, const BddWord& word);
 /// True for assignments for which the word has the value `value`, which must be in the range of its type.
 Bdd equals(const BddSpace& space, const BddWord& word, std::int64_t value);
 /// Returns the value of the word under an assignment to all its bits; Booleans are 0 and 1.
 std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment);
 
-/// Returns the bits of a word of `type` with the value of the term, which must be in the range of the type.
+/// Returns the bits of a word of `type` that has the value of `term`. Requires that this value is in the range of
+/// `type`.
 std::vector<Bdd> word_bits(const BddTerm& term, Type type);
 
 /// Returns the value of a term under an assignment to all variables on which it depends. Requires that the term has a

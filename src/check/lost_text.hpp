@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// First words of the note that lists the transitions that are never cleared again after the end of a trace.
+// Beginning of the note that lists the transitions that are never cleared again after the end of a trace.
 #pragma once
 
 namespace grafverif {

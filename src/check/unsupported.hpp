@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties that the embedded engines of untimed models do not support.
+// Property patterns that the embedded engines for untimed models do not support.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace grafverif {
 
 /// Returns the reason why no embedded engine decides properties of this pattern on a transition system, or an empty
-/// string if an engine decides them.
+/// string if an embedded engine supports this pattern.
 inline std::string unsupported_reason(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock:

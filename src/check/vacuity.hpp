@@ -10,13 +10,15 @@
 
 namespace grafverif {
 
-/// Marks the properties that hold vacuously: a property is vacuous if one of its probes is violated, and the first
-/// violated probe determines the note. If no probe is violated, but a probe is undecided, a note is added. `properties`
-/// also contains the probes. Their verdicts are not results, but remain in `verdicts`.
+/// Marks the properties that hold vacuously. A property that holds is vacuous if one of its probes is violated; the
+/// first violated probe determines the note of the verdict. If no probe is violated, but the verdict on a probe is
+/// unknown, another note is added. `properties` also contains the probes. The verdicts on the probes remain in
+/// `verdicts`, although they are not results.
 void apply_probes(const Table<Property>& properties, std::vector<Verdict>& verdicts);
 
-/// Adds probes for properties for which external programs do not detect vacuity: declared `leads to`, and, if `settled`
-/// is true, properties of all states with `at stable`. `settled` is true if the model represents quiescence.
+/// Adds probes for properties for which external programs do not detect vacuity: declared `leads to` properties and, if
+/// `settled` is true, properties about all states with `at stable`. `settled` must be true only if the model represents
+/// quiescence.
 void add_external_probes(Exprs& exprs, Table<Property>& properties, bool settled);
 
 }  // namespace grafverif

@@ -8,9 +8,9 @@
 // inverted in its latch. If the first value is not constant, the latch `started` selects between this value and the
 // latch of the bit.
 //
-// The latch `broken` represents the invariants, the constraints on steps and the ranges of free variables. It becomes
-// true in the first step that violates one of them, and remains true. Targets concern only states in which `broken` is
-// false and the invariants hold. In all other states, the values of the bits have no meaning.
+// The latch `broken` represents the invariants, the constraints on steps and the ranges of free variables. `broken`
+// becomes true in the first step that violates one of these conditions, and remains true. Targets concern only states
+// in which `broken` is false and the invariants hold. In all other states, the values of the bits have no meaning.
 //
 // Invariants of the circuit (see verify): gates come after their operands; words, latches and targets refer to existing
 // nodes. Each source is the node of exactly one input or latch, and each input and latch has a source.
@@ -40,8 +40,8 @@ struct Circuit {
         std::string name = {};  ///< name such as `n[2]`; `!n[2]` if it is stored inverted
         bool operator==(const Latch&) const = default;
     };
-    /// A value: `base` plus the number that the literals represent, least significant bit first. If `with_sign`, the
-    /// last bit is a two's complement sign.
+    /// A value: `base` plus the number that the literals represent, least significant bit first. If `with_sign` is
+    /// true, the last bit is a two's complement sign.
     struct Word {
         Type type = {};
         std::int64_t base = 0;
@@ -49,9 +49,9 @@ struct Circuit {
         std::vector<Literal> bits = {};
         bool operator==(const Word&) const = default;
     };
-    /// One property to decide. A state property is decided by the reachability of a state in which `bad` is true. Such
-    /// a state violates the property or, for `reachable`, is the witness. A property of runs is violated if there is a
-    /// run on which each literal of `justice` holds infinitely often; `bad` is then `no`.
+    /// One property to decide. A state property is decided by the reachability of a state in which `bad` is true. A
+    /// state in which `bad` is true violates the property or, for `reachable`, is the witness. A property of runs is
+    /// violated if there is a run on which each literal of `justice` holds infinitely often; `bad` is then `no`.
     struct Target {
         Id<Property> about = {};
         Literal bad = Gates::no;

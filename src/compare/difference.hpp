@@ -3,10 +3,10 @@
 // constraints that were added, removed, changed or renamed.
 //
 // Steps correspond if they have the same name. Other steps correspond if they are the only steps with equal features:
-// type, actions and adjacent transitions. This comparison is repeated until no further steps correspond. Then it is
-// repeated without the transitions. Transitions correspond if they connect the same steps with the same condition.
-// Other transitions correspond if they have the same name, or else if they connect the same steps. Names of
-// transitions, the order of elements and the layout of the text are ignored.
+// type, actions and adjacent transitions. The comparison of features is repeated until no further steps correspond.
+// Then the comparison is repeated without the adjacent transitions as a feature. Transitions correspond if they connect
+// the same steps with the same condition. Other transitions correspond if they have the same name, or else if they
+// connect the same steps. Names of transitions, the order of elements and the layout of the text are ignored.
 #pragma once
 
 #include <vector>

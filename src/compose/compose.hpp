@@ -4,10 +4,10 @@
 //
 // Each controller has the generic PLC cycle of CEP13 Fig. 33a (`plc_cycle`), one timer per time condition (Fig. 33b,
 // corrected: see timers.cpp), and the flags that couple it with the plant:
-//   EVOL_PL   an edge of the plant, its environment or another controller       set there, reset when a cycle starts
+//   EVOL_PL   an edge of the plant, environment or another controller    set by this edge, reset when a cycle starts
 //             has assigned an input
-//   EVOL_TI   the output of a timer has changed                                 set by the timers, reset with EVOL_PL
-//   stable    one more cycle with the same inputs would change nothing          false at power-on
+//   EVOL_TI   the output of a timer has changed                           set by the timers, reset with EVOL_PL
+//   stable    one more cycle with the same inputs would change nothing    false at power-on
 //
 //   grain phased                                        grain atomic
 //     W  -> P0 [(!stable || EVOL_PL || EVOL_TI)           W -> W [the same] flags reset, fire(), evolve(), write()
@@ -17,22 +17,23 @@
 //     P2 -> W  [stable] write()    outputs
 //     P2 -> W  [!stable]
 //   every_cycle: P2 -> W write(), whether stable or not.
-// With a task cycle LEAST..MOST, time begins a scan, and EVOL_PL and EVOL_TI do not exist. The clock clk is reset by
-// each edge to W:
+// If a controller has a task cycle LEAST..MOST, its scans are started by time, and its flags EVOL_PL and EVOL_TI do not
+// exist. The clock clk is reset by each edge to W:
 //     W  -> P0 [clk >= LEAST && no timer pending], not urgent; invariant of W: clk <= MOST
-// A scan that searches for stability samples the inputs on this edge, for all its evolutions; `stable` is false until
-// its end. The urgent edge W -> P0 [!stable && no timer pending] continues it. Its timers elapse only while `stable` is
-// true. The scan at power-on begins with the edge from `init`.
+// Under stability search, the edge that starts a scan samples the inputs for all evolutions of the scan, and `stable`
+// is false until the end of the scan. The urgent edge W -> P0 [!stable && no timer pending] continues the scan. Under
+// stability search with a task cycle, the timers elapse only while `stable` is true. The scan at power-on begins with
+// the edge from `init`.
 //
-// All other edges of the cycle are urgent. If the first evolution has an effect, an edge from the location `init` to W
-// calls start(). In mode every_cycle and with a task cycle, this edge always exists; in mode every_cycle, it also writes
-// the outputs.
+// Except for the edge that starts a scan of a task cycle, all edges of the PLC cycle are urgent. If the first evolution
+// has an effect, an edge from the location `init` to W calls start(). In mode every_cycle, and if the controller has a
+// task cycle, the edge from `init` always exists; in mode every_cycle, this edge also writes the outputs.
 //
-// Assignments are sequential. If an update would read a variable that an earlier update of the procedure has
-// overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer outputs that evolve() and
-// write() read are sampled in fire(), because in the phased grain they may change during the cycle. Outputs of stored
-// actions have an image (`LOCK_image`) that evolve() changes and write() copies. If there are several controllers,
-// names begin with the name of the controller: `press_X_2`.
+// The assignments of a procedure are executed sequentially. If an update would read a variable that an earlier update
+// of the procedure has overwritten, a scratch variable (`COUNT_old`) stores the old value. Inputs and timer outputs
+// that evolve() and write() read are sampled in fire(), because in the phased grain they may change during the cycle.
+// Outputs of stored actions have an image (`LOCK_image`) that evolve() changes and write() copies. If there are several
+// controllers, names begin with the name of the controller: `press_X_2`.
 #pragma once
 
 #include <optional>
@@ -48,8 +49,8 @@ namespace grafverif {
 /// The corrections of the published method. Each correction can be disabled to show the failure that it prevents. Only
 /// tests and the documentation of the method disable corrections.
 struct Ablations {
-    bool cycle_always = false;         ///< guard of W -> P0 without flags: the cycle of CEP13 Fig. 17
-    bool cycle_unless_stable = false;  ///< guard of W -> P0 without `stable`, outputs in every cycle: CEP13 Fig. 24
+    bool cycle_always = false;         ///< guard of W -> P0 reads neither flags nor `stable`: CEP13 Fig. 17
+    bool cycle_unless_stable = false;  ///< guard of W -> P0 does not read `stable`; mode every_cycle: CEP13 Fig. 24
     /// CEP13 Fig. 33b: a timer does not detect that a step is deactivated and activated again within one instant.
     bool timers_as_published = false;
     bool sensors_not_urgent = false;  ///< edges that assign an input of a controller are not urgent: CEP13 Fig. 12b
@@ -63,8 +64,8 @@ struct ComposeOptions {
     Ablations ablations = {};
 };
 
-/// Composes the loop. Requires that `plant` is the result of plant(model, loop), and that `equations` are those of the
-/// loop's controllers, in order.
+/// Composes the loop. Requires that `plant` is the result of plant(model, loop), and that `equations` contains the
+/// equations of the loop's controllers, in order.
 std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std::span<const Equations> equations,
                                const ComposeOptions& options, Diagnostics& diagnostics);
 

@@ -20,12 +20,13 @@ struct ControllerParts {
     std::string prefix = {};  ///< prefix of the controller's names; empty if there is only one controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::optional<TaskCycle> cycle = {};  ///< empty: the cycle time is zero
-    bool starts = false;                  ///< true if the first evolution has an effect and therefore a separate edge
+    /// True if the cycle has an edge from the location `init`, which executes the first evolution.
+    bool starts = false;
     Span origin = {};
 
     /// Three variables for each variable of the equations: the variable that other processes read, the variable that
     /// stores an output until it is written, and the variable that stores an input after fire(). An id is invalid if
-    /// there is no such variable.
+    /// the network does not contain this variable.
     std::vector<Id<Network::Variable>> variable = {}, image = {}, sample = {};
     std::vector<Id<Equations::Variable>> sampled = {};  ///< variables of the equations with a sample, in order
     std::vector<bool> sample_written = {};              ///< for each variable: true if write() reads its sample
@@ -33,11 +34,12 @@ struct ControllerParts {
     /// Flags of the controller. `evol_ti` is valid only if there are timers. With a task cycle, time starts the scans,
     /// and EVOL_PL and EVOL_TI do not exist.
     Id<Network::Variable> evol_pl = {}, evol_ti = {}, stable = {};
-    /// Request of each timer; empty if Ablations::timers_as_published.
+    /// For each timer: the variable that requests a change of the timer; empty if Ablations::timers_as_published is
+    /// true.
     std::vector<Id<Network::Variable>> pending = {};
 
-    /// True if a scan of the task cycle can have several evolutions. Its inputs are then sampled once, at its start,
-    /// and `stable` is false until its last evolution.
+    /// True if a scan of the task cycle can have several evolutions. Each scan of this controller samples the inputs
+    /// once, when the scan starts, and `stable` is false until the last evolution of the scan.
     bool holds_inputs() const { return cycle && mode == ExecutionMode::StabilitySearch; }
     /// True if the variable is an input with a sample that is kept for all evolutions of a scan.
     bool is_held(Id<Equations::Variable> id) const {
@@ -51,11 +53,11 @@ struct Composition {
     UniqueNames names = {};  ///< names of variables, templates and processes
     Ablations ablations = {};
     std::vector<ControllerParts> controllers = {};
-    /// For each variable of the plant: controllers with this input whose cycle time is zero.
+    /// For each variable of the plant: the controllers without a task cycle that have this variable as an input.
     std::vector<std::vector<std::uint32_t>> readers = {};
     Id<Network::Variable> race = {};  ///< valid only if a race of stored actions is possible
-    /// Templates of timers by type: delays, `flags` and `waits` of the coupling (timers.cpp). A template is added with
-    /// the first timer of its type.
+    /// Templates of timers by type. The type consists of the delays that the timer has, and of the members `flags` and
+    /// `waits` of its coupling (timers.cpp). A template is added with the first timer of its type.
     std::map<std::tuple<int, bool, bool>, Id<Network::Template>> timers = {};
 };
 
@@ -69,8 +71,8 @@ Id<Network::Controller> add_cycle(Composition& composition, const ControllerPart
 /// Adds the timers of `controller`.
 void add_timers(Composition& composition, const ControllerParts& parts, Id<Network::Controller> controller);
 
-/// Extends every edge of the plant that assigns an input of a controller, so that it sets the EVOL_PL of this
-/// controller.
+/// Extends every edge of the plant that assigns an input of a controller, so that the edge sets the flag EVOL_PL of
+/// this controller.
 void add_plant_flags(Composition& composition);
 
 /// Builds the formula Network::settled.

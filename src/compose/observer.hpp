@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// Terms that an observer reads. All of them can be used in guards.
+/// Terms that an observer reads. Each of these terms can be used in a guard.
 struct ObserverTerms {
     std::vector<Id<Expr>> operands = {};  ///< operands of the property
     Id<Expr> considered = {};             ///< true if the current state is relevant for the property
@@ -26,7 +26,7 @@ struct ObserverMade {
 };
 
 /// Builds the observer. `duration` is the duration that the property states (`watch.duration_ms`), in time units of the
-/// network; 0 if it states none.
+/// network; 0 if the property has no duration.
 ObserverMade observer_of(Exprs& exprs, const Sentence& watch, const ObserverTerms& terms, std::int64_t duration);
 
 }  // namespace grafverif

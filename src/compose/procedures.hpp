@@ -10,12 +10,12 @@ namespace grafverif {
 
 struct Procedures {
     std::vector<Network::Assignment> fire = {}, evolve = {}, write = {};
-    std::vector<Network::Assignment> forget = {};  ///< resets that are part of write(), for a cycle without write()
+    std::vector<Network::Assignment> forget = {};  ///< the resets of write(), for a cycle that does not call write()
     std::vector<Network::Assignment> sample = {};  ///< samples of inputs that are held for all evolutions of a scan
     std::vector<Network::Assignment> start = {};   ///< executed before the first cycle; only if ControllerParts::starts
 };
 
-/// True if the first evolution has an effect.
+/// True if the mode is every_cycle or the first evolution has an effect.
 bool starts(const Equations& equations, ExecutionMode mode);
 
 Procedures procedures(Composition& composition, const ControllerParts& parts);

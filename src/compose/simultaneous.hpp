@@ -12,8 +12,8 @@
 namespace grafverif {
 
 /// Returns assignments that assign to the targets of `updates` their values before the first assignment. Each target
-/// occurs once. Every term must have a value (no overflow, no division by zero) in every state, because a shared term is
-/// also computed if a conditional does not read it. The names of scratch variables begin with `prefix`.
+/// occurs once. Every term must have a value (no overflow, no division by zero) in every state, because a shared term
+/// is also computed if a conditional does not read it. The names of scratch variables begin with `prefix`.
 std::vector<Network::Assignment> simultaneous(Composition& composition, const std::vector<Network::Assignment>& updates,
                                               const std::string& prefix);
 

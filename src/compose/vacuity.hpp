@@ -11,9 +11,9 @@
 
 namespace grafverif {
 
-/// Adds the variable for probes of scopes that must close. The variable records whether the premise has been true in a
-/// state of the open scope. The result is invalid if the scope need not close, or if an operand contains a division.
-/// The function does not change the observer in any other way.
+/// Adds the variable that probes need if the scope of the property must close. The variable records if the premise has
+/// been true in a state of the open scope. The result is invalid if the scope need not close, or if an operand contains
+/// a division. The function does not change the observer in any other way.
 Id<Network::Variable> follow_scope(Network& network, UniqueNames& names, const Property& property,
                                    const ObserverTerms& terms, Network::Template& automaton);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Dependencies of an evolution. The condition of a transition with an upstream step needs to be evaluated only if this
-// step (the first one, if there are several) is active. An equation whose value changes only by firing needs to be
-// evaluated only if a transition on which it depends fires. All other conditions of transitions and all other equations
-// are always evaluated. The results of the conditions and equations that are not evaluated are known in advance. This
-// is efficient, because an evolution concerns only few of the many transitions and variables in a large chart.
+// Dependencies of an evolution. The condition of a transition with upstream steps needs to be evaluated only if the
+// first upstream step is active. An equation whose value changes only by firing needs to be evaluated only if a
+// transition on which it depends fires. All other conditions of transitions and all other equations are always
+// evaluated. The conditions and equations that are not evaluated have known results: the condition is false, and the
+// variable keeps its value. The evaluation is efficient, because an evolution concerns only few of the many transitions
+// and variables in a large chart.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +24,13 @@ struct Dependencies {
         Numbers always = {};
     };
 
-    /// For each field that is a step activity: transitions that fire only if the step is active.
+    /// For each field that is a step activity: transitions whose first upstream step is this step.
     std::vector<Numbers> guarded = {};
-    Numbers unguarded = {};         ///< all other transitions
-    Computed fields = {};           ///< fields that may change; all other fields keep their values
-    Computed races = {};            ///< stored variables on which a race is possible
-    bool firing_unsettles = false;  ///< true if a situation in which a transition fires is never stable
+    Numbers unguarded = {};  ///< transitions without an upstream step
+    Computed fields = {};    ///< fields that may change; all other fields keep their values
+    Computed races = {};     ///< stored variables to which two actions may write different values (race)
+    /// True if the situation before an evolution that fires a transition is never stable.
+    bool firing_unsettles = false;
 };
 
 Dependencies dependencies(const Equations& equations, const StateLayout& layout);

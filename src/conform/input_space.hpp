@@ -39,7 +39,8 @@ std::vector<NamedInput> named(const Inputs& inputs) {
     return all;
 }
 
-/// The space of inputs. Input k is word k; its bits are adjacent, with the most significant bit on top.
+/// The space of inputs. Input k is represented by word k. The bits of a word are adjacent in the variable order, and
+/// the most significant bit is the topmost bit.
 class InputSpace {
 public:
     InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits);
@@ -50,15 +51,16 @@ public:
     const std::vector<std::uint32_t>& bits() const { return bits_; }
     const BddSpace& space() const { return space_; }
 
-    /// Returns the considered input combinations: all values within the ranges of their types, restricted by `assume`.
+    /// Returns the considered input combinations: all combinations of values within the ranges of the inputs that
+    /// satisfy the conditions passed to `assume`.
     const Bdd& assumed() const { return assumed_; }
     void assume(const Bdd& condition) { assumed_ &= condition; }
 
-    /// Returns a value for each variable of the space such that `set` holds. Requires that `set` is not false.
+    /// Returns an assignment to all variables of the space for which `set` is true. Requires that `set` is not false.
     std::vector<bool> assignment(const Bdd& set) const;
-    /// Returns a value for each input such that `set` holds. Requires that `set` is not false.
+    /// Returns an input combination (one value per input) for which `set` is true. Requires that `set` is not false.
     std::vector<std::int64_t> witness(const Bdd& set) const;
-    /// Returns the witness as text, such as `s, not h1, level = 3`.
+    /// Returns `witness(set)` as text, such as `s, not h1, level = 3`.
     std::string witness_text(const Bdd& set) const;
 
 private:
@@ -69,14 +71,14 @@ private:
     Bdd assumed_ = Bdd::constant(true);
 };
 
-/// Translates terms whose Variable leaves are inputs to sets of inputs.
+/// Translates Boolean terms whose Variable leaves are inputs to sets of input combinations.
 class InputSets {
 public:
     /// Both arguments must outlive this object.
     InputSets(const Exprs& exprs, const InputSpace& space)
         : terms_(exprs, [&space](const Expr& leaf) { return space.term(static_cast<std::size_t>(leaf.value)); }) {}
 
-    /// Returns the inputs for which the term is defined and true.
+    /// Returns the input combinations for which the term is defined and true.
     Bdd operator()(Id<Expr> term) {
         const BddTerm& found = terms_(term);
         return found.bits.front() & ~found.undefined;
@@ -86,8 +88,9 @@ private:
     BddTerms terms_;
 };
 
-/// Translates functions of inputs to terms of an Exprs whose Variable leaves are the inputs. The terms are irredundant
-/// sums of products (Minato 1993) and equal the function for all assumed inputs. Each function is translated once.
+/// Translates functions of inputs to terms of an Exprs whose Variable leaves are the inputs. Each term is an
+/// irredundant sum of products (Minato 1993), and has the same value as the function for all assumed inputs. Each
+/// function is translated once.
 class Conditions {
 public:
     Conditions(const InputSpace& space, Exprs& exprs) : space_(space), exprs_(exprs) {}

@@ -17,20 +17,21 @@ namespace grafverif::conform {
 
 /// The value of each variable of the equations in one location; the entries of inputs are unused.
 using Values = std::vector<std::int64_t>;
-/// For each variable of the equations: the input that it represents; empty if it is not an input.
+/// For each variable of the equations: the input that it represents; nullopt if the variable is not an input.
 using InputOf = std::vector<std::optional<std::size_t>>;
 
 /// The value of a term in a location: `number`, or a function of the inputs if `function` is set.
 struct LocationValue {
     std::int64_t number = 0;
-    bool none = false;  ///< true if the constant is undefined: division by zero, or a value that is too large
+    /// True if the value is undefined for all inputs: division by zero, or a value that does not fit into 64 bits.
+    bool none = false;
     std::optional<BddTerm> function = {};
 };
 
 /// The value of a Boolean term in a location.
 struct LocationCondition {
     Bdd holds = {};
-    Bdd undefined = {};  ///< assignments for which the term is undefined
+    Bdd undefined = {};  ///< input combinations for which the term is undefined
 };
 
 class LocationTerms {

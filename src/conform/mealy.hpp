@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Converts a LocationAutomaton to a MealyMachine (JESA13 section 6) symbolically. Each state has one transition per
-// next state and output, labelled with a set of inputs.
+// Converts a LocationAutomaton to a MealyMachine (JESA13 section 6) symbolically. For each pair of a next state and an
+// OutputWord, a state has at most one transition, which is labelled with a set of inputs.
 //
-// A chart with timers becomes a machine whose states include the elapsed times of all timers, so that its outputs are
-// exact. Time passes only in `wait` transitions, each until the next timer event, from states that are stable under the
-// current inputs. Cycles of the controller take no time.
+// A chart with timers becomes a machine whose states include the elapsed times of all timers, so that the outputs of
+// the machine are exact at all times. Time passes only in `wait` transitions. A `wait` transition leads from a state
+// that is stable under the current inputs to the next timer event. Cycles of the controller take no time.
 #pragma once
 
 #include <atomic>
@@ -25,13 +25,13 @@ struct MealyOptions {
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag, which another thread may set
 };
 
-/// Returns the machine of the automaton, or nothing if a limit was reached, which is an error. Requires
+/// Returns the machine of the automaton. If a limit is reached, reports an error and returns nullopt. Requires
 /// verify(automaton).empty().
 std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, const MealyOptions& options,
                                           Diagnostics& diagnostics);
 
 /// Returns the minimal equivalent machine. Equivalent states are merged (Moore 1956) and named after all their
-/// situations. The result is empty after an error at `origin`: a limit was reached.
+/// situations. If a limit is reached, reports an error at `origin` and returns nullopt.
 std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin,
                                       Diagnostics& diagnostics);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Moves: one evolution of the chart from a state, for all inputs simultaneously. Each move has a set of inputs and the
-// next state. The sets are disjoint and cover the assumed inputs.
+// next state. The input sets of the moves of a state are disjoint and together cover the assumed inputs.
 //
-// Timer outputs are inputs. Timer outputs with known values do not occur in the sets of a state: `3s/v` is false if v
-// is false or has just become true; `v/2s` is true if v is true or has just become false.
+// Timer outputs are treated as inputs. The input sets of a state do not depend on timer outputs whose values the state
+// determines: `3s/v` is false if v is false or has just become true; `v/2s` is true if v is true or has just become
+// false.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,8 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    bool stable = false;  ///< true if, under these inputs, nothing changes except levels that timers observe
+    /// True if, under the inputs of `set`, the move changes nothing except levels that timers observe.
+    bool stable = false;
 };
 
 /// Thrown if an evolution has no result: a race, or a value that is undefined or out of range.
@@ -35,12 +37,12 @@ struct NoResult {
 
 class Moves {
 public:
-    /// All arguments must outlive this object. The constructor and the member functions below can throw NoResult.
+    /// All arguments must outlive this object. The constructor and all member functions can throw NoResult.
     Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
     /// Returns the moves of the evolution that activates the initial steps.
     std::vector<StateMove> first();
-    /// Returns the moves of `state`, stable ones first.
+    /// Returns the moves of `state`; stable moves precede all other moves.
     const std::vector<StateMove>& of(StateId state);
 
     /// Returns `state` with the flags `fresh` and `falling` of all timers cleared.
@@ -49,7 +51,8 @@ public:
     std::vector<std::size_t> fresh(StateId state) const { return marked(state, &StateLayout::Timer::fresh); }
     std::vector<std::size_t> falling(StateId state) const { return marked(state, &StateLayout::Timer::falling); }
 
-    /// Returns the values in `state`. Variables that the state does not contain never change.
+    /// Returns the values of all variables in `state`. Variables that the state does not contain have their initial
+    /// values.
     Values values(StateId state) const;
     LocationCondition condition(Id<Expr> term, const Values& at) { return terms_.condition(term, at); }
 
@@ -60,7 +63,7 @@ private:
     };
     class Partition;
     using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< pairs of field and value
-    /// A part of a class, together with the changes that the evolution makes for its inputs.
+    /// A subset of the inputs of a cell, together with the changes that the evolution makes for these inputs.
     struct Region {
         Bdd set = {};
         Changes changes = {};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// States: the values that the chart stores between evolutions. States are packed into words and stored only once (hash
-// consing).
+// States: the values that the chart stores between evolutions. States are packed into words, and equal states are
+// stored only once (hash consing).
 //
 // A state contains step activities, stored variables, previous values, and the levels that timers observe. For each
-// timer, it also contains the events of the observed level in the current instant: the level became true (`fresh`), or
-// the fall time of the timer may have started (`falling`).
+// timer, a state also contains the events of the observed level in the current instant: the level became true
+// (`fresh`), or the fall time of the timer may have started (`falling`).
 #pragma once
 
 #include <cstdint>

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Converts a MealyMachine to a TestSequence: a transition tour (Naito, Tsunoyama, Nagaoka 1981; JESA13 section 6) of
-// minimal length.
+// Converts a MealyMachine to a TestSequence: a transition tour (Naito, Tsunoyama, Nagaoka 1981; JESA13 section 6). For
+// a cover of transitions or evolutions, the length of the tour is minimal.
 //
-// The elements to cover are arcs of a graph whose nodes are the states; a tour that traverses each of them at least
-// once is a directed rural postman tour. Every state is reachable through arcs to cover. Therefore, a minimum-cost flow
-// that balances incoming and outgoing arcs of each state has the minimal number of repeated arcs (Edmonds and Johnson
-// 1973). An Eulerian circuit traverses all arcs. The flow proves that the length is minimal, and the tour attains it.
+// The transitions or evolutions to cover are arcs of a graph whose nodes are the states. A tour that traverses each of
+// these arcs at least once is a directed rural postman tour. Every state is reachable through arcs to cover. Therefore,
+// a minimum-cost flow that balances incoming and outgoing arcs of each state has the minimal number of repeated arcs
+// (Edmonds and Johnson 1973). An Eulerian circuit of the balanced graph traverses all arcs. The flow is a lower bound
+// of the length, and the circuit attains this bound.
 //
-// A step of two cycles also traverses the stable transition to the same state. Such a transition needs no separate step
-// if the tour arrives in its state with the same inputs. If the graph is strongly connected, there is one sequence.
-// Otherwise, there are several sequences, each from power-on. Their total length is minimal, and among all solutions of
-// this length, their number is minimal.
+// A test step of two cycles also traverses a second, stable transition, which stays in the reached state. A stable
+// transition needs no separate step if the tour arrives in its state with the inputs of this transition. If the graph
+// is strongly connected, there is one sequence. If not, there may be several sequences, each from power-on. Their total
+// length is minimal, and among all solutions of this length, their number is minimal.
 //
-// For a cover of locations, the tour repeatedly goes to the nearest unvisited state. The result is short, but it is
+// For a cover of locations, the tour repeatedly goes to the nearest unvisited state. The tour is short, but it is
 // proved minimal only if no step is repeated.
 #pragma once
 
@@ -33,8 +34,8 @@ struct TestOptions {
                                             ///< input combination
 };
 
-/// Returns the sequences for `machine`, or nothing after an error: too many input combinations, or no element to cover.
-/// Requires verify(machine).empty().
+/// Returns the sequences for `machine`. If there are too many input combinations, or no transition, evolution or
+/// location to cover, reports an error and returns nullopt. Requires verify(machine).empty().
 std::optional<TestSequence> test_sequence(const MealyMachine& machine, const TestOptions& options, Span chart,
                                           Diagnostics& diagnostics);
 

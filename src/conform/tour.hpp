@@ -7,18 +7,20 @@
 
 namespace grafverif::conform {
 
-/// An arc of the graph, which one step traverses. An arc with a waiting time must follow a step with the same inputs.
+/// An arc of the graph; one step of a test traverses it. An arc with a positive `wait_ms` must follow an arc with the
+/// same inputs.
 struct TourArc {
     std::uint32_t from = 0, to = 0;
-    std::uint32_t inputs = 0;  ///< an arbitrary number that identifies the inputs
+    std::uint32_t inputs = 0;  ///< number that identifies the input combination of the arc
     std::uint32_t answer = 0;
     std::int64_t wait_ms = 0;
-    bool stays = false;  ///< true if the machine stays in `to` under these inputs
+    bool stays = false;  ///< true if the machine stays in `to` if the inputs of the arc are applied again
 };
 
 struct Tour {
-    std::vector<std::vector<std::uint32_t>> sequences = {};  ///< sequences of arcs; each starts at `start`
-    std::uint64_t length = 0;                                ///< total number of arcs
+    /// Sequences of arcs; each sequence begins at the node `start`.
+    std::vector<std::vector<std::uint32_t>> sequences = {};
+    std::uint64_t length = 0;  ///< total number of arcs
 };
 
 /// Returns a tour that traverses every arc in `arcs`. Requires that every arc is reachable from `start` through arcs in
@@ -26,7 +28,8 @@ struct Tour {
 /// has the minimum total length and, among the tours of this length, the minimum number of sequences.
 Tour least_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs);
 
-/// Returns a tour through every node that an arc enters. The tour always goes to the nearest unvisited node.
+/// Returns a tour through every node that an arc enters. From each node, the tour continues to the nearest unvisited
+/// node.
 Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs);
 
 }  // namespace grafverif::conform

@@ -23,16 +23,17 @@ namespace grafverif {
 //
 // An expansion belongs to the chart of its macro-step. The activation of the macro-step activates the entry step, and
 // the exit step replaces the macro-step upstream of transitions (IEC 60848). The region of a partial chart consists of
-// its steps and those of its expansions; an enclosing step or a forcing order applies to the complete region.
+// its steps and the steps of its expansions; an enclosing step or a forcing order applies to the complete region.
 //
 // The relation "encloses or forces" between charts is acyclic, which defines an order of the charts.
 
 struct Hierarchy {
     /// For each step: the step that is activated in its place, and the step that must be active for its transitions to
-    /// be enabled. For a macro-step, they are the entry and exit step of its expansion; otherwise both are the step
-    /// itself.
+    /// be enabled. For a macro-step, these are the entry step and the exit step of its expansion; for any other step,
+    /// both are the step itself.
     std::vector<Id<Chart::Step>> entered = {}, left = {};
-    /// For each partial chart: the chart that contains it as a (nested) expansion; otherwise the partial chart itself.
+    /// For each partial chart: the root chart that contains it as a (nested) expansion, or the partial chart itself if
+    /// it is not an expansion.
     std::vector<Id<Chart::PartialChart>> root_chart = {};
     /// Root charts in topological order: each chart follows the charts that enclose or force it.
     std::vector<Id<Chart::PartialChart>> order = {};
@@ -47,7 +48,7 @@ struct Hierarchy {
 /// Computes the hierarchy. The result is empty after an error: a cycle, or contradictory forcing orders.
 std::optional<Hierarchy> hierarchy(const Chart& chart, Diagnostics& diagnostics);
 
-/// True if the two orders, which force a common partial chart, are contradictory.
+/// True if the forcing orders `one` and `other` are contradictory. Requires that both force a common partial chart.
 bool conflict(const Chart& chart, const Hierarchy& hierarchy, Id<Chart::ForcingOrder> one,
               Id<Chart::ForcingOrder> other);
 
@@ -73,8 +74,8 @@ private:
 
 /// Position of a term in a cycle, which determines the meaning of its leaves.
 enum class TermPosition {
-    Before,  ///< in a cycle, over the values before it: conditions, events, stored values
-    After,   ///< at the end of a cycle, over the values after it: outputs, terms observed by timers
+    Before,  ///< in a cycle, over the values before the cycle: conditions, events, stored values
+    After,   ///< at the end of a cycle, over the values after the cycle: outputs, terms observed by timers
     First,   ///< in the first evolution, in which no signal has an edge: stored values
 };
 
@@ -86,7 +87,8 @@ struct Derivation {
     UniqueNames names = {};                             ///< names of timers and of variables of the equations
     std::vector<Id<Equations::Variable>> steps = {};    ///< X_s of each step
     std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t of each transition
-    /// X_s as a term; stored, because repeated searches for leaves would dominate the run time.
+    /// X_s of each step as a term. The terms are stored because repeated searches for these leaves would dominate the
+    /// run time.
     std::vector<Id<Expr>> step_leaves = {};
     std::vector<Id<Expr>> firing_leaves = {};                               ///< CF_t as a term
     std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< continuous actions of each variable
@@ -125,7 +127,7 @@ Id<Expr> consistent(Exprs& exprs, Id<Expr> term);
 Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, TermPosition reading, Span where,
                         const std::string& what);
 
-/// Returns P_e as a term, which is the value of `term` (over the equations) in the previous cycle.
+/// Returns the variable P_e as a term. P_e is the value of `term` (over the equations) in the previous cycle.
 Id<Expr> previous_value(Derivation& derivation, Id<Expr> term, Span where);
 
 /// Returns V_e, the value of `term` (over the equations) after the previous cycle. For a step variable, the result is
@@ -142,7 +144,8 @@ Id<Expr> end_leaf(Derivation& derivation, Id<Equations::Timer> timer);
 /// Returns the prefix of variable names for a step of a named partial chart G2: `G2_`; otherwise an empty string.
 std::string qualifier(const StepName& step);
 
-/// Adds `size` nodes to the total. Returns false if the limit is exceeded. The error is reported only once.
+/// Adds `size` to the number of added nodes. Returns false if this number exceeds total_size_limit. The error is
+/// reported only once per derivation.
 bool afford(Derivation& derivation, std::uint64_t size);
 
 /// `derive_firings` derives equations (11). `derive_steps` derives equations (12) and the conflicts between forcing

@@ -25,8 +25,8 @@
 
 namespace grafverif {
 
-/// Returns the equations of `chart`, or nullopt after at least one error. The chart of a PLC program is an error, because
-/// controller_equations returns its equations. Requires verify(chart).empty().
+/// Returns the equations of `chart`, or nullopt after at least one error. It is an error if the chart belongs to a PLC
+/// program; controller_equations derives the equations of programs. Requires verify(chart).empty().
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics);
 
 }  // namespace grafverif

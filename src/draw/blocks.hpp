@@ -2,13 +2,14 @@
 // Blocks: the series-parallel decomposition of a flow.
 //
 // Each node connects two ends, above and below it; arcs connect ends of different nodes. The graph is reduced by the
-// two rules of series-parallel graphs. Two elements that meet at an end without further elements form a Series. Two
-// elements between the same ends form a Parallel. Charts written as sequences, selections and parallel branches are
-// reduced to one block. If the result of the reduction is not one block, it is a Core, which consists of strips that
-// are connected arbitrarily at their ends.
+// two rules of series-parallel graphs. Two elements form a Series if they meet at an end to which no other element is
+// connected. Two elements between the same ends form a Parallel. Charts written as sequences, selections and parallel
+// branches are reduced to one block. If the reduction does not result in one block, the result is a Core, which
+// consists of strips that are connected arbitrarily at their ends.
 //
 // If the last node of a branch is a sink or has only upward links, the branch has no continuation; similarly, a branch
-// may have no beginning. Such a branch is placed in parallel with another branch, at the end to which it is attached.
+// may have no beginning. A branch without continuation or beginning is placed in parallel with another branch, at the
+// end to which it is attached.
 //
 // An upward link has a stub if it leaves a node, or enters a bar, together with other links. A stub is a separate
 // position on the shared line. The algorithm is linear in the size of the flow.
@@ -33,7 +34,7 @@ struct Block {
     std::size_t parent = nowhere, first = nowhere, last = nowhere, next = nowhere;  ///< indices of blocks
     std::size_t key = 0;  ///< parallel blocks are placed in the order of their keys
     bool open = false;    ///< true if this part of a Parallel does not extend from one end to the other
-    /// For a strip in a Core: indices of its ends.
+    /// For a strip in a Core: indices of the upper and the lower end of the strip.
     std::size_t above = nowhere, below = nowhere;
     /// Vertical range: row r has index 2r + 1, the channel above it 2r, and the channel below it 2r + 2.
     std::size_t low = nowhere, high = 0;

@@ -2,8 +2,8 @@
 // Columns: horizontal positions. The parts of a Series share one axis; parallel parts have a minimum distance; upward
 // links run in lanes next to the smallest block that contains both of their ends.
 //
-// For every flow, no two of these elements (parts, lanes) have the same column in the same row. Therefore a vertical
-// line never runs through a node.
+// For every flow, no two parts or lanes have the same column in the same row. Therefore a vertical line never runs
+// through a node.
 #pragma once
 
 #include <vector>
@@ -22,9 +22,10 @@ struct Lane {
 
 struct Columns {
     std::vector<int> nodes = {};
-    std::vector<int> arcs = {};                 ///< column of each arc that is not upward
-    std::vector<int> exits = {}, entries = {};  ///< column of the exit and of the entry of each arc that has one
-    std::vector<std::size_t> lane_of = {};      ///< lane of each upward arc
+    std::vector<int> arcs = {};  ///< column of each arc that is not upward
+    /// Column of the exit stub and of the entry stub of each arc with stubs.
+    std::vector<int> exits = {}, entries = {};
+    std::vector<std::size_t> lane_of = {};  ///< lane of each upward arc
     std::vector<Lane> lanes = {};
     int width = 0;
 };

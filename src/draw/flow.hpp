@@ -3,7 +3,7 @@
 //
 // Steps are in even rows, transitions in odd rows. A depth-first search starts at the roots; an arc to an unfinished
 // node is an upward link. If upward links are ignored, a node is one row below its lowest predecessor. All algorithms
-// are linear in nodes and arcs, and the result depends only on their order.
+// are linear in nodes and arcs, and the result depends only on the graph and on the order of its nodes and arcs.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct Flow {
     };
     std::vector<Node> nodes = {};
     std::vector<Arc> arcs = {};
-    /// Nodes at which the search starts; it continues with nodes that are not reachable from them.
+    /// Nodes at which the search starts. The search continues with the nodes that are not reachable from these roots.
     std::vector<std::size_t> roots = {};
 
     std::size_t add(bool bar, int port, ReservedSpace space) {

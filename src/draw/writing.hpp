@@ -34,7 +34,7 @@ inline constexpr std::size_t most_lines = 24;
 /// Returns the text without overlines: `!a` for a negated `a`.
 std::string plain_text(const Runs& runs);
 
-/// Returns `text`, truncated after `characters` characters. If it is truncated, an ellipsis follows.
+/// Returns `text`, truncated after `characters` characters. An ellipsis follows truncated text.
 std::string shortened(std::string_view text, std::size_t characters);
 
 /// Writes the terms of a chart in the notation of its drawing. If the name of a step is unique among all partial

@@ -19,9 +19,9 @@ inline constexpr const char* too_wide = "it may need integers of more than 32 bi
 std::vector<bool> wide_terms(const Network& network);
 std::vector<bool> wide_terms(const FlatSystem& flat);
 
-/// True if 32 bits are sufficient for the behaviour of the model, apart from properties. Otherwise an error
-/// (`beyond-32-bits`) is reported for each position at which more bits may be necessary. Parameters of templates have
-/// the values of their arguments.
+/// True if 32 bits are sufficient for the behaviour of the model, apart from properties. An error (`beyond-32-bits`) is
+/// reported for each position at which more than 32 bits may be necessary. Parameters of templates have the values of
+/// their arguments.
 bool fits(const Network& network, std::string_view target, Diagnostics& diagnostics);
 bool fits(const TransitionSystem& system, std::string_view target, Diagnostics& diagnostics);
 

@@ -3,15 +3,18 @@
 //
 //   a transition          is never cleared
 //   a step                has no effect: its continuous and stored actions and its forcing orders are removed
-//   a term                one operand of an `and` or `or` is removed; a condition that is neither is removed completely
+//   a term                one operand of an `and` or `or` is removed; a condition that is neither an `and` nor an `or`
+//                         is removed completely
 //   an edge               of one instance is never taken; the instance may stay in its source location forever
-//   a guard               of one such edge is ignored: the edge may or may not be taken, within its clock constraint
+//   a guard               of one edge of an instance is ignored: the edge may or may not be taken, within its
+//                         clock constraint
 //   a timing              the clocks of an instance or timer are ignored: each delay is arbitrary, possibly infinite
 //   an instance           may be in any location and write any output value at any time
 //
 // Removing a guard, a timing or an instance over-approximates the loop: all reachable states remain reachable, apart
-// from the locations and clocks of a removed instance. Therefore, if a property of all states still holds, it does not
-// need the element. Removing any other element gives a model whose behaviour is not comparable with that of the loop.
+// from the locations and clocks of a removed instance. Therefore, if a property of all states still holds after the
+// removal, the proof of the property does not need the removed element. Removing any other element gives a model whose
+// behaviour is not comparable with the behaviour of the loop.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +45,8 @@ struct TermPlace {
 };
 /// Returns the terms of a chart in the order of transitions, continuous actions and events. Outer terms precede inner
 /// terms. A term is an operand of an `and` or `or`, at any depth below `and`, `or` and `not`. A complete condition is
-/// also a term, unless it is an `and`, an `or` or a constant. In events, only operands without an edge are included, because an event must keep
-/// an edge.
+/// also a term, unless it is an `and`, an `or` or a constant. In events, only operands without an edge are included,
+/// because an event must keep an edge.
 std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);
 void remove_term(Chart& chart, const TermPlace& place);
@@ -58,21 +61,22 @@ void drop_edge(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> insta
 /// True if the edge has a guard that can be removed: the guard is not constantly true, or the edge is urgent.
 bool is_guarded(const Component& component, Id<Component::Edge> edge);
 
-/// Gives the instance a separate component without the guard. The edge is then not urgent.
+/// Gives the instance a separate component without the guard. In this component, the edge is not urgent.
 void drop_guard(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
 /// Returns `changed` in expanded form, with the value ranges of `network`. `changed` is the network of the loop without
-/// an edge or a guard; `network` is the original. This is necessary because all instances of a component have the same
-/// ranges, and a separate component would have other ranges.
+/// an edge or a guard; `network` is the original. The ranges of `network` are necessary because all instances of a
+/// component have the same ranges, and a separate component can have other ranges.
 Network with_ranges_of(const Network& network, const Network& changed);
 
 /// Removes the clocks of a process. Returns true if the process had clocks. This function and drop_instance require
 /// that `network` is expanded.
 bool drop_timing(Network& network, Id<Network::Process> process);
 
-/// Removes an instance: its outputs may have any value at any time. If `roams` is true, it can be in any location;
-/// otherwise it remains in its first location. `roams` must be true if a property or `settled` reads its location. If
-/// the instance has too many output values, or calls procedures, returns false and changes nothing.
+/// Removes an instance: its outputs may have any value at any time. If `roams` is true, the instance can be in any
+/// location; otherwise, the instance remains in its first location. `roams` must be true if a property or `settled`
+/// reads its location. If the instance has too many output values, or calls procedures, returns false and changes
+/// nothing.
 bool drop_instance(Network& network, Id<Network::Process> process, bool roams = true);
 
 }  // namespace grafverif

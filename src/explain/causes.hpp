@@ -10,8 +10,8 @@
 // changed, the property does not fail. The changes do not affect which states are quiescent.
 //
 // For `always`, `never` and `exactly one of`, the causes are values of the first state that violates the property. For
-// `leads to`, they are values of the first state that satisfies the premise without a response, and of all later
-// states; a value in the loop is changed in every iteration.
+// `leads to`, the causes are values of the first state that satisfies the premise without a response, and of all later
+// states. A value in the loop of the run is changed in every iteration.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +34,8 @@ struct Causes {
         bool operator==(const Pair&) const = default;
     };
     std::vector<Pair> pairs = {};  ///< ordered by state, then as in the property
-    /// False if a state has too many terms and some of them are repeated. The rule of the paper was then used, which is
-    /// not exact in this case.
+    /// False if a state has more terms than the maximum `most`, and some of these terms are repeated. For such a state,
+    /// the rule of the paper was used, which is not exact if terms are repeated.
     bool exact = true;
 
     bool operator==(const Causes&) const = default;
@@ -45,9 +45,9 @@ struct Causes {
 /// term is repeated.
 inline constexpr std::size_t most_terms = 10;
 
-/// Returns the causes. `states` are the states of a run (see replay) that violates `property`; `loop` is the state that
-/// equals the last one. The result is empty for other properties, if some term is undefined, or if the run does not
-/// show the violation.
+/// Returns the causes. `states` are the states of a run (see replay) that violates `property`; `loop` is the index of
+/// the state that equals the last state. The result is empty if the property has none of these patterns, if some term
+/// is undefined, or if the run does not show the violation.
 std::optional<Causes> causes_of(const Network& network, const Property& property,
                                 const std::vector<NetworkState>& states, std::optional<std::size_t> loop,
                                 std::size_t most = most_terms);
@@ -58,8 +58,8 @@ std::optional<Causes> causes_of(const TransitionSystem& system, const Property& 
                                 std::size_t most = most_terms);
 
 /// Marks in `run` the values that the terms read. `run` is the projection of the same run (`states`, `shown`). A value
-/// without a name in the loop, such as the choice of the scheduler or the time of a longer term, is not marked. In this
-/// case the causes are not exact.
+/// without a name in the loop, such as the choice of the scheduler or the time of a longer term, is not marked. If such
+/// a value is a cause, the causes in `run` are recorded as not exact.
 void mark(const Network& network, const std::vector<NetworkState>& states, const Causes& causes, ChartRun& run);
 void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
 

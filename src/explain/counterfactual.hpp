@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The shortest change: a smallest set of free moves of a run such that a property about single states holds along the
-// run without them.
+// The shortest change: a smallest set of free moves of a run such that a property about single states holds in every
+// state of the run without these moves.
 //
 // A move is free if nothing forces it: an edge of the plant or its environment that is not urgent and whose source
 // location has no invariant. To omit a set of free moves, the run is re-executed from power-on:
-//   free moves and delays   are kept in the same order, each after the same time; if any is impossible, the remaining
-//                           moves are not a run, and the set is not a change
+//   free moves and delays   are kept in the same order, each after the same time; if one of them is impossible, the
+//                           remaining moves are not a run, and the set is not a change
 //   all other moves         are kept if they are possible, and omitted otherwise
 //   forced moves            if time cannot pass, or a free move is impossible, the first edge of the network that is
 //                           enabled and not free is taken first; also at the end, if an urgent edge is enabled
-// The result is a run of the network. The property must hold in all of its states.
+// The result of the re-execution is a run of the network. The set is a change only if the property holds in all states
+// of this run.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +33,8 @@ struct ShortestChange {
     std::optional<Change> found = {};  ///< the first of the smallest changes; empty if none was found
     std::size_t free_moves = 0;        ///< number of free moves in the run
     std::size_t tried = 0;             ///< number of sets that were tried
-    bool exhausted = false;            ///< true if stopped, or at the maximum effort, before all sets were tried
+    /// True if the search ended before all sets were tried: it was stopped or reached the maximum effort.
+    bool exhausted = false;
 };
 
 /// Searches for the shortest change. Requires that `run` replays and violates `property`. Returns no change for

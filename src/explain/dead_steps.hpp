@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Explains why a step is never active. The explanation consists of the transitions that lead to it and the conjuncts of
-// their conditions that are never true. Candidate statements are terms of the model; an engine decides which of them
-// are true in no reachable state.
+// Explains why a step is never active. The explanation consists of the transitions that lead to the step, and of the
+// conjuncts of their conditions that are never true. Candidate statements are terms of the model; an engine decides
+// which of them are true in no reachable state.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,12 @@
 namespace grafverif {
 
 /// The variables of a model that store the values of the leaves of conditions: active steps, variables and timer
-/// outputs. Each variable is given by the index in its Variable leaves.
+/// outputs. Each variable is given by its index, which is the value of a leaf Op::Variable.
 struct ConditionLeaves {
     std::vector<std::uint32_t> steps = {};
     std::map<std::string, std::uint32_t> variables = {};  ///< inputs and internal variables by name
-    std::vector<std::optional<std::uint32_t>> ends = {};  ///< output of the timer of each time condition, if it has one
+    /// For each time condition: the output of its timer, if it has a timer.
+    std::vector<std::optional<std::uint32_t>> ends = {};
 };
 
 template <class Variable>

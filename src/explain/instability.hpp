@@ -10,8 +10,8 @@
 
 namespace grafverif {
 
-/// True if `run`, which violates `property`, ends at power-on: none of its states is quiescent, and no time passes in
-/// it. Returns false if the property is not a property of all states, or has `at stable`.
+/// True if `run`, which violates `property`, ends at power-on: none of the states of the run is quiescent, and no time
+/// passes in the run. Returns false if the property is not a property of all states, or has `at stable`.
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run);
 
 /// Returns the explanation of a violation at power-on. `at_stable` is the verdict on the same property, checked only in

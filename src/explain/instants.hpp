@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The shortest change of an open-loop run of a chart that does not become stable in its last instant (analyse,
-// `total-instability`): a smallest set of its input changes such that each instant of the run without them ends.
-// Events, and the effect of omitting them, are defined as in explain/inputs.hpp, instant by instant. Times are
-// unchanged. The interpreter executes the run.
+// `total-instability`): a smallest set of its input changes such that each instant of the run without these changes
+// ends. Events, and the effect of omitting them, are defined as in explain/inputs.hpp, instant by instant. The times of
+// the instants are unchanged. The interpreter executes the run without the omitted changes.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,10 @@ namespace grafverif {
 struct InstantChange {
     std::size_t events = 0;  ///< number of input changes
     std::optional<std::vector<ChartRun::Counterfactual>> left_out =
-        {};                  ///< events of the smallest set with the latest changes
-    std::size_t tried = 0;   ///< number of sets that were tried
-    bool exhausted = false;  ///< true if stopped, or at the maximum effort, before all sets were tried
+        {};                 ///< events of the smallest set with the latest changes
+    std::size_t tried = 0;  ///< number of sets that were tried
+    /// True if the search ended before all sets were tried: it was stopped or reached the maximum effort.
+    bool exhausted = false;
 };
 
 /// Searches for the shortest change. `run` is a run of `chart` that `analyse` has found. `effort` is the approximate

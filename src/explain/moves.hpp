@@ -21,12 +21,12 @@ Network without_clocks(Network network);
 
 struct Moves {
     Run run = {};
-    std::vector<std::size_t> steps = {};  ///< step of the untimed run for each move
+    std::vector<std::size_t> steps = {};  ///< for each move: index of its step in the untimed run
 };
-/// Converts the run. Requires that schedule_network derived `system` from this network or, if its time is abstract,
-/// from the network with clocks. The result is empty if the run has a loop or is not a run of the network. Not every
-/// run of the system is a run of the network: if a value leaves its range or two actions race, the run of the network
-/// ends, but the run of the system continues.
+/// Converts the run. Requires that schedule_network derived `system` from this network or, if the time of the system is
+/// abstract, from the network with clocks. The result is empty if the run has a loop or is not a run of the network.
+/// Not every run of the system is a run of the network: if a value leaves its range or two actions race, the run of the
+/// network ends, but the run of the system continues.
 std::optional<Moves> moves_of(const Network& network, const TransitionSystem& system, const SystemRun& run);
 
 /// Records the omitted moves in `chart_run`, the projection of the same run. If an omitted move does not correspond to

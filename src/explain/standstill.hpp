@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Explains a violated `no timelock`: the instances whose invariants block time, or the processes whose edges never let
-// time pass.
+// Explains a violated `no timelock`: the instances whose invariants block time, or the processes that take edges
+// forever without letting time pass.
 #pragma once
 
 #include <string>

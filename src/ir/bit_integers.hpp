@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic on two's complement integers whose bits are Boolean functions. Results are exact and have as many bits as
-// necessary.
+// Arithmetic on two's complement integers whose bits are Boolean functions. Results of `sum`, `difference` and
+// `product` are exact, because a result has more bits than its operands if necessary.
 //
 // Requirements on Bit, a Boolean function: `Bit()` is the constant false; `Bit::constant`, `is_false`, `==`, `~ & | ^`
 // and `ite(condition, then, otherwise)`, which is found by argument-dependent lookup. `==` may return false for equal
@@ -134,7 +134,7 @@ Integer<Bit> magnitude(const Integer<Bit>& value) {
     return choice(value.back(), negated(value), value);
 }
 
-/// Quotient and remainder. The quotient is truncated towards zero as in C; both are unspecified for a zero divisor.
+/// Quotient and remainder. The quotient is truncated towards zero as in C; both are unspecified if the divisor is zero.
 template <class Bit>
 struct Division {
     Integer<Bit> quotient = {}, remainder = {};

@@ -3,13 +3,13 @@
 // (see ir/bit_integers.hpp), such as a decision diagram or a gate.
 //
 // A Boolean is one bit. An integer is a two's complement number, least significant bit first, with as many bits as
-// necessary: results of sums and products have more bits than the operands, so no overflow occurs. Bits are functions;
-// therefore, an integer is a function from assignments to numbers.
+// necessary: results of sums and products have more bits than the operands, so no overflow occurs. Each bit is a
+// function of the assignment to the Boolean variables; therefore, an integer is a function from assignments to numbers.
 //
-// A term has a value if and only if `evaluate` (ir/expr.hpp) returns a value, and both values are equal. `undefined` is
-// true for assignments for which the term has no value, because of a division by zero or a result outside 64 bits. As
-// in `evaluate`, operands after the first one that determines the result of an `and` or `or`, and the branch that a
-// conditional does not select, are irrelevant.
+// Under each assignment, a term has a value if and only if `evaluate` (ir/expr.hpp) returns a value, and the two values
+// are equal. `undefined` is true for assignments for which the term has no value, because of a division by zero or a
+// result outside 64 bits. As in `evaluate`, `undefined` ignores the operands of an `and` or `or` after the first
+// operand that determines the result. It also ignores the branch that a conditional does not select.
 #pragma once
 
 #include <cassert>
@@ -58,7 +58,8 @@ BitTerm<Bit> integer_term(std::int64_t value) {
     return {false, bits::constant<Bit>(value), {}};
 }
 
-/// True for assignments under which both terms are defined and have the same value. Requires operands of the same type.
+/// True for assignments under which both terms are defined and have the same value. Requires that both operands are
+/// Boolean or both are integers.
 template <class Bit>
 Bit equal(const BitTerm<Bit>& left, const BitTerm<Bit>& right) {
     assert(left.boolean == right.boolean);
@@ -77,7 +78,8 @@ Bit within(const BitTerm<Bit>& term, std::int64_t low, std::int64_t high) {
         bits::less(term.bits, bits::constant<Bit>(low)) | bits::less(bits::constant<Bit>(high), term.bits);
     return ~(outside | term.undefined);
 }
-/// Selects one of two terms. `condition` is Boolean; both branches have the same type.
+/// Selects one of two terms. Requires that `condition` is Boolean, and that both branches are Boolean or both are
+/// integers.
 template <class Bit>
 BitTerm<Bit> conditional(const BitTerm<Bit>& condition, const BitTerm<Bit>& then, const BitTerm<Bit>& otherwise) {
     assert(condition.boolean && then.boolean == otherwise.boolean);
@@ -152,7 +154,8 @@ private:
         unreachable();
     }
 
-    /// Returns the value of an And or Or: operands after the first one that determines the result are not evaluated.
+    /// Returns the value of an And or Or. Operands after the first operand that determines the result are ignored, even
+    /// if they are undefined.
     static Term joined(bool disjunction, std::span<const Term* const> operands) {
         Bit value = Bit::constant(!disjunction), undefined;
         for (const Term* operand : operands) {
@@ -186,8 +189,7 @@ private:
         case Op::Divide:
         case Op::Modulo: {
             undefined = undefined | bits::is_zero(right.bits);
-            // Same rule as in `evaluate`: if the least number is divided by -1, neither quotient nor remainder is
-            // defined.
+            // As in `evaluate`: if -2^63 is divided by -1, both the quotient and the remainder are undefined.
             undefined =
                 undefined | (bits::equal(left.bits, bits::constant<Bit>(std::numeric_limits<std::int64_t>::min())) &
                              bits::equal(right.bits, bits::constant<Bit>(-1)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FaultAnalysis: which combinations of faults of a closed loop violate its properties, and what each fault changes.
+// FaultAnalysis: the combinations of faults of a closed loop that violate its properties, and the steps and outputs
+// that each fault affects.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace grafverif {
 using FaultSet = std::vector<std::size_t>;
 
 struct FaultAnalysis {
-    /// Visible elements (steps and Boolean outputs of controllers) that a fault affects, by name.
+    /// Names of the visible elements (steps and Boolean outputs of controllers) that a fault affects.
     struct Visible {
         /// Elements that are true in some state if the fault may occur, and in no state without faults.
         std::vector<std::string> newly_true = {};
@@ -31,27 +32,30 @@ struct FaultAnalysis {
         Span origin = {};
         Visible visible = {};
     };
-    /// A combination that violates a property, with its run.
+    /// A combination of faults for which the property is violated, with the run that violates it.
     struct Cut {
         FaultSet faults = {};
-        FaultSet from_power_on = {};  ///< the faults that are present from power-on; the others occur in the run
+        /// The faults that are present from power-on; all other faults of `faults` occur later in the run.
+        FaultSet from_power_on = {};
         PropertyResult result = {};
-        /// Subsets for which the verdict is unknown. If there are any, the combination may not be minimal.
+        /// Proper subsets of `faults` for which the verdict is unknown. If this list is not empty, the combination may
+        /// not be minimal.
         std::vector<FaultSet> unknown_subsets = {};
     };
-    /// A combination for which the verdict is unknown.
+    /// A combination of faults for which the verdict of the property is unknown.
     struct Open {
         FaultSet faults = {};
         std::string reason = {};
     };
-    /// `violating` violates a property of existence (`reachable`), but its superset `holding` does not.
+    /// A `reachable` property is violated for the combination `violating`, but holds for its superset `holding`.
     struct NonMonotone {
         FaultSet violating = {}, holding = {};
     };
     struct Row {
         std::string property = {}, text = {};
         Pattern pattern = Pattern::Always;
-        bool declared = true;  ///< false if the model does not declare the property, or if it was not requested
+        /// False if the model does not declare the property, or if the property was not requested.
+        bool declared = true;
         Span origin = {};
         Outcome without_faults = Outcome::Unknown;
         bool expected_violated =
@@ -60,7 +64,7 @@ struct FaultAnalysis {
         std::vector<Open> open = {};
         std::vector<NonMonotone> non_monotone = {};
     };
-    /// A model error that a combination causes.
+    /// A model error that occurs if the faults of the combination `faults` may occur.
     struct Error {
         FaultSet faults = {};
         ModelErrorTrace trace = {};
@@ -68,7 +72,7 @@ struct FaultAnalysis {
 
     std::string model = {};  ///< name of the closed loop
     CheckSettings settings = {};
-    std::size_t order = 1;  ///< maximum number of faults of a combination
+    std::size_t order = 1;  ///< maximum number of faults in a combination
     std::vector<Fault> faults = {};
     std::vector<Row> rows = {};
     std::vector<Error> errors = {};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// FlatSystem: a TransitionSystem without modules. Its state variables and choices are in one table, and definitions and
-// parameters are substituted. The engines use this form. The values that an external model checker prints are converted
-// to values of the variables of this form.
+// FlatSystem: a TransitionSystem without modules. The state variables and choices of all modules are in one table, and
+// definitions and parameters are replaced by their terms. The untimed engines use a FlatSystem. The values that an
+// external model checker prints are converted to values of the variables of a FlatSystem.
 //
-// Variable leaves of `exprs` index `variables`. Shared terms remain shared: a term is a graph, and traversing it as a
-// tree may take exponential time (see evaluate_all and BddTerms).
+// Variable leaves of `exprs` index `variables`. Terms share subterms; therefore, a traversal that visits a shared
+// subterm more than once may take exponential time (see evaluate_all and BddTerms).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,8 @@ struct FlatSystem {
 
     Exprs exprs = {};
     Table<Variable> variables = {};
-    std::vector<Id<Expr>> symbols = {};  ///< for each symbol of the system's main module: its value
+    /// For each symbol of the system's main module: its value as a term over `variables`.
+    std::vector<Id<Expr>> symbols = {};
     std::vector<Id<Expr>> invariants = {}, transitions = {}, justice = {};
 
     bool operator==(const FlatSystem&) const = default;
@@ -44,19 +45,19 @@ FlatSystem flattened(const TransitionSystem& system);
 /// flat.exprs.
 Id<Expr> flattened(const TransitionSystem& system, FlatSystem& flat, Id<Expr> term);
 
-/// Names in a generated model, as printed by the external program that reads it.
+/// Names that an external program uses when it prints a run of a generated model.
 struct SystemSpelling {
     std::vector<std::string> variables = {};  ///< names of flattened(system).variables
     std::vector<std::vector<std::string>> values =
-        {};  ///< for each variable: names of its values, starting with type.low; empty for numbers
+        {};  ///< for each variable: names of its values, beginning with type.low; empty if the values are numbers
     std::vector<std::string> properties = {};  ///< names of system.properties
 
     bool operator==(const SystemSpelling&) const = default;
 };
 
 /// A run of a TransitionSystem. A state contains the value of each symbol of main. If the value of a symbol depends on
-/// choices, the state contains the value for the choices of the step that leaves the state. A symbol whose definition
-/// is undefined has the value 0.
+/// choices, the state contains the value for the choices of the step that leaves the state. If the value of a symbol is
+/// undefined (division by zero), the state contains 0.
 struct SystemRun {
     std::vector<std::vector<std::int64_t>> states = {};  ///< states of the run, beginning with an initial state
     std::optional<std::size_t> loop = {};                ///< index of the state to which the step after the last state
@@ -65,12 +66,12 @@ struct SystemRun {
     bool operator==(const SystemRun&) const = default;
 };
 
-/// Reason why a system is ill-defined and no verdict about it is valid.
+/// A fault of a TransitionSystem. No verdict on a system with a fault is valid.
 struct SystemFault {
     enum class Kind {
         NoInitialState,  ///< the invariants and the initial values are contradictory
         DeadEnd,         ///< a reachable state has no successor
-        OutOfRange,      ///< a step assigns `variable` no value or a value outside its range
+        OutOfRange,      ///< the next value of `variable` is undefined or outside its range in some step
     };
     Kind kind = Kind::NoInitialState;
     std::string variable = {};
@@ -96,7 +97,7 @@ SystemRun system_run(const FlatSystem& flat, const FlatRun& run);
 /// element of `flat.variables`.
 std::vector<std::int64_t> symbol_values(const FlatSystem& flat, std::span<const std::int64_t> variables);
 
-/// Returns the value of a term over symbols of main in a state of a run; 0 if undefined.
+/// Returns the value of a term over symbols of main in a state of a run; 0 if the value is undefined.
 std::int64_t value_in(const TransitionSystem& system, const std::vector<std::int64_t>& state, Id<Expr> term);
 
 }  // namespace grafverif

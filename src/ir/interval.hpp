@@ -18,20 +18,21 @@ struct Interval {
     std::int64_t low = 0, high = 1;
 };
 
-/// Returns an interval that contains every value of `term`; its bounds are clipped to 64 bits.
+/// Returns an interval that contains every value of `term`. Bounds outside the range of 64-bit integers are replaced by
+/// the limits of this range (clipped).
 Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
 /// Returns the interval of each term of the table.
 std::vector<Interval> intervals(const Exprs& exprs, const TypeOf& type_of);
 
-/// True if a bound of the interval was clipped.
+/// True if a bound of the interval is a limit of the range of 64-bit integers, so that the bound may have been clipped.
 bool is_clipped(const Interval& interval);
 
-/// True if the range does not fit into 32-bit integers.
+/// True if the range [low, high] does not fit into 32-bit integers.
 bool is_wide(std::int64_t low, std::int64_t high);
 
-/// For each term of the table: true if it or a subterm may exceed 32 bits. For such a term, a program with 32-bit
-/// arithmetic (NuSMV 2.6, UPPAAL) would silently compute a wrong value.
+/// For each term of the table: true if the value of the term or of a subterm may exceed 32 bits. For a term with the
+/// result true, a program with 32-bit arithmetic (NuSMV 2.6, UPPAAL) may silently compute a wrong value.
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of);
 
 }  // namespace grafverif

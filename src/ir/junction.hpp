@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operands of conjunctions and disjunctions, and the search for terms that contain a division.
+// Functions that return the operands of conjunctions and disjunctions, and that search a term for divisions.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-/// Returns the operands of `term` if its operator is `op`; otherwise the term itself.
+/// Returns the operands of `term` if its operator is `op`; otherwise a list that contains only `term`.
 inline std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op op) {
     if (exprs[term].op != op) return {term};
     const auto operands = exprs.operands(term);

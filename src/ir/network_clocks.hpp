@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Static clock analysis. Each process is analysed separately, because a clock belongs to only one process.
 //
-// At location l, a constant is relevant to a clock only if the clock can be compared with it before its next reset. The
-// cap of a clock at l is the least value from which on the results of all these comparisons are constant: c for `clock
-// >= c`, c + 1 for `clock <= c` and `clock == c`. Larger values are replaced by the cap. A clock that is not compared
-// before its next reset is dead and kept at 0. Both reductions are exact: states that are merged have the same moves,
-// including delays, and these moves lead to states that are also merged.
+// At location l, a constant is relevant to a clock only if the clock can be compared with the constant before the next
+// reset of the clock. The cap of a clock at l is the least value such that all comparisons with relevant constants have
+// the same result for all larger values. For `clock >= c` the cap is c; for `clock <= c` and `clock == c` it is c + 1.
+// Clock values above the cap are replaced by the cap. A clock that cannot be compared before its next reset is dead;
+// the value of a dead clock is kept at 0. Both reductions are exact: if two states are represented by the same reduced
+// state, they have the same moves, including delays, and equal moves lead to states that also have the same reduced
+// state.
 //
-// A clock is bounded at l if an invariant can limit it before its next reset.
+// A clock is bounded at l if an invariant can limit the clock before its next reset.
 //
-// The constants of lower and of upper bounds are also computed separately. They define which clock values simulate
-// others (check/timed/store/covering.hpp).
+// The greatest relevant constants of lower bounds and of upper bounds are also computed separately. They determine if a
+// state with one clock value simulates a state with another clock value (check/timed/store/covering.hpp).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +33,7 @@ struct ClockInterval {
 
 /// Returns the values v for which `v relation bound` is true.
 ClockInterval admitted(Op relation, std::int64_t bound);
-/// Returns the values that a constraint admits.
+/// Returns the clock values that satisfy `constraint`.
 ClockInterval admitted(const Network& network, const Network::ClockConstraint& constraint);
 /// Returns the intersection of `constraints` per clock; the result has `clocks` entries.
 std::vector<ClockInterval> admitted(const Network& network, const std::vector<Network::ClockConstraint>& constraints,
@@ -42,25 +44,29 @@ struct ProcessClocks {
     std::vector<std::vector<std::int64_t>> cap = {};  ///< cap per location and clock; a `dead` clock is kept at 0
     std::vector<std::vector<bool>> bounded = {};      ///< true if the clock is bounded, per location and clock
     std::vector<std::int64_t> greatest = {};          ///< maximum cap per clock over all locations
-    /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is
-    /// none. `clock == d` is a comparison with a lower and with an upper bound.
+    /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is no
+    /// such comparison. `clock == d` counts for `lower` and for `upper`.
     std::vector<std::vector<std::int64_t>> lower = {};
     /// Greatest constant d of a comparison `clock <= d` before the next reset, per location and clock; `no_upper` if
-    /// there is none.
+    /// there is no such comparison.
     std::vector<std::vector<std::int64_t>> upper = {};
     static constexpr std::int64_t no_upper = -1;
 };
 
 bool resets(const Network::Edge& edge, Id<Network::Clock> clock);
 
-/// The clock values for which an edge is enabled if its guard holds, among all dense values that the invariant of its
-/// source permits. The edge depends on a clock if some of these values violate its constraint or, after the resets, the
-/// invariant of its target. Bit k belongs to constraint k of the invariant of the source, for k < 63.
+/// Describes the dense clock values for which an edge is enabled if its guard holds. Only values that satisfy the
+/// invariant of the source are considered. The edge depends on a clock if some of these values violate the constraint
+/// of the edge or, after the resets, the invariant of its target. In `covers` and `frees`, bit k belongs to constraint
+/// k of the invariant of the source, for k < 63.
 struct EdgeTiming {
-    std::uint64_t covers = 0;  ///< the edge is enabled at the bound of the constraint, and depends on no other clock
-    std::uint64_t frees = 0;   ///< also, the clock of the constraint is reset, or not bounded before its next reset
-    bool always = false;       ///< the edge is enabled for all values
-    bool at_last = false;      ///< the edge is enabled once every clock is large enough
+    /// Bit k: if the clock is at the bound of constraint k, the edge is enabled for all values of the other clocks.
+    std::uint64_t covers = 0;
+    /// Bit k: as in `covers`; in addition, the edge resets the clock of constraint k, or no invariant bounds the clock
+    /// before its next reset.
+    std::uint64_t frees = 0;
+    bool always = false;  ///< true if the edge is enabled for all clock values that satisfy the invariant of the source
+    bool at_last = false;  ///< true if the edge is enabled for all sufficiently large values of all clocks
 };
 
 /// `clocks` is the clock analysis of the process. Requires that the network is expanded.

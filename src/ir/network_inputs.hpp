@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Input abstraction: an over-approximation of a closed loop in which inputs get their values when a PLC samples them.
+// Input abstraction: an over-approximation of a closed loop in which some inputs get arbitrary values when a PLC
+// samples them.
 //
 // An instance is *autonomous* if its edges read only variables that no other process writes. Examples are a push
 // button, a selector, a free input and a sensor of the environment. Other instances, such as a cylinder or a tank, read
@@ -7,32 +8,34 @@
 // an observer or another process can also read an instance. The abstraction represents each process that is not a PLC
 // at one of four levels:
 //
-//   Chosen    its location, clocks and outputs are not stored. Each sampling chooses one of its reachable output
-//             valuations, independently of earlier samplings. All outputs are chosen jointly: a selector never has two
-//             positions.
-//   Untimed   its location and outputs are stored; its clocks are ignored. Urgent edges remain urgent; an edge with a
-//             clock constraint is never urgent, and may be taken at any time.
-//   Paced     for autonomous instances only: upper bounds are ignored, and lower bounds are one time unit of the
-//             search, so that the instance does not change twice within one instant.
+//   Chosen    the location, clocks and outputs of the instance are not stored. Each sampling chooses one of its
+//             reachable output valuations, independently of earlier samplings. All outputs of an instance are chosen
+//             jointly, so a selector never has two positions.
+//   Untimed   the location and outputs of the process are stored, and its clocks are ignored. Urgent edges remain
+//             urgent. An edge with a clock constraint may be taken at any time; such an edge is never urgent.
+//   Paced     for autonomous instances only: upper bounds of clocks are ignored, and each lower bound is replaced by
+//             one time unit of the search, so that the instance does not change twice within one instant.
 //   Complete  the process is unchanged.
 //
-// Let N be the network and A the abstraction. If the locations, clocks and outputs of the abstracted processes and
-// EVOL_PL are ignored, each run of N is a run of A with the same delays:
-//   - an edge of a Chosen instance does not correspond to a move of A. If N begins a cycle because of such an edge
-//     (EVOL_PL), A takes the additional edge that begins a cycle at any time in W. The values that N then samples are
-//     one of the valuations, because A has every valuation that the instance can reach for arbitrary values of the
-//     other variables.
-//   - a PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and the other edges have the
-//     same guard as in N.
+// Let N be the network and A the abstraction. Ignore the locations, clocks and outputs of the Chosen instances, the
+// clocks of the Untimed and Paced processes, and EVOL_PL. Then each run of N is a run of A with the same delays, for
+// the following reasons:
+//   - an edge of a Chosen instance does not correspond to a move of A. If N begins a cycle because of an edge of a
+//     Chosen instance (EVOL_PL), A takes the additional edge of the PLC, which can begin a cycle at any time in
+//     location W. The values that N samples in this cycle are one of the valuations of A, because A has every valuation
+//     that the instance can reach for arbitrary values of the other variables.
+//   - a PLC cycle of A is never more urgent than in N: the additional edge is not urgent, and all other edges of the
+//     PLC have the same guard as in N.
 //   - an edge of an Untimed or Paced process has the same guard as in N, over the same values (a process that a stored
-//     process reads is also stored). The edge needs no more time than in N.
-//     An urgent edge has no clock constraint and keeps the invariant of its target (see verify). Therefore it is
-//     enabled in A only if it is enabled in N, and time passes in A whenever it passes in N.
+//     process reads is also stored). The clock constraints of the edge in A permit every delay that they permit in N.
+//     An urgent edge has no clock constraint and keeps the invariant of its target (see verify). Therefore an urgent
+//     edge is enabled in A only if it is enabled in N, and time can pass in A whenever it can pass in N.
 //   - if N is quiescent, A is quiescent: the condition for A omits only the conjuncts that read a Chosen instance.
-// Therefore, if `always`, `never` or `exactly one of` holds in A, it holds in N. A `reachable` that is violated in A is
-// violated in N. Both statements are also true with `at stable`. A run of A is not necessarily a run of N.
+// Therefore, if an `always`, `never` or `exactly one of` property holds in A, the property holds in N. A `reachable`
+// property that is violated in A is violated in N. Both statements are also true with `at stable`. A run of A is not
+// necessarily a run of N.
 //
-// `no timelock` and `no deadlock` need other arguments, in which the abstracted instances rest
+// `no timelock` and `no deadlock` need other arguments, in which the abstracted instances do not move
 // (docs/explanation/input-abstraction.md, "No timelock, no deadlock"); see ChoiceLifetime.
 #pragma once
 
@@ -46,26 +49,29 @@ namespace grafverif {
 
 enum class InputLevel : std::uint8_t { Chosen, Untimed, Paced, Complete };
 
-/// Premises that tests omit on purpose to show that each premise is necessary.
+/// Premises of the input abstraction. If a member is true, the premise is dropped, so that tests can show that the
+/// premise is necessary.
 struct InputAblations {
-    bool no_cycle_on_change = false;  ///< a cycle begins only if the rest of the loop requests it
+    bool no_cycle_on_change = false;  ///< a change of a Chosen instance does not begin a cycle
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
-    bool ignore_readers = false;      ///< a process that reads a Chosen instance reads its initial outputs
-    bool own_guards_only = false;     ///< valuations are computed for the initial values of other variables
-    bool all_can_rest = false;      ///< instances with invariants or urgent edges are abstracted as if they could rest
-    bool keep_quiescence = false;   ///< the condition of quiescence still reads Chosen instances
+    /// A process that reads a Chosen instance always reads the initial outputs of this instance.
+    bool ignore_readers = false;
+    /// Valuations are computed for the initial values of other variables instead of arbitrary values.
+    bool own_guards_only = false;
+    bool all_can_rest = false;  ///< instances with invariants or urgent edges are abstracted as if they need not move
+    bool keep_quiescence = false;   ///< the condition of quiescence of the abstraction still reads Chosen instances
     bool urgent_on_clocks = false;  ///< edges of Untimed processes with a clock constraint become urgent
     // Premises of lets_time_pass (check/inputs/resting.hpp):
     bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
-    bool ignore_evolutions = false;  ///< evolutions need not end
+    bool ignore_evolutions = false;  ///< evolutions of a PLC need not end
     // Premises of PossibleProof (check/inputs/possible.hpp):
-    bool one_bound = false;         ///< rule 3 is applied to one bound only
-    bool any_edge = false;          ///< edges need not be possible for all values of the clocks
+    bool one_bound = false;         ///< rule 3 is applied to only one bound of an invariant
+    bool any_edge = false;          ///< the edges in the rules need not be possible for all values of the clocks
     bool need_not_return = false;   ///< instances of the panel need not be able to return
     bool need_not_diverge = false;  ///< time need not diverge
     // Premises of prove_response (check/inputs/response.hpp):
     bool need_not_take_time = false;  ///< infinitely many moves may be possible in bounded time
-    bool round_inward = false;        ///< rounded bounds of observers become stronger instead of weaker
+    bool round_inward = false;  ///< clock bounds of observers are rounded to stronger bounds instead of weaker bounds
 };
 
 /// A process that can be abstracted: an instance of the plant or the environment, or a timer of a controller.
@@ -78,65 +84,69 @@ struct AbstractableProcess {
     /// Processes that read the outputs. A PLC is included only if it reads an output in a guard.
     std::vector<Id<Network::Process>> readers = {};
     bool autonomous = false;
-    bool can_rest = false;  ///< true if the process has no invariant and no urgent edge: it need not move
-    bool lively = false;    ///< true if the process is autonomous, can rest, and can always move after some time
-    /// True if the process is autonomous, can rest, and can always return to its initial state by edges whose clock
+    /// True if the process has no invariant and no urgent edge, so that it can remain in each location forever.
+    bool can_rest = false;
+    bool lively = false;  ///< true if the process is autonomous, `can_rest`, and can always move again after some time
+    /// True if the process is autonomous, `can_rest`, and can always return to its initial state by edges whose clock
     /// constraints are only lower bounds.
     bool returns = false;
 
     bool operator==(const AbstractableProcess&) const = default;
 };
 
-/// Returns the processes that can be abstracted. `Chosen` is available to an instance if no other process writes its
+/// Returns the processes that can be abstracted. `Chosen` is available for an instance if no other process writes its
 /// outputs, it has at most 32 valuations, and no value is out of range. The result is empty if a controller has a task
-/// cycle: the arguments above assume that a change of an input requests a scan. Requires that `network` is expanded and
-/// has no observers.
+/// cycle, because the abstraction assumes that a change of an input requests a scan. Requires that `network` is
+/// expanded and has no observers.
 std::vector<AbstractableProcess> abstractable_processes(const Network& network, const InputAblations& ablations = {});
 
-/// Returns the least precise level that is more precise than `level` and available to the process.
+/// Returns the least precise level that is more precise than `level` and available for the process. From least to most
+/// precise, the levels are Chosen, Untimed, Paced, Complete.
 InputLevel next_level(const AbstractableProcess& process, InputLevel level);
 
-/// Changes the level of Chosen processes that a stored process reads to `Untimed`.
+/// Sets the level of each Chosen process that a stored (not Chosen) process reads to `Untimed`.
 void store_what_is_read(const std::vector<AbstractableProcess>& processes, std::vector<InputLevel>& levels);
 
 /// The values that one PLC samples from one Chosen instance. At the beginning of each cycle, all valuations are
-/// possible. Each edge of the PLC that reads one of the variables restricts the set of possible valuations.
+/// possible. Each edge of the PLC that reads one of `variables` restricts the set of possible valuations.
 struct InputChoice {
     std::size_t instance = 0;  ///< index of the instance in the list of abstractable processes
     Id<Network::Process> plc = {};
     std::vector<Id<Network::Variable>> variables = {};
     std::vector<std::vector<std::int64_t>> valuations = {};
-    bool kept = false;                   ///< true if the set of possible valuations is part of the state
-    bool until_delay = false;            ///< true if cycles do not change the set (see ChoiceLifetime)
-    Id<Network::Variable> stable = {};   ///< if valid: all valuations are possible again as soon as the PLC is stable
-    Id<Network::Location> waiting = {};  ///< location in which `stable` is read
+    bool kept = false;         ///< true if the set of possible valuations is part of the state
+    bool until_delay = false;  ///< true if cycles do not change the set (see ChoiceLifetime)
+    /// If valid: all valuations become possible again when this flag of the PLC becomes true.
+    Id<Network::Variable> stable = {};
+    Id<Network::Location> waiting = {};           ///< location of the PLC in which `stable` is read
     std::vector<Id<Network::Edge>> widened = {};  ///< edges of the PLC after which all valuations are possible again
 };
 
-/// Defines how long a chosen valuation remains the input of a PLC. With `Cycle`, it remains until the cycle ends. With
-/// `Instant`, it remains until time passes or the instance moves, so that the abstraction has the same urgent edges as
-/// the loop while the instances rest. With `Evolution`, it remains until the PLC is stable or an instance moves; clocks
-/// are ignored, and timers stay urgent.
+/// Defines how long a chosen valuation remains the input of a PLC. With `Cycle`, the valuation remains until the cycle
+/// of the PLC ends. With `Instant`, it remains until time passes or the instance moves, so that the abstraction has the
+/// same urgent edges as the loop while the instances do not move. With `Evolution`, it remains until the PLC is stable
+/// or an instance moves; clocks are ignored, and urgent edges of timers remain urgent.
 enum class ChoiceLifetime : std::uint8_t { Cycle, Instant, Evolution };
 
 struct InputAbstraction {
-    Network network = {};  ///< processes, variables and edges keep the indices that they have in the original network
+    /// The abstraction, in which processes, variables and edges have the same indices as in the original network.
+    Network network = {};
     std::vector<InputChoice> choices = {};
     std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
 };
 
-/// Builds the input abstraction. `levels` contains one level per process, as changed by store_what_is_read. Properties
-/// of the result have no meaning if their terms read a Chosen instance.
+/// Builds the input abstraction. `levels` contains one level per process. Requires that store_what_is_read has been
+/// applied to `levels`. Requires that no property to be decided on the result reads a Chosen instance.
 InputAbstraction abstract_inputs(const Network& network, const std::vector<AbstractableProcess>& instances,
                                  const std::vector<InputLevel>& levels, const InputAblations& ablations = {},
                                  ChoiceLifetime lifetime = ChoiceLifetime::Cycle);
 
-/// Converts `network` to the longest time unit in which all clock bounds are integers. Bounds of Paced instances are
-/// not considered: they become 1, or 0 if they are shorter than the unit. As for any unit that divides the bounds,
-/// integer time is exact in this unit. Bounds of `rounded` processes are not considered either: they become multiples
-/// of the unit, lower bounds by rounding down and upper bounds by rounding up, so that each run remains possible.
-/// Rounded processes have no constraint `clock == bound`. If both lists are empty, the result is the same network in
-/// that unit. Requires that `network` is expanded.
+/// Converts `network` to the longest time unit in which all clock bounds are integers. Bounds of `paced` instances do
+/// not affect the choice of the unit: they become 1, or 0 if they are shorter than the unit. Integer time is exact in
+/// this unit, as in any unit that divides the bounds. Bounds of `rounded` processes do not affect the choice of the
+/// unit either. They are rounded to multiples of the unit, lower bounds down and upper bounds up, so that each run
+/// remains possible. If both lists are empty, the result is `network` with the longest unit. Requires that `network` is
+/// expanded, and that `rounded` processes have no constraint `clock == bound`.
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {},
                         const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Network simulator: performs single moves as a direct implementation of the semantics (ir/network.hpp; CEP13 section
-// 2). The replay of counterexamples, `simulate` and tests of the engines use it. The implementation favours simplicity
-// over speed; clocks are not capped.
+// 2). The replay of counterexamples, the command `simulate` and tests of the engines use the simulator. The
+// implementation favours simplicity over speed; clock values are not reduced to a maximum value.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +40,8 @@ struct Step {
     enum class Result {
         Done,
         Blocked,     ///< a guard, clock constraint, invariant or urgent edge forbids the move
-        OutOfRange,  ///< `variable` would leave its range
-        NoValue,     ///< an operation is undefined, such as a division by zero
+        OutOfRange,  ///< the edge assigns `variable` a value outside its range
+        NoValue,     ///< a term of the edge has no value, for example because of a division by zero
     };
     Result result = Result::Done;
     Id<Network::Variable> variable = {};
@@ -54,19 +54,19 @@ Step perform(const Network& network, NetworkState& state, const Move& move);
 /// (see Step).
 std::vector<Fire> enabled(const Network& network, const NetworkState& state);
 
-/// True if an urgent edge is enabled; time cannot pass then.
+/// True if an urgent edge is enabled, so that time cannot pass.
 bool urgent_edge_waits(const Network& network, const NetworkState& state);
 
 /// True if one unit of time can pass.
 bool may_delay(const Network& network, const NetworkState& state);
 
-/// Returns the value of an expression over variables and At (an operand of a property, or `settled`), or nothing if it
-/// is undefined.
+/// Returns the value of an expression over variables and At (an operand of a property, or `settled`), or nullopt if the
+/// value is undefined.
 std::optional<std::int64_t> value(const Network& network, const NetworkState& state, Id<Expr> expr);
 
-/// Returns the states of `run`, beginning with the initial state. There is one more state than there are moves. The
-/// result is empty if a move is blocked. It is also empty if the state at the end of a lasso differs from the first
-/// state of its loop in locations or variables.
+/// Returns the states of `run`, beginning with the initial state. The number of states is the number of moves plus one.
+/// The result is nullopt if a move is not possible. It is also nullopt if the run has a loop and its last state differs
+/// from the first state of the loop in locations or variables.
 std::optional<std::vector<NetworkState>> replay(const Network& network, const Run& run);
 
 }  // namespace grafverif

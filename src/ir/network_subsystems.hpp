@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Independent subsystems ("parts") of a Network: sets of processes that share only time.
+// Independent subsystems ("parts") of a Network: sets of processes that share no variables and interact only because
+// time passes for all of them.
 //
 // Two processes belong to the same part if one of them writes a variable that the other reads or writes. Parts are the
 // equivalence classes of the transitive closure of this relation. Clocks belong to one process. Three types of
 // variables do not transfer information between processes and create no dependency: variables without writers, scratch
 // variables, and the flag `race`. The flag `race` can be separate for each part, because a race in any part ends the
-// run. A process without edges and invariants belongs to the first part.
+// run. A process that has neither edges nor invariants belongs to the first part.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +24,8 @@ struct NetworkSubsystems {
     std::uint32_t count = 0;                      ///< number of parts, which are ordered by their first process
     std::vector<std::uint32_t> of_process = {};   ///< part per process
     std::vector<std::uint32_t> of_variable = {};  ///< part per variable; none if the variable creates no dependency
-    /// For each part: the conjuncts of `settled` that read only this part. The list is empty if `settled` is not
-    /// defined or a conjunct reads several parts.
+    /// For each part: the conjuncts of Network::settled that read only this part. `settled` is empty if
+    /// Network::settled is invalid or one of its conjuncts reads several parts.
     std::vector<std::vector<Id<Expr>>> settled = {};
 };
 
@@ -34,20 +35,21 @@ NetworkSubsystems parts_of(const Network& network);
 std::vector<std::uint32_t> parts_read(const Network& network, const NetworkSubsystems& parts,
                                       const std::vector<Id<Expr>>& terms);
 
-/// Returns the displayed name of a part: its controllers, or its first instance.
+/// Returns the displayed name of a part: the names of its controllers or, without controllers, the name of its first
+/// instance.
 std::string name_of_part(const Network& network, const NetworkSubsystems& parts, std::uint32_t part);
 
-/// A separate network that consists of some parts of a network. The subnetwork keeps the names and processes of
-/// controllers, and the conjuncts of `settled` that read these parts. Its properties are the properties that
-/// SubNetworkBuilder::add_property added.
+/// A separate network that consists of some parts of a network. The subnetwork contains the processes of these parts,
+/// the data about their controllers, and the conjuncts of `settled` that read these parts. Its properties are the
+/// properties that SubNetworkBuilder::add_property added.
 struct SubNetwork {
     Network network = {};
     std::vector<Id<Network::Process>> processes = {};  ///< for each process: its id in the complete network
     std::vector<Id<Network::Variable>> variables = {};
 };
 
-/// Builds a subnetwork, and translates terms of the complete network to terms of the subnetwork. These terms must not
-/// read any other part.
+/// Builds a subnetwork, and translates terms of the complete network to terms of the subnetwork. Requires that these
+/// terms read no other part.
 class SubNetworkBuilder {
 public:
     /// `chosen` contains parts of `network`, in order. Requires that `network` is expanded and outlives this object.

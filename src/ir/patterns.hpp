@@ -5,27 +5,29 @@
 
 namespace grafverif {
 
-/// True if the pattern is a state invariant: a run to a single state can show its violation.
+/// True if a property of this pattern states that a condition holds in every reachable state, so that a run to a single
+/// state can show a violation.
 inline bool is_about_all_states(Pattern pattern) {
     return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
 }
 
-/// True if a run to a single state can show the violation or, for `reachable`, that the property holds.
+/// True if a run to a single state can show a violation or, for `reachable`, that the property holds.
 inline bool is_about_single_states(Pattern pattern) {
     return is_about_all_states(pattern) || pattern == Pattern::Reachable;
 }
 
-/// True if the verdict depends only on the set of reachable states. The steps of `reachable all steps` are reached by
-/// different runs.
+/// True if the verdict depends only on the set of reachable states. This includes `reachable all steps`, for which
+/// different runs may reach the steps.
 inline bool is_about_states(Pattern pattern) {
     return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
 }
 
-/// True if the property states that something happens eventually; its counterexamples are maximal runs.
+/// True if a property of this pattern states that some state is reached eventually on each run; a counterexample is a
+/// maximal run.
 inline bool is_liveness(Pattern pattern) { return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo; }
 
-/// True for a `leads to` that the model declares. False for a `leads to` between locations of an observer, because its
-/// premise is irrelevant to vacuity.
+/// True for a `leads to` that the model declares. False for a `leads to` that grafverif derives from a Sentence
+/// (Property::watch), because the premise of a derived property does not determine vacuity.
 inline bool is_declared_response(const Property& property) {
     return property.pattern == Pattern::LeadsTo && property.watch == Sentence{};
 }

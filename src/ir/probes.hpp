@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Vacuity probes: `reachable` properties that are added to a model that is checked, but not to a model that is written
-// to a file. If a probe is violated, the associated property holds vacuously, and the `text` of the probe states the
-// reason. The name `NAME.(premise)` identifies property and probe; it is not a valid name of the language.
+// Vacuity probes: additional `reachable` properties. They are added to a model before it is checked, but not before it
+// is written to a file. If a probe is violated, the associated property holds vacuously, and the `text` of the probe
+// states the reason. The name of a probe, such as `NAME.(premise)`, consists of the name of the associated property and
+// the type of the probe. It is not a valid name of the input language.
 #pragma once
 
 #include <string>

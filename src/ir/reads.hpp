@@ -14,7 +14,7 @@ class Reads {
 public:
     explicit Reads(const Exprs& exprs) : exprs_(exprs), seen_(exprs.size(), 0) {}
 
-    /// Starts a new traversal. It also visits the subterms that earlier traversals visited.
+    /// Starts a new traversal. The new traversal also visits subterms that earlier traversals visited.
     void start() { ++generation_; }
 
     template <class Visit>

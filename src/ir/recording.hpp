@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// RecordingVerdict: result of the check of a recording of inputs and outputs against a chart. The definition of an
-// admissible timing is in run/recording/recording_check.hpp.
+// RecordingVerdict: result of the check of a recording of inputs and outputs against a chart.
+// run/recording/recording_check.hpp defines an admissible timing of a recording.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,19 @@
 
 namespace grafverif {
 
-/// Evidence for a recording without an admissible timing: the timing that explains the longest beginning of the
-/// recording, and the output that this timing does not explain.
+/// Evidence that a recording has no admissible timing: a timing for which the chart agrees with the recording for the
+/// longest time, and the output that differs afterwards.
 struct Deviation {
-    std::int64_t time_us = 0;     ///< time of the recorded change, or of the change of the chart
-    std::uint64_t line = 0;       ///< line of the recorded value
-    std::string output = {};      ///< name in the chart
-    std::int64_t recorded = 0;    ///< recorded value
-    std::int64_t allowed = 0;     ///< value of the chart in this timing
-    bool missing_change = false;  ///< true: the chart changes the output; false: the recording changes it
+    std::int64_t time_us = 0;   ///< time of the recorded change, or of the change of the chart
+    std::uint64_t line = 0;     ///< line of the recorded value in the log
+    std::string output = {};    ///< name in the chart
+    std::int64_t recorded = 0;  ///< recorded value
+    std::int64_t allowed = 0;   ///< value that the chart writes with this timing
+    /// True: the chart changes the output, but the recording does not; false: the recording changes the output, but the
+    /// chart does not.
+    bool missing_change = false;
     std::string situation = {};   ///< active steps, such as `{2, 5}`
-    ChartRun run = {};            ///< last instants of this timing
+    ChartRun run = {};            ///< end of the run of the chart with this timing
     bool run_is_complete = true;  ///< false if the run does not begin at power-on
 
     bool operator==(const Deviation&) const = default;
@@ -33,7 +35,7 @@ struct RecordingVerdict {
     enum class Kind { Conforms, Deviates, Unknown };
     std::string chart = {};
     Kind kind = Kind::Conforms;
-    std::string reason = {};                   ///< for Unknown
+    std::string reason = {};                   ///< for Unknown: the reason
     std::optional<Deviation> deviation = {};   ///< for Deviates
     std::vector<std::string> unrecorded = {};  ///< outputs that the recording does not contain
 
@@ -45,8 +47,8 @@ struct RecordedProperty {
     std::string name = {};
     std::string loop = {};
     bool violated = false;
-    std::int64_t time_us = 0;  ///< if violated: time of the first values that violate it
-    std::uint64_t line = 0;    ///< if violated: line of these values
+    std::int64_t time_us = 0;  ///< if violated: time of the first recorded values that violate the property
+    std::uint64_t line = 0;    ///< if violated: line of the first recorded values that violate the property
 
     bool operator==(const RecordedProperty&) const = default;
 };

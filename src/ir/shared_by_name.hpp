@@ -8,7 +8,7 @@
 
 namespace grafverif {
 
-/// Index of the shared variables of a loop by name; inputs and outputs of charts refer to them by name.
+/// Finds shared variables of a loop by name. Inputs and outputs of charts refer to shared variables by name.
 class SharedByName {
 public:
     explicit SharedByName(const ClosedLoop& loop) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sort checking of terms, for every `verify`: a term has a sort or contains a type error. The owner of the table
-// defines the allowed leaves and their sorts.
+// Sort checking of terms, which every `verify` uses: a term without type errors has a sort (Boolean, integer or
+// duration). The owner of the table defines the allowed leaves and their sorts.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 namespace grafverif {
 
 enum class Sort : std::uint8_t {
-    None,  ///< the term is missing, or contains an operand or leaf that is not allowed
+    None,  ///< the term is not in the table, or contains an operand or leaf that is not allowed
     Boolean,
     Integer,
     Duration,  ///< a duration, a sum of durations, or the product of an integer and a duration; only in components
@@ -27,8 +27,9 @@ inline Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Int
 /// The sorts of the terms of one table, each computed once.
 class Sorts {
 public:
-    /// `leaf` returns the sort of each leaf, edge (Rise, Fall) and duration, or None if the term is not allowed. `leaf`
-    /// is called for an edge only if the operand is Boolean. `exprs` must outlive this object.
+    /// `leaf` returns the sort of a leaf, an edge (Rise, Fall) or a duration, or None if the owner of the table does
+    /// not allow this term. `leaf` is called for an edge only if the operand is Boolean. `exprs` must outlive this
+    /// object.
     Sorts(const Exprs& exprs, std::function<Sort(const Expr&)> leaf) : exprs_(&exprs), leaf_(std::move(leaf)) {}
 
     /// Returns the sort of `term`; None if the term is not in the table.

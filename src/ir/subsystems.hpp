@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts of a TransitionSystem. In each step, at most one part moves. The functions assign symbols to parts and project
-// a system to some parts.
+// Parts (independent subsystems) of a TransitionSystem. In each step, at most one part moves. The functions of this
+// file assign symbols to parts and project a system to some parts.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tuning: the verdicts on the properties of a closed loop for all values of some of its constants on a grid.
+// Tuning: the verdicts on the properties of a closed loop for several values of some of its constants. The value
+// combinations form a grid.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +23,7 @@ struct TunedConstant {
 
     std::size_t size() const { return static_cast<std::size_t>((high - low) / step) + 1; }
     std::int64_t value(std::size_t index) const { return low + static_cast<std::int64_t>(index) * step; }
-    /// Returns the index of the current value, or nothing if it is not one of the values.
+    /// Returns the index of `current`, or nullopt if `current` is not one of the values of the grid.
     std::optional<std::size_t> current_index() const {
         if (current < low || current > high || (current - low) % step != 0) return {};
         return static_cast<std::size_t>((current - low) / step);
@@ -32,7 +33,7 @@ struct TunedConstant {
 /// A verdict on one property at one point of the grid.
 struct PointVerdict {
     Outcome outcome = Outcome::Unknown;
-    std::uint32_t reason = 0;  ///< of an unknown verdict: index in Tuning::reasons
+    std::uint32_t reason = 0;  ///< for an unknown verdict: index of the reason in Tuning::reasons
     bool operator==(const PointVerdict&) const = default;
 };
 
@@ -49,16 +50,19 @@ struct Tuning {
 
     std::string model = {};  ///< name of the closed loop
     std::vector<TunedConstant> constants = {};
-    CheckSettings settings = {};  ///< without constants; the time unit divides all durations of all points
+    /// Settings of all checks, without constants; the time unit divides all durations of all points.
+    CheckSettings settings = {};
     std::vector<Row> rows = {};
-    std::vector<std::string> reasons = {};   ///< reason 0: the point was not checked
-    std::size_t points = 1;                  ///< number of points of the grid
-    std::size_t checks = 0;                  ///< number of models that were checked, including the current one
-    std::size_t transferred = 0;             ///< number of verdicts that follow from the check of another model
-    bool model_error = false;                ///< true if a model error occurs at some point
+    /// Reasons for unknown verdicts; entry 0 is the reason of a point that was not checked.
+    std::vector<std::string> reasons = {};
+    std::size_t points = 1;       ///< number of points of the grid
+    std::size_t checks = 0;       ///< number of models that were checked, including the model with the current values
+    std::size_t transferred = 0;  ///< number of verdicts that were derived from the check of another model
+    bool model_error = false;     ///< true if a model error occurs at some point
     std::vector<std::string> failures = {};  ///< internal errors
 
-    /// Returns the indices of a point, per constant. The last constant changes first.
+    /// Returns the index of the value of each constant at a point. From one point to the next, the index of the last
+    /// constant changes first.
     std::vector<std::size_t> indices(std::size_t point) const {
         std::vector<std::size_t> all(constants.size());
         for (std::size_t k = constants.size(); k-- > 0; point /= constants[k].size())
@@ -77,7 +81,8 @@ struct GridBox {
     std::vector<std::size_t> first = {}, last = {};
 };
 
-/// Calls `visit` with the indices of each point of a box. The last constant changes first.
+/// Calls `visit` with the indices of each point of a box. From one call to the next, the index of the last constant
+/// changes first.
 template <class Visit>
 void for_each_point(const GridBox& box, const Visit& visit) {
     std::vector<std::size_t> at = box.first;

@@ -9,7 +9,8 @@
 
 namespace grafverif {
 
-/// Returns the index in `equations.steps` of the step that a timer observes, or nothing if it observes another term.
+/// Returns the index in `equations.steps` of the step that a timer observes, or nullopt if the timer observes another
+/// term.
 inline std::optional<std::size_t> watched_step(const Equations& equations, const Equations::Timer& timer) {
     const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
     if (step == equations.steps.end()) return {};
@@ -38,7 +39,7 @@ ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mod
         const Equations::Variable& variable = equations.variables[id];
         if (variable.role == Equations::Role::Input) words.inputs.push_back({variable.name, place(id)});
         if (variable.role == Equations::Role::Output) words.outputs.push_back({variable.name, place(id)});
-        // A program has no equations of internal variables on which nothing depends.
+        // The equations of a program contain no equation for an internal variable on which nothing depends.
         const bool known =
             !equations.is_program ||
             std::ranges::find(equations.stored, id, &Equations::Stored::variable) != equations.stored.end();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Background checks, executed sequentially in a separate thread. They derive the models of a root, decide its
-// properties, and analyse its charts. If a root is parsed again, its pending checks are cancelled.
+// Background checks, executed sequentially in a separate thread. For each root (a file that is parsed with its
+// includes), they derive the models, decide the properties, and analyse the charts. If a root is parsed again, its
+// pending checks are cancelled.
 #pragma once
 
 #include <atomic>
@@ -34,10 +35,10 @@ struct Task {
     std::string only = {};  ///< name of the loop or chart to check; all if empty
 };
 
-/// The result of a task, or of a part of it.
+/// The result of a task, or a partial result.
 struct Found {
     std::shared_ptr<const Root> root = {};
-    std::string source = {};  ///< the source of the findings; they replace all earlier findings of this source
+    std::string source = {};  ///< the source of the diagnostics; they replace all earlier diagnostics of this source
     std::vector<LspDiagnostic> diagnostics = {};
     std::map<std::string, VerdictDetails> verdicts = {};  ///< verdicts by key, such as `loop station/q P15`
 };

@@ -13,7 +13,7 @@
 
 namespace grafverif::lsp {
 
-/// A file that was parsed with its includes. It is immutable.
+/// A file that was parsed with its includes; immutable.
 struct Root {
     std::string path = {};
     std::uint64_t number = 0;  ///< unique number of the parse
@@ -29,13 +29,13 @@ public:
     /// Parses changed roots again, and returns the new parses. If a root cannot be read, this error is its only
     /// diagnostic, and the next call tries to read the root again.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
-    /// Parses a file. If it cannot be read, this error is the only diagnostic of the result.
+    /// Parses a file. If the file cannot be read, this error is the only diagnostic of the result.
     std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
     std::vector<std::shared_ptr<const Root>> roots() const;
     bool is_current(const Root& root) const;
 
-    /// Adds further diagnostics of a root. They are discarded when the root is parsed again.
+    /// Adds further diagnostics of a root. The added diagnostics are discarded when the root is parsed again.
     void add(const Root& root, const std::string& source, std::vector<LspDiagnostic> source_diagnostics);
 
     /// Returns all diagnostics by path, sorted by position, without duplicates.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics for the editor, with positions in its units.
+// Diagnostics for the editor, with positions in the units of the editor: lines and UTF-16 units.
 #pragma once
 
 #include <compare>

@@ -9,7 +9,8 @@
 
 namespace grafverif::lsp {
 
-/// Returns the file of the library with this path, such as `<library>/lamp.grafcet`, or null if there is none.
+/// Returns the file of the library with this path, such as `<library>/lamp.grafcet`, or null if the library has no such
+/// file.
 std::shared_ptr<const Parsed> library_file(std::string_view path);
 /// Returns the names of all components of the library.
 const Names& library_names();

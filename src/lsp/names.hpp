@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Names: the declarations in a set of files, and all occurrences of their names, as name resolution records them. The
-// record also contains the names in incomplete texts, as far as the parser and name resolution get.
+// Names: the declarations in a set of files, and all occurrences of their names, as name resolution records them. For
+// an incomplete text, the record contains the names that the parser and name resolution reach.
 //
 // Declarations that must have the same name are one element in searches for references. Examples are the inputs of the
 // controllers of a loop, which the loop shares by name.
@@ -21,7 +21,7 @@
 
 namespace grafverif::lsp {
 
-/// An element that a file declares. The position of its name identifies it.
+/// An element that a file declares. The position of its name identifies the element.
 struct Declaration {
     DeclarationKind kind = DeclarationKind::Chart;
     std::string name = {};
@@ -29,7 +29,7 @@ struct Declaration {
     const Parsed* file = nullptr;
     Span where = {};        ///< position of its name
     Span whole = {};        ///< position of its declaration
-    std::size_t order = 0;  ///< number of elements that were recorded before
+    std::size_t order = 0;  ///< number of elements that were recorded before this one
 };
 
 /// An occurrence of a name.
@@ -57,8 +57,8 @@ class Names {
 public:
     using Kinds = std::initializer_list<DeclarationKind>;
 
-    /// If several recordings contain the same file, its declarations are the same elements. If a name denotes several
-    /// elements, `use_at` prefers that of the last recording.
+    /// If several recordings contain the same file, the declarations of this file are the same elements in all
+    /// recordings. If a name denotes several elements, `use_at` returns the element of the last recording.
     explicit Names(const std::vector<Recording>& recordings);
     Names(const Names&) = delete;
     Names& operator=(const Names&) = delete;
@@ -69,18 +69,18 @@ public:
     const std::vector<Use>& uses(const Parsed& file) const;
     const Use* use_at(const Parsed& file, std::size_t offset) const;
     /// Returns the element of the file `file` that `name` would denote at `offset`, as a term or as a step, or null if
-    /// there is no such element. This is a guess for text that the parser has skipped.
+    /// there is no such element. The result is a guess, for use in text that the parser has skipped.
     const Declaration* meaning(const Parsed& file, std::size_t offset, std::string_view name) const;
-    /// Returns the chart, component or loop with this name, or null if there is none.
+    /// Returns the chart, component or loop with this name, or null if there is no such element.
     const Declaration* find(DeclarationKind kind, std::string_view name) const;
-    /// Returns the element `name` of `owner`, which may be null, or of its partial charts, or null if there is none. If
-    /// `permitted` is not empty, it contains the kind of the element.
+    /// Returns the element `name` of `owner` or of a partial chart of `owner`, or null if there is no such element.
+    /// `owner` may be null. If `permitted` is not empty, it contains the kind of the element.
     const Declaration* part(const Declaration* owner, std::string_view name, Kinds permitted = {}) const;
-    /// Return the elements of `owner`, or of all files if it is null (`parts`), or the charts, components or loops
-    /// (`all`), sorted by name.
+    /// `parts` returns the elements of `owner`, or the elements of all files if `owner` is null. `all` returns the
+    /// charts, components or loops. Both results are sorted by name.
     const std::vector<const Declaration*>& parts(const Declaration* owner) const;
     std::vector<const Declaration*> all(DeclarationKind kind) const;
-    /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is none.
+    /// Returns the chart, component or loop whose declaration contains `offset`, or null if there is no such element.
     const Declaration* around(const Parsed& file, std::size_t offset) const;
     /// Returns the elements of one kind to which a declaration refers: the charts that a loop controls, the component
     /// of an instance.
@@ -107,7 +107,7 @@ private:
     std::map<const Parsed*, std::vector<Use>> uses_ = {};
 };
 
-/// Returns the text of the comment above a declaration, or at the end of its line.
+/// Returns the text of the comment above a declaration or at the end of the line of the declaration.
 std::string comment_of(const Parsed& file, Span whole);
 /// Returns the line of a component's comment that describes a parameter: `order: rod in`.
 std::string parameter_comment(const Parsed& file, Span component, std::string_view parameter);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rename: renames an element at all its uses. The texts are parsed again with the new name. If a name then denotes
-// another element than before, or the texts have other errors, the renaming is rejected.
+// another element than before the renaming, or the texts have other errors than before, the renaming is rejected.
 #pragma once
 
 #include <memory>

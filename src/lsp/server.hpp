@@ -3,7 +3,8 @@
 //
 // One thread receives messages. Therefore a request can be cancelled, and a change can stop a check, while a response
 // is computed. A second thread handles the messages in the order of arrival, and a third thread runs the checks.
-// Invalid input does not end the server: it sends an error response if the protocol defines one for this case.
+// Invalid input does not end the server: the server sends an error response if the protocol defines a response for this
+// case.
 #pragma once
 
 #include <chrono>
@@ -27,15 +28,15 @@ struct ServerEnvironment {
     std::string version = {};
     std::vector<std::string> include_folders = {};
     std::vector<std::string> within = {};  ///< folders to which reading is restricted; unrestricted if empty
-    /// True if the client's process exists; called periodically.
+    /// Returns true if the client's process exists; called periodically.
     std::function<bool(std::int64_t process)> is_alive = {};
     /// Time limit for the check of a loop or the analysis of a chart; unlimited if empty.
     std::optional<std::chrono::milliseconds> response_timeout = {};
-    /// Returns the address of a page that draws and simulates the file. If necessary, the function creates the page; it
+    /// Returns the address of a page that draws and simulates the file. The function creates the page if necessary, and
     /// may throw std::system_error. The function is empty if pages are not available.
     std::function<std::string(const std::string& path)> simulator = {};
     /// Stores a text temporarily under this name for another program, and returns its path. The function is empty if
-    /// this is not available.
+    /// texts cannot be stored temporarily.
     std::function<std::string(const std::string& name, const std::string& text)> keep = {};
     /// Reserves memory, which is used to report the next failed allocation. The server calls the function between
     /// messages. If the function is empty, no memory is reserved.

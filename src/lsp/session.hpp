@@ -27,7 +27,7 @@ public:
     /// `ending` is set when the client has sent `exit` or has disappeared.
     Session(const Send& send, const ServerEnvironment& surroundings, Later later, const std::atomic<bool>& ending);
 
-    /// Handles a message. If it is a request, sends a response.
+    /// Handles a message. If the message is a request, sends a response.
     void take(const Json& message, bool cancelled);
     /// Sends an error response to invalid input.
     void refuse(const std::string& error_text);
@@ -90,12 +90,12 @@ private:
     Json show_verdict(const std::string& path, const std::string& loop, const std::string& property);
     Json draw(const std::string& path, const std::string& chart);
     Json simulate(const std::string& path);
-    /// Shows the document at an address if the client supports this; otherwise shows the message `words`.
+    /// Shows the document at an address if the client can show documents; otherwise, shows the message `words`.
     Json show(const std::string& uri, bool elsewhere, const std::string& words);
     const VerdictDetails* shown(const std::string& path, const std::string& key) const;
     void request_client(const std::string& id, const std::string& method, const Json& params);
 
-    /// Returns the path of the document in `params`. Throws if the document is not open.
+    /// Returns the path of the document in `params`. Throws RequestError if the document is not open.
     std::string document(const Json& params) const;
     UriOf uris() const;
 

@@ -31,8 +31,8 @@ Position position_of(const Json& json);
 Range range_of(const Json& json);
 std::vector<Change> changes_of(const Json& json);
 
-/// Returns the Boolean member of nested objects at `path`; false if it, or an object on the path, is missing or has
-/// another type.
+/// Returns the Boolean member of nested objects at `path`; false if the member, or an object on the path, is missing or
+/// has another type.
 bool flag(const Json& object, std::initializer_list<const char*> path);
 
 }  // namespace grafverif::lsp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Workspace: the current texts of all files. A document that is open in the editor replaces the file on the disk, for
-// itself and for all files that include it. All other files are read from the disk, and read again when they change.
+// Workspace: the current texts of all files. A document that is open in the editor replaces the file on the disk, both
+// when the file itself is parsed and when another file includes it. All other files are read from the disk, and read
+// again when they change.
 #pragma once
 
 #include <atomic>
@@ -25,7 +26,7 @@ struct OpenText {
     std::string identity = {};  ///< identity of the file on the disk, if it exists
     std::int64_t version = 0;
     std::shared_ptr<const Text> text = {};
-    /// True if an edit could not be applied, so that the text differs from the text in the editor.
+    /// True if an edit could not be applied, so that this text differs from the text in the editor.
     bool out_of_step = false;
 };
 
@@ -43,7 +44,7 @@ struct Parsed {
 };
 using Files = std::vector<std::shared_ptr<const Parsed>>;
 
-/// The input texts of a parse. The parse is valid while they are unchanged.
+/// The input texts of a parse. The parse is valid while these texts are unchanged.
 using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
@@ -63,15 +64,15 @@ public:
     void close(const std::string& uri);
     const OpenText* find(const std::string& uri) const;
     const OpenText* open_at(const std::string& path) const;
-    /// Returns the address under which the file is open in the editor. If it is not open, returns an address derived
-    /// from the path.
+    /// Returns the address under which the file is open in the editor. If the file is not open, returns an address
+    /// derived from the path.
     std::string uri_of(const std::string& path) const;
     /// Returns the path of the file in the editor. If the file is not open, returns `path`.
     std::string shown(const std::string& path) const;
     std::vector<OpenText> open_texts() const;
 
-    /// Returns true if files on the disk have changed since they were read. In this case, discards the stored texts, so
-    /// that the files are read again.
+    /// Returns true if files on the disk have changed since they were read. If the result is true, the stored texts
+    /// have been discarded, so that the files are read again.
     bool refresh();
     /// Returns the text of a file, or null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resources of the MCP server: the reference of the language, and the components of the library. All of them are parts
-// of the program.
+// Resources of the MCP server: the reference of the language, and the components of the library. All resources are
+// embedded in the program.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

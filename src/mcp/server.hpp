@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// MCP server: implements the Model Context Protocol (versions 2024-11-05, 2025-03-26 and 2025-06-18) over a byte stream,
-// with one message per line. It ends when the client closes the stream.
+// MCP server: implements the Model Context Protocol (versions 2024-11-05, 2025-03-26 and 2025-06-18) over a byte
+// stream, with one message per line. The server ends when the client closes the stream.
 //
-// One thread receives messages. A second thread handles them in the order of arrival and never waits for a tool. Each
-// call of a tool is executed by a worker thread, which runs commands of grafverif in a separate process. Therefore the
-// limits of time and memory apply to each call, and neither invalid input nor a call that exhausts its limits can end
-// the server. Invalid messages do not end the server either: it sends an error response.
+// One thread receives messages. A second thread handles the messages in the order of arrival and never waits for a
+// tool. Each call of a tool is executed by a worker thread, which runs commands of grafverif in a separate process.
+// Therefore the limits of time and memory apply to each call, and neither invalid input nor a call that exhausts its
+// limits can end the server. Invalid messages do not end the server either: the server sends an error response.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,8 @@ struct CommandRun {
     const std::atomic<bool>* stop = nullptr;  ///< cancellation flag
 };
 
-/// Limits of a call without the arguments `timeout` (seconds) and `max_memory` (MiB), if the server permits them.
+/// Limits of a call without the arguments `timeout` (seconds) and `max_memory` (MiB), unless the maximum values of the
+/// server are smaller.
 inline constexpr std::int64_t usual_timeout_s = 60, usual_memory_mib = 2048;
 
 /// Callbacks and settings of the program that runs the server.
@@ -42,7 +43,8 @@ struct ServerEnvironment {
     std::int64_t longest_call_s = 600;                  ///< maximum value of the argument `timeout`, in seconds
     std::int64_t largest_call_mib = 8192;               ///< maximum value of the argument `max_memory`, in MiB
     std::chrono::milliseconds progress_interval{1000};  ///< interval between progress notifications of a call
-    /// Executes a command. Several threads call the function at the same time. It may throw std::system_error.
+    /// Executes a command. Several threads call the function at the same time. The function may throw
+    /// std::system_error.
     std::function<ProgramResult(const CommandRun& run)> execute = {};
     /// Reserves memory, which is used to report the next failed allocation. If the function is empty, no memory is
     /// reserved.
@@ -58,12 +60,12 @@ struct ServerEnvironment {
 /// Writes all bytes. Returns false if the client has disappeared.
 using Send = std::function<bool(std::string_view bytes)>;
 
-/// Maximum size of a message in bytes, maximum number of messages that wait to be handled, of calls that run at the same
-/// time, and of calls that wait.
+/// Maximum size of a message in bytes, maximum number of messages that wait to be handled, of calls that run at the
+/// same time, and of calls that wait.
 inline constexpr std::size_t largest_message = std::size_t{4} << 20U, most_messages = 64, most_running = 4,
                              most_waiting = 60;
 
-/// Serves a client until it closes the stream or disappears. Calls that are running then are cancelled.
+/// Serves a client until the client closes the stream or disappears. At this time, running calls are cancelled.
 void converse(const rpc::Receive& receive, const Send& send, const ServerEnvironment& environment);
 
 }  // namespace grafverif::mcp

@@ -24,11 +24,11 @@ public:
     using Later = std::function<void(std::function<void()>)>;
     Session(const Send& send, const ServerEnvironment& environment, Later later);
 
-    /// Handles a message: a request, a notification, a response, or a batch of them.
+    /// Handles a message: a request, a notification, a response, or a batch of such messages.
     void take(const Json& message);
     /// Sends an error response to invalid input.
     void refuse(const std::string& error_text);
-    /// Sends progress notifications for the calls that have requested them.
+    /// Sends progress notifications for the calls for which the client has requested progress.
     void report_progress();
     /// True if the client has disappeared.
     bool disconnected() const { return disconnected_; }
@@ -51,7 +51,7 @@ private:
         std::int64_t timeout_s = 0;
     };
 
-    /// True if the negotiated version has structured results.
+    /// True if the negotiated version of the protocol supports structured results.
     bool structured() const;
     void send(const Json& message);
     void reply(Json message, const SharedBatch& batch);

@@ -24,7 +24,8 @@ struct ToolResult {
     Json data = {};  ///< null if the tool has no data
 };
 
-/// Failure of a call that the client can correct, such as an error in a file. It becomes a result with `isError`.
+/// Failure of a call that the client can correct, such as an error in a file. The failure becomes a result with
+/// `isError`.
 struct CallError {
     std::string text = {};
 };
@@ -40,29 +41,31 @@ public:
         return has(name) ? arguments_[name].get<std::int64_t>() : fallback;
     }
 
-    /// Returns the operand for the input: the path in `file`, or `-` for `text`, which then is standard input. Throws
-    /// CallError if the call has both arguments or none.
+    /// Returns the operand for the input: the path in `file`, or `-` for `text`, which the command then reads as
+    /// standard input. Throws CallError if the call has both arguments or neither argument.
     std::string operand();
     /// Returns the file of the input after a call of `operand` or `content`; nothing if the input is `text`.
     const std::optional<std::filesystem::path>& file() const { return file_; }
-    /// Returns the path in the argument, which is absolute and without links. A relative argument refers to the first
-    /// folder of the server that contains such a file. Throws CallError if the path is outside of the folders.
+    /// Returns the path in the argument as an absolute path without symbolic links. A relative argument refers to the
+    /// first folder of the server that contains such a file. Throws CallError if the path is outside of the folders.
     std::filesystem::path located(const char* argument) const;
     /// As `located`, but in the form in which a command reads the path.
     std::string path(const char* argument) const;
-    /// Returns the content of the input. Throws CallError if it cannot be read or is larger than a message.
+    /// Returns the content of the input. Throws CallError if the input cannot be read or is larger than the maximum
+    /// size of a message.
     std::string content();
     /// Appends `--option=value` for each given argument of this list: texts, choices, names (one option for each), and
     /// flags (without a value). Underscores of the name become dashes.
     void add_options(std::vector<std::string>& command, std::initializer_list<const char*> names) const;
 
     void set_input(std::string input) { input_ = std::move(input); }
-    /// Executes a command within the limits of the call. Throws CallError if it does not end normally, or if it ends
-    /// with an internal error.
+    /// Executes a command within the limits of the call. Throws CallError if the command does not end normally, or if
+    /// it ends with an internal error.
     ProgramResult execute(std::vector<std::string> command) const;
-    /// Executes a command that prints JSON. Throws CallError with its error messages if it prints none.
+    /// Executes a command that prints JSON. If the command prints no JSON, throws CallError with the error messages of
+    /// the command.
     Json execute_json(std::vector<std::string> command, int* exit_code = nullptr) const;
-    /// Executes `grafverif lsp`, which has no option for its time limit.
+    /// Executes `grafverif lsp`, which has no option that limits the duration of the complete run.
     ProgramResult execute_language_server(const std::string& messages) const;
 
     const ServerEnvironment& environment() const { return environment_; }
@@ -79,9 +82,10 @@ private:
     std::string input_ = {};
 };
 
-/// Returns the text, cut after `most` bytes at the end of a line, with a note that it is not complete.
+/// Returns the text. A text of more than `most` bytes is cut at the end of a line, and a note states that it is
+/// incomplete.
 std::string shortened(std::string text, std::size_t most);
-/// Copies the members with these names, all of which `from` has.
+/// Copies the members with these names to `to`. Requires that `from` has all these members.
 void copy_members(const Json& from, std::initializer_list<const char*> names, Json& to);
 /// Returns at most `most` elements of the beginning of the list.
 Json first_of(const Json& list, std::size_t most);

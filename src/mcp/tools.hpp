@@ -43,7 +43,7 @@ Tool complete_tool();
 Argument file_argument(bool required = false);
 Argument chart_argument();
 Argument mode_argument();
-/// Returns the arguments that name the input: `file` and `text`, of which a call has exactly one.
+/// Returns the arguments that name the input: `file` and `text`. A call has exactly one of these arguments.
 std::vector<Argument> input_arguments();
 /// Returns the arguments that select a loop or chart of the input, and the execution mode.
 std::vector<Argument> model_arguments();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Charts for drawing, with the comments of their steps. In Notation::Text, conditions are as in the file.
+// Charts for drawing, with the comments of their steps. With Notation::Text, conditions have the same text as in the
+// source file.
 #pragma once
 
 #include "draw/chart_text.hpp"

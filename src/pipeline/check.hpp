@@ -30,7 +30,8 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
 std::vector<std::string> property_names(const Network& network);
 std::vector<std::string> property_names(const TransitionSystem& system);
 
-/// True if `known` contains each of `names`. Otherwise an error that suggests a similar name is added.
+/// True if `known` contains each of `names`. For each name that `known` does not contain, an error that suggests a
+/// similar name is added.
 bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics);
 
 /// A closed loop to check, with the charts of its controllers, in order.
@@ -113,8 +114,8 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
 /// PortfolioOptions); the default takes about a second.
 Report check_together(const SystemToCheck& check, const CheckOptions& options, std::uint64_t alone = 50'000'000);
 
-/// Checks the implicit properties of a chart without a loop by `decide`. Under stability search, the search of
-/// `analyse` also decides whether the chart becomes stable, because no engine decides this property. The result is
+/// Checks the implicit properties of a chart without a loop; `decide` decides them. Under stability search, the search
+/// of `analyse` also decides whether the chart becomes stable, because no engine decides this property. The result is
 /// empty after an error.
 std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                   const CheckOptions& options, Diagnostics& diagnostics,

@@ -33,7 +33,7 @@ struct Pipe {
     Descriptor read = Descriptor(), write = Descriptor();
 };
 
-/// Creates a pipe that child processes do not inherit. Throws std::system_error.
+/// Creates a pipe that child processes do not inherit. Throws std::system_error if the system cannot create the pipe.
 Pipe make_pipe();
 
 /// Makes reads and writes of `descriptor` non-blocking.

@@ -26,8 +26,8 @@ struct Violation {
 /// on other properties.
 using PropertyChecker = std::function<std::vector<Verdict>(const Network& network, std::vector<std::string> names)>;
 
-/// Adds explanations to `report`, which concerns `network`. `search` is empty if another search would take long. In
-/// this function and the following ones, only the deadline and the stop flag of `limits` apply.
+/// Adds explanations to `report`, which concerns `network`. `search` is empty if another search would take long. In all
+/// functions of this file, only the deadline and the stop flag of `limits` apply.
 void explain(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
              const Limits& limits, Report& report);
 
@@ -45,7 +45,8 @@ void explain_dead_steps(const Network& network, const std::vector<const Chart*>&
 /// Explains each unreachable step of an untimed model in the same way, until `explanation_deadline`.
 void explain_dead_steps(const SystemToCheck& check, const Limits& limits, Report& report);
 
-/// Adds explanations to the trace of `answer`, if it has one. `answer` states that `chart` does not become stable.
+/// Adds explanations to the trace of `answer`, if `answer` has a trace. `answer` states that `chart` does not become
+/// stable.
 void explain(const Chart& chart, ExecutionMode mode, const Limits& limits, PropertyResult& answer);
 
 }  // namespace grafverif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // File watcher: detects changes of files after they were read. It compares size, times and identity. Therefore it
 // detects that a file is written in place, replaced by another file with the same name, deleted, or restored. The
-// modification time can be set back; the time of the last status change cannot.
+// watcher compares two times because programs can set back the modification time, but not the time of the last status
+// change.
 #pragma once
 
 #include <array>

@@ -31,7 +31,8 @@ std::optional<std::string> content_of_file(const std::filesystem::path& path, st
 /// `/proc/self/fd/3`.
 std::optional<int> own_descriptor(const std::filesystem::path& path);
 
-/// Reads `descriptor` or `in` to the end, with the same size limit. May block.
+/// Reads `descriptor` or `in` to the end. The result is empty if reading fails or the data exceed the size limit
+/// (`most` bytes; `largest_input` for `in`). May block.
 std::optional<std::string> read_descriptor(int descriptor, std::string& why, std::uintmax_t most = largest_input);
 std::optional<std::string> read_stream(std::istream& in, std::string& why);
 
@@ -39,7 +40,7 @@ std::optional<std::string> read_stream(std::istream& in, std::string& why);
 /// missing file is equal for all paths to one name in one folder. The identity is empty for pipes, devices and
 /// inaccessible files.
 std::string file_identity(const std::filesystem::path& path);
-/// Returns the identity of an existing file of any type, or an empty string if there is none.
+/// Returns the identity of an existing file of any type, or an empty string if no file exists at `path`.
 std::string identity_of_existing(const std::string& path);
 
 /// The result of files_below.
@@ -48,7 +49,7 @@ struct FilesBelow {
 };
 /// Finds the files below `folder` with names that end in `ending`, and returns them in alphabetical order. Hidden
 /// folders and file systems of the kernel, such as /proc, are skipped; links to folders are not followed. `most` is the
-/// maximum number of files and folders to visit; each visit decrements it. If it is not sufficient, or if `stop`
+/// maximum number of files and folders to visit; each visit decrements it. If more visits are necessary, or if `stop`
 /// becomes true, `most` is 0 after the call.
 FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most,
                        const std::atomic<bool>* stop = nullptr);
@@ -78,19 +79,19 @@ private:
 /// the result for an option or for standard input.
 std::string operand_for(const std::filesystem::path& file);
 
-/// The files that a file may include: those below the folder of the main file, below the folder of its project, and
-/// below folders given by the user. Therefore a chart cannot cause arbitrary files to be read; the current folder is
-/// irrelevant. The folder of the project is the nearest ancestor folder of the main file that contains `.git` or
-/// `grafverif.project`. A folder that cannot be resolved, for example because the main file is not on disk, permits no
-/// files.
+/// The files that a file may include: all files below the folder of the main file, below the folder of the project of
+/// the main file, and below folders given by the user. Therefore a chart cannot cause arbitrary files to be read; the
+/// current folder is irrelevant. The folder of the project is the nearest ancestor folder of the main file that
+/// contains `.git` or `grafverif.project`. A folder that cannot be resolved, for example because the main file is not
+/// on disk, permits no files.
 class Reach {
 public:
     /// `main` is the main file; `folders` are given by the user. Only files below the folders `within` may be included.
     Reach(const std::filesystem::path& main, const std::vector<std::string>& folders,
           PermittedFolders within = PermittedFolders());
 
-    /// Returns the content of the regular file at `path` if it may be included. Otherwise the result is empty, and
-    /// `why` has the reason.
+    /// Returns the content of the regular file at `path` if it may be included. If it may not be included or cannot be
+    /// read, the result is empty, and `why` has the reason.
     std::optional<std::string> read(const std::string& path, std::string& why) const;
 
 private:

@@ -16,8 +16,8 @@
 
 namespace grafverif {
 
-/// Returns the context for reading files that `reach` permits. Components are those of the library. `reach` and
-/// `folders` must outlive the context.
+/// Returns the context for reading files that `reach` permits. The components of the library are available in the
+/// context. `reach` and `folders` must outlive the context.
 ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy);
 
 /// Returns the same network as the public network_of, but without the corrections of the method that `options` disable.
@@ -63,7 +63,7 @@ AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnos
 /// Returns a TransitionSystem as BTOR2. Warns about properties that BTOR2 cannot express.
 std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics);
 
-/// Returns the same as the public structured_text_of, in any dialect.
+/// Returns the same text as the public structured_text_of, in the dialect that `options` selects.
 std::optional<std::string> structured_text_of(const Equations& equations, const structured_text::Options& options,
                                               Diagnostics& diagnostics);
 
@@ -72,7 +72,8 @@ struct CCode {
     std::string header = {}, source = {};
 };
 /// Returns the controller of a chart, or nullopt after an error. The source includes the header by the name
-/// `header_name`, or follows its text in one file if this name is empty.
+/// `header_name`. If this name is empty, the source has no include directive for the header, and must follow the header
+/// text in one file.
 std::optional<CCode> c_code_of(const Equations& equations, ExecutionMode mode, std::uint32_t max_evolutions,
                                std::string_view header_name, Diagnostics& diagnostics);
 

@@ -25,8 +25,8 @@ struct Abstraction {
     std::string grain = {};  ///< granularity; empty if the model does not distinguish it
     Preservation preservation = Preservation::Nowhere;
     bool constrained = false;  ///< true if the constraints on the inputs are assumed
-    /// True if runs are fair: a verdict on a property of runs, unlike one on a property of states, applies only to this
-    /// model.
+    /// True if runs are fair: a verdict on a property of runs, unlike a verdict on a property of states, applies only
+    /// to this model.
     bool fair = false;
 };
 /// Returns the abstraction of the system that transition_system_of derives from `loop`, or from a chart if `loop` is
@@ -38,13 +38,14 @@ struct SystemToCheck {
     const TransitionSystem& system;
     std::vector<const Chart*> charts = {};
     Abstraction abstraction = {};
-    /// For interleaved plant automata: returns the expanded network from which the system was derived. Otherwise the
-    /// function or its result is empty. It is called if a run is explained; the network is computed once.
+    /// For interleaved plant automata: returns the expanded network from which the system was derived. For any other
+    /// system, the function or its result is empty. The function is called if a run is explained. It computes the
+    /// network once.
     std::function<const std::optional<Network>&()> network = {};
 };
 
-/// Returns the properties `no_race` and `no_out_of_range` that are not proved by `verdicts`. If one of them fails, the
-/// behaviour after the failure is undefined and may differ in another model.
+/// Returns the properties `no_race` and `no_out_of_range` that are not proved by `verdicts`. If `no_race` or
+/// `no_out_of_range` is violated, the behaviour after the violation is undefined and may differ in another model.
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);
 
 /// Returns the consequences of a verdict beyond its model, provided that the `unproven` properties hold, or an empty

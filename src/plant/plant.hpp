@@ -4,16 +4,16 @@
 //
 // Mapping:
 //   shared variable        Variable at the same index, including the inputs and outputs of controllers; its value at
-//                          power-on is that of its writer (the default of the output, then the `with` values of the
+//                          power-on is set by its writer (the default of the output, then the `with` values of the
 //                          initial location)
-//   variable of a component Variable `Instance_name` after them, bound to a Written parameter
+//   variable of a component Variable `Instance_name` after the shared variables, bound to a Written parameter
 //   parameter              Parameter at the same index: input -> Read, output -> Written, constant -> Constant
-//   duration               integer number of time units: those of the loop, or the greatest common divisor of all
-//                          durations
+//   duration               integer number of time units; the time unit is that of the loop, or the greatest common
+//                          divisor of all durations
 //   instance               Process at the same index
 //
 // Integer variables that are bound to one parameter of a template are widened to the hull of their ranges, because a
-// parameter has one type. UPPAAL requires this for reference parameters.
+// parameter has one type. UPPAAL requires equal ranges for the variables that are bound to a reference parameter.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ class CsvScanner {
 public:
     struct Field {
         std::string text = {};
-        std::size_t begin = 0, end = 0;  ///< place in the text
+        std::size_t begin = 0, end = 0;  ///< offsets of the field in the text
     };
 
     explicit CsvScanner(std::string_view text, char separator = ',', std::size_t at = 0)
@@ -26,7 +26,7 @@ public:
 
     /// Reads a field up to the next separator or line end.
     Field field();
-    /// Reads a separator; returns false if there is none here.
+    /// Reads the separator at the current position; returns false if there is another character.
     bool separator() { return at({&separator_, 1}) && ++at_ != 0; }
     void skip_line_ends();
     bool at_end() const { return at_ >= text_.size(); }
@@ -42,7 +42,7 @@ private:
     std::size_t at_;
 };
 
-/// Returns the separator of a row: the semicolon if there is one and no comma, otherwise the comma.
+/// Returns the separator of a row: the semicolon if the row contains a semicolon but no comma, otherwise the comma.
 char csv_separator(std::string_view line);
 
 struct CsvField {

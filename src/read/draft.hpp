@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draft: builder for the tree of a chart imported from another format. All elements keep their positions in the
-// imported file, so that later stages report errors in it. Each name is converted to a legal name once. Comments are
-// attached to positions of that file; their lines are determined when the tree is laid out as text.
+// imported file, so that later stages report errors at these positions. Each name is converted to a legal name once.
+// Comments are attached to positions of the imported file; the lines of the comments are determined when the tree is
+// laid out as text.
 #pragma once
 
 #include <initializer_list>
@@ -41,8 +42,8 @@ public:
     /// is true.
     void comment(Span where, std::string line, bool trailing = false);
 
-    /// Reports a construct that cannot be imported. This is an error, or with `lossy` a warning and a comment in the
-    /// text. `hint` states the remedy.
+    /// Reports a construct that cannot be imported. By default, the report is an error. If `lossy` is true, the report
+    /// is a warning, and a comment is added to the text. `hint` states the remedy.
     void refuse(Span where, std::string_view what, std::string_view hint);
     bool lossy() const { return lossy_; }
     Diagnostics& diagnostics() { return *diagnostics_; }
@@ -72,9 +73,9 @@ public:
 
     /// Returns a legal unused name that is as similar to `preferred` as possible.
     std::string make(std::string_view preferred, Span where);
-    /// Returns a generated name of this type, without a warning.
+    /// Returns a generated legal name that is similar to `preferred`, without a warning.
     std::string invent(std::string_view preferred);
-    /// Reserves a legal name.
+    /// Reserves a legal name, so that no other element gets it.
     void reserve(std::string_view name) { taken_.take(std::string(name)); }
 
 private:

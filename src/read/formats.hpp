@@ -2,9 +2,9 @@
 // formats: reads a file of any supported format to a tree. The format is detected from the content, never from the file
 // name. Therefore, every command accepts every format, and a .grafcet file can include files of every format.
 //
-// Trees from other formats keep the positions of their file, so that later stages report errors in it. A construct
-// that the language of .grafcet files cannot represent is reported as an error. With `lossy`, such a construct is
-// reported as a warning and becomes a comment in the generated text.
+// Trees from other formats keep the positions in the imported file, so that later stages report errors at these
+// positions. A construct that the language of .grafcet files cannot represent is reported as an error. With `lossy`,
+// such a construct is reported as a warning and becomes a comment in the generated text.
 #pragma once
 
 #include <atomic>
@@ -27,7 +27,7 @@ FileFormat format_of(std::string_view text);
 
 struct ImportOptions {
     bool lossy = false;
-    /// Cancellation flag: ends the reading of a text in the input language, which is then incomplete.
+    /// Cancellation flag: if it is set, reading a text in the input language ends, and the tree is incomplete.
     const std::atomic<bool>* stop = nullptr;
 };
 

@@ -2,10 +2,11 @@
 // read/test_csv: reads a table of inputs and expected outputs (CSV, RFC 4180) to a TestSequence of one chart.
 //
 // The first row contains the column names: every input and every output of the chart, and optionally `sequence`
-// (default: one), `step`, `wait`, `cycles` (default: 1) and `situation`, as printed by syntax/print/test_csv. If a
-// variable of the chart has the name of such a column, the column belongs to this variable. Exception: if the first row
-// begins with `sequence`, `step`, `wait` and `cycles`, as printed by syntax/print/test_csv, these columns do not belong
-// to variables. A new value of `sequence` begins a sequence at power-on; `step` 0 is the activation of the chart.
+// (default: a single sequence), `step`, `wait`, `cycles` (default: 1) and `situation`, as printed by
+// syntax/print/test_csv. If a variable of the chart has the name of an optional column, the column belongs to this
+// variable. Exception: if the first row begins with `sequence`, `step`, `wait` and `cycles`, as printed by
+// syntax/print/test_csv, these columns do not belong to variables. A new value of `sequence` begins a sequence at
+// power-on; `step` 0 is the activation of the chart.
 #pragma once
 
 #include <optional>

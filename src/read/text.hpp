@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // read/text: reads a file of any format (see formats) with its includes to a Model. Files are read only through `load`,
-// each once. A component of the library is added if a closed loop refers to it and the input does not define it.
+// and each file is read once. A component of the library is added if a closed loop refers to it and the input does not
+// define it.
 #pragma once
 
 #include <atomic>
@@ -38,8 +39,9 @@ struct ReadContext {
     std::span<const std::string> folders = {};
     /// Constants of closed loops set by the user: value by name.
     std::map<std::string, std::string, std::less<>> constants = {};
-    /// If not null: the declarations and references of the grafcet language are added to it, also those of declarations
-    /// with errors. The declarations of a PLC program are included, its references are not.
+    /// If not null, the declarations and references in files of the input language are added to it, including
+    /// declarations with errors and the references in them. For a PLC program, the declarations are added, but not the
+    /// references.
     References* references = nullptr;
     /// Cancellation flag. After the flag is set, `read_text` soon returns an empty result with arbitrary diagnostics.
     const std::atomic<bool>* stop = nullptr;

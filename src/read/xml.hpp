@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Xml: a parsed document with source positions. Parsing does not replace or normalize text, so that texts parsed later
-// have positions in the file.
+// Xml: a parsed document with source positions. Parsing does not replace or normalize text. Therefore, expressions in
+// the document that are parsed later have positions in the file.
 //
 // Elements and attributes are identified by their local names, because prefixes differ between tools.
 #pragma once
@@ -30,13 +30,13 @@ public:
     /// Returns the span of the name in the start tag of an element; for other nodes, the span of the first
     /// byte of their text.
     Span where(pugi::xml_node node) const;
-    /// Returns the span of the attribute's value, or where(node) if it is missing.
+    /// Returns the span of the attribute's value, or where(node) if the attribute is missing.
     Span where(pugi::xml_node node, std::string_view attribute) const;
     /// Returns the texts in an element, in order.
     st::Text text(pugi::xml_node node) const;
     /// Returns the value of an attribute as a text.
     st::Text text(pugi::xml_node node, std::string_view attribute) const;
-    /// Returns the value of an xsd:boolean; false if it is missing or after an error.
+    /// Returns the value of an attribute of type xsd:boolean; false if the attribute is missing or invalid.
     bool flag(pugi::xml_node node, std::string_view attribute, Diagnostics& diagnostics) const;
     /// Returns the characters of text(node).
     std::string content(pugi::xml_node node) const;
@@ -60,7 +60,7 @@ bool is(pugi::xml_node node, std::string_view name);
 pugi::xml_node child(pugi::xml_node node, std::string_view name);
 std::vector<pugi::xml_node> children(pugi::xml_node node, std::string_view name);
 pugi::xml_attribute attribute(pugi::xml_node node, std::string_view name);
-/// Returns the value of an attribute, or an empty string if it is missing.
+/// Returns the value of an attribute, or an empty string if the attribute is missing.
 std::string value(pugi::xml_node node, std::string_view attribute);
 /// Returns the text of an XML comment as comment lines `// ...`.
 std::vector<std::string> comment_lines(std::string_view text);

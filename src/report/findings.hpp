@@ -4,7 +4,8 @@
 // The text contains each finding as a diagnostic at its position, followed by a run as evidence. Accepted findings have
 // one line each. The text ends with the undecided checks and the number of explored instants.
 //
-// JSON: missing values are null; a trace is as in report/json.hpp. Findings about absorbing regions also have `lost`.
+// JSON: missing values are null; a trace has the format of report/json.hpp. Findings about absorbing regions also have
+// the member `lost`.
 //
 //   {"chart", "mode", "complete", "obstacle", "instants", "seconds", "questions", "open":[OPEN], "notes",
 //   "findings":[FINDING]}

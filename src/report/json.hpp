@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Writes a report as JSON and as JSON lines. Times are in milliseconds; missing values are null.
 //
-// In JSON, `errors` contains the model errors; `profile` (report/profile.hpp) and `why` (report/why.hpp) exist if
-// available. In a trace, `inputs` and `outputs` of every step contain the values of all inputs and outputs by name.
-// `run` is the complete run (docs/reference/trace-format.md).
+// In JSON, `errors` contains the model errors; `profile` (report/profile.hpp) and `why` (report/why.hpp) exist only if
+// the report contains these data. In a trace, `inputs` and `outputs` of every step contain the values of all inputs and
+// outputs by name. `run` is the complete run (docs/reference/trace-format.md).
 //
 //   {"model", "properties":[PROPERTY], "errors":[{"code", "message", "trace_text", "trace"}], "remedies":[REMEDY],
 //   "profile", "why"}
@@ -35,7 +35,7 @@
 
 namespace grafverif {
 
-/// `sources` are the sources of the model; without them, the report has no positions.
+/// `sources` are the sources of the model. If `sources` is empty, the report has no positions.
 void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why = nullptr,
                 const std::vector<Trial>& trials = {});
 void print_json_lines(const Report& report, const ReportSource& written, std::ostream& out);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Writes a Report as JUnit XML for build servers: a suite per model and a case per property, with its file and line.
 //
-// An unexpected verdict is a failure. Its message consists of the verdict, its position and the first lines of the
-// trace; its text is the complete trace. An undecided property is an error, or is skipped if the model does not declare
-// it. If an error prevents a file from being read or checked, it is the error of a separate case `input`.
+// An unexpected verdict is a failure. The message of the failure consists of the verdict, the position of the property
+// and the first lines of the trace; the text of the failure is the complete trace. An undecided property is an error,
+// or is skipped if the model does not declare it. If an error prevents a file from being read or checked, a separate
+// case `input` contains this error.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,8 @@ struct JunitCase {
     std::uint32_t line = 0;
     std::string failure = {};  ///< description of the failure; empty if the expectation was met
 };
-/// Returns the suite of a script. `ended` is the reason why it stopped before its end, or empty.
+/// Returns the suite of a script. `ended` is the reason why the script stopped before its end; empty if the script was
+/// completed.
 std::string junit_suite(std::string_view file, const std::vector<JunitCase>& cases, std::string_view ended);
 
 /// Returns a document that contains suites.

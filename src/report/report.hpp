@@ -17,7 +17,7 @@ namespace grafverif {
 
 /// Returns the assumptions for the controllers and the granularity of `network`.
 CheckSettings settings_of(const Network& network, std::string engine);
-/// Returns the assumptions of an untimed check. Their granularity is empty unless the caller sets it.
+/// Returns the assumptions of an untimed check. The granularity in the result is empty; the caller can set it.
 CheckSettings settings_of(const TransitionSystem& system, std::string engine, std::string untimed);
 
 /// Returns `verdict` with the text of its property. The run of the verdict is converted to a trace and removed from the
@@ -35,13 +35,13 @@ void name_places(Report& report, const Sources& sources);
 /// Number of verdicts of each type. An unknown verdict on an undeclared property is only a note.
 struct Tally {
     std::size_t holds = 0, violated = 0, unknown = 0, undeclared_unknown = 0;
-    std::size_t unexpected = 0;  ///< number of decided verdicts that differ from the expected ones
+    std::size_t unexpected = 0;  ///< number of decided verdicts that differ from the expected verdicts
     bool operator==(const Tally&) const = default;
 };
 Tally tally(const Report& report);
 
-/// True if the report has a verdict on the property, or on one of the steps for which it is checked (`S.X7`). The result
-/// is false if the model of the report omits the property.
+/// True if the report has a verdict on the property, or on one of the steps for which the property is checked (`S.X7`).
+/// The result is false if the model of the report omits the property.
 bool has_result(const Report& report, const Property& property);
 
 }  // namespace grafverif

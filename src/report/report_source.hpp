@@ -21,11 +21,11 @@ struct ReportSource {
 
 /// Returns the position of the loop or of the chart.
 Span origin(const ReportSource& written);
-/// Returns the position of the property. For a constraint of a component of the library, it is the position of the
-/// instance; for an implicit property, it is the position of the loop.
+/// Returns the position of the property. For a constraint of a component of the library, the result is the position of
+/// the instance; for an implicit property, the result is the position of the loop.
 Span origin(const ReportSource& written, const Verdict& verdict);
 /// Returns the position of the element that causes row `index` of a run: the cleared transition, the moving instance or
-/// the active step. For a delay, it is the position of the previous row.
+/// the active step. For a delay, the result is the position of the previous row.
 Span origin(const ReportSource& written, const ChartRun& run, std::size_t index);
 
 /// File, line and column (in bytes) of a span in a file.

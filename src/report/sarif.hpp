@@ -29,7 +29,7 @@ struct SarifLog {
 
 void add_findings(const Analysis& analysis, const Sources& sources, SarifLog& log);
 void add_report(const Report& report, const ReportSource& written, SarifLog& log);
-/// Adds the errors in the input, and if `warnings` is true also the warnings.
+/// Adds the errors in the input. If `warnings` is true, also adds the warnings.
 void add_diagnostics(const std::vector<Diagnostic>& diagnostics, const Sources& sources, bool warnings, SarifLog& log);
 
 /// Prints the log. `version` is the version of the program.

@@ -27,7 +27,8 @@ struct SharedSettings {
 };
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers);
 
-/// Returns `S` if the result is for one step of the property `S` (`S.X7`); otherwise an empty string.
+/// Returns `S` if the result is for one step of the property `S` (`S.X7`); returns an empty string for any other
+/// result.
 std::string family_of(const PropertyResult& answer);
 
 /// Number of verdicts of a report for each result of family_of.

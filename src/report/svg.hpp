@@ -3,7 +3,7 @@
 // are visible. The columns are numbered from 0. A time label is printed where time advances, and the event is printed
 // above each column. Long traces are divided into strips, each with the names of its rows. There is one row per input,
 // output, internal variable, variable of the plant, and step of the charts. Rows that would be constantly 0 are listed
-// at the foot instead. The part that repeats forever has a shaded background.
+// at the foot instead. The columns of events that repeat forever have a shaded background.
 #pragma once
 
 #include <cstddef>

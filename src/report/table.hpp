@@ -16,8 +16,8 @@ namespace grafverif {
 using Cells = std::array<std::string, 6>;
 inline const Cells column_titles = {"time", "event", "inputs", "cleared", "situation", "outputs"};
 
-/// Returns row `index`, compared with the previously shown row. If `complete`, situation and outputs are included even
-/// if they have not changed.
+/// Returns row `index`, compared with the previously shown row. If `complete` is true, situation and outputs are
+/// included even if they have not changed.
 Cells cells(const ChartRun& run, std::size_t index, bool complete);
 
 /// Returns the cleared transitions, such as `T0; TW0`.
@@ -29,7 +29,7 @@ std::string happening(const ChartRun& run, std::size_t index);
 /// Returns the active steps, such as `0` or `3 4`; `none` if no step is active.
 std::string situation_text(const ChartRun& run, const ChartRun::State& state);
 
-/// Returns the signals of the role that are not 0, such as `X`, `N = 3`; `none` if there are none.
+/// Returns the signals of the role that are not 0, such as `X`, `N = 3`; `none` if there are no such signals.
 std::string standing_text(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
 
 /// Returns the lines of `text` for `width` columns of a terminal, broken at blanks, or within a word that is too long.

@@ -22,7 +22,8 @@ namespace grafverif {
 
 struct TextOptions {
     bool verbose = false;  ///< also print witnesses of `reachable`, and the time of the check
-    /// Print only unexpected violations and undecided properties. If there are none, print nothing.
+    /// Print only unexpected violations and undecided properties. If there are neither unexpected violations nor
+    /// undecided properties, print nothing.
     bool failures_only = false;
     Colour colour = Colour::Plain;
     std::size_t columns = 0;  ///< columns of the terminal, which limit the width of the final table; 0 means unlimited
@@ -50,7 +51,8 @@ using TableWidths = std::array<std::size_t, 6>;
 /// Widths for a table that is printed before all its rows are known.
 inline constexpr TableWidths usual_widths = {8, 30, 16, 10, 12, 12};
 void print_header(const TableWidths& widths, std::ostream& out);
-/// Prints row `index` of the run. If `complete`, situation and outputs are printed even if they have not changed.
+/// Prints row `index` of the run. If `complete` is true, situation and outputs are printed even if they have not
+/// changed.
 void print_row(const ChartRun& run, std::size_t index, bool complete, const TableWidths& widths, std::ostream& out);
 
 }  // namespace grafverif

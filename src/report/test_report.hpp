@@ -2,7 +2,8 @@
 // TestReport: the results of testing a controller, step by step. They are written as text, JSON or JUnit XML.
 //
 // Invariants (see verify): there is one verdict per row of the test. A row is the activation of a sequence or one of
-// its steps. A row has failed if and only if there is a failure for it. The failures are in the order of the rows.
+// its steps. The verdict of a row is Failed if and only if `failures` contains a failure of this row. The failures are
+// in the order of the rows.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ enum class StepVerdict { Passed, Failed, NotRun };
 
 struct TestReport {
     enum class Cause {
-        Different,      ///< an output differs from the expected one
+        Different,      ///< an output differs from the expected output
         NotUnderstood,  ///< the response is not a valid line of outputs
         Silent,         ///< there was no response within the time limit
         Ended,          ///< the controller ended, or closed its output, before it responded
@@ -43,7 +44,7 @@ struct TestReport {
     bool operator==(const TestReport&) const = default;
 };
 
-/// Returns the rows of a sequence: its activation, if it has one, and its steps.
+/// Returns the rows of a sequence: its activation, if the sequence has an activation, and its steps.
 std::vector<const TestSequence::Step*> rows_of(const TestSequence::Sequence& sequence);
 /// Returns a name such as `step 2` or `sequence 3, step 2`; an activation is step 0.
 std::string row_name(const TestSequence& test, std::size_t sequence, std::size_t row);
@@ -56,8 +57,8 @@ TestTally tally(const TestReport& report);
 
 std::vector<std::string> verify(const TestReport& report);
 
-/// Prints one line per row, the differences below failed rows, and a summary. If `failures_only`, only failed rows are
-/// printed.
+/// Prints one line per row, the differences below failed rows, and a summary. If `failures_only` is true, only failed
+/// rows are printed.
 void print_text(const TestReport& report, bool failures_only, std::ostream& out);
 
 /// Prints the report as JSON. Missing values, and `failure` of rows that have not failed, are null. The document is

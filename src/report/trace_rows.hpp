@@ -7,8 +7,9 @@
 //                            are internal. In a run that counts steps: one row per evolution
 //   consecutive delays       one row
 //
-// If the plant moves during a PLC cycle, the cycle is split into two rows. If the plant then changes a relevant sampled
-// input, the sampling is a separate row.
+// If the plant moves during a PLC cycle, the cycle is split into two rows. If the plant changes an input of a
+// controller after this controller has sampled its inputs and before it clears transitions, the sampling is a separate
+// row.
 #pragma once
 
 #include <optional>
@@ -35,7 +36,7 @@ public:
     void catch_up();
     /// Adds rows for new events, and completes open rows.
     void flush();
-    /// Completes the rows at the end of the run. Adds a row to a loop that has none.
+    /// Completes the rows at the end of the run. If the loop of the run has no row, adds a row to it.
     void finish();
 
 private:
@@ -62,7 +63,7 @@ private:
     ChartRun& run_;
     Detail detail_;
     std::vector<OpenRow> open_;  ///< open row of each controller
-    /// For each controller: true if it has sampled inputs on which transitions to be cleared depend.
+    /// For each controller: true if it has sampled its inputs and will clear transitions.
     std::vector<bool> sampled_;
     std::size_t next_ = 0;                   ///< index of the next event
     std::optional<std::size_t> delay_ = {};  ///< the last event of a delay for which no row has been added yet

@@ -9,8 +9,8 @@
 
 namespace grafverif {
 
-/// Prints the proof cores. If `verbose`, edges of the plant that no property needs are listed; otherwise only their
-/// number is given.
+/// Prints the proof cores. If `verbose` is true, edges of the plant that no property needs are listed; otherwise only
+/// the number of these edges is printed.
 void print_why(const ProofExplanation& why, bool verbose, std::ostream& out);
 
 nlohmann::ordered_json why_json(const ProofExplanation& why);

@@ -17,8 +17,8 @@
 
 namespace grafverif::rpc {
 
-/// Waits for bytes and stores some of them at the beginning of the buffer. Returns their number; 0 at the end of the
-/// stream.
+/// Waits for bytes and stores some of them at the beginning of the buffer. Returns the number of stored bytes; 0 at the
+/// end of the stream.
 using Receive = std::function<std::size_t(std::span<char> buffer)>;
 
 /// Maximum size of a message in bytes, sufficient for a text of 256 MiB.
@@ -38,9 +38,9 @@ public:
     explicit ReceiveBuffer(Receive receive) : receive_(std::move(receive)) {}
 
     std::string_view rest() const { return {bytes_.data() + begin_, end_ - begin_}; }
-    /// Consumes `count` bytes of the rest.
+    /// Consumes the first `count` bytes of `rest()`.
     void consume(std::size_t count) { begin_ += count; }
-    /// Replaces the rest by the next bytes of the stream. Returns false at its end.
+    /// Replaces the contents of the buffer by the next bytes of the stream. Returns false at the end of the stream.
     bool more();
 
 private:
@@ -55,7 +55,8 @@ public:
     explicit Framing(Receive receive, std::size_t largest = largest_message);
 
     /// Returns the next message, or nothing at the end of the stream. An incomplete last message is ignored. If a call
-    /// throws std::bad_alloc, its message is skipped, and the next call returns the following message.
+    /// throws std::bad_alloc, the message that it was reading is skipped, and the next call returns the following
+    /// message.
     std::optional<Framed> next();
 
 private:
@@ -73,7 +74,8 @@ public:
     LineFraming(Receive receive, std::size_t largest) : buffer_(std::move(receive)), largest_(largest) {}
 
     /// Returns the next message, or nothing at the end of the stream. A last line without terminator is a message. If a
-    /// call throws std::bad_alloc, its message is skipped, and the next call returns the following message.
+    /// call throws std::bad_alloc, the message that it was reading is skipped, and the next call returns the following
+    /// message.
     std::optional<Framed> next();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inbox: a queue of messages of the client and results of other threads, in order.
+// Inbox: a queue of messages of the client and results of other threads, in the order of arrival.
 #pragma once
 
 #include <atomic>

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 inline constexpr int parse_error = -32700, invalid_request = -32600, no_such_method = -32601, invalid_params = -32602,
                      internal_error = -32603;
 
-/// An error response to a request. A handler of a request throws it.
+/// An error response to a request. A handler of a request throws this error.
 struct RequestError {
     int code = 0;
     std::string message = {};
@@ -30,7 +30,7 @@ const Json& member(const Json& object, const char* name);
 /// Returns the method of a request or notification, otherwise an empty string.
 std::string method_of(const Json& message);
 
-/// True if brackets are nested deeper than in any valid message. Such a text is not parsed.
+/// True if brackets are nested deeper than in any valid message. A text with such deep nesting is not parsed.
 bool nests_too_deep(std::string_view json);
 /// Parses a frame. Invalid JSON, and JSON that is nested too deeply, is returned as an item with an error.
 Item item_of(Framed framed);

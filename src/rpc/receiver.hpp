@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Receiver: a thread that receives messages and puts them into an inbox, so that a message can cancel the work on an
-// earlier one.
+// earlier message.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ public:
         std::function<bool(Item item)> put = {};
         std::function<void()> hang_up = {};  ///< ends the wait for bytes; may be empty
     };
-    /// The thread calls `next` and `put`. At the end of the stream, it closes the inbox.
+    /// The thread calls `next` and `put`. At the end of the stream, the thread closes the inbox.
     Receiver(Callbacks callbacks, Inbox& inbox);
     /// Closes the inbox, so that the thread no longer waits, and joins the thread.
     ~Receiver();

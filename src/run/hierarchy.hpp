@@ -21,25 +21,27 @@ public:
     Id<Chart::Step> exit(Id<Chart::Step> step) const;
 
     /// True if the rules allow clearing `transition` when its upstream steps are active: no forcing order is active for
-    /// its chart. For a source transition of an expansion or an enclosed chart, the owner must also be active.
+    /// its chart. A source transition of an expansion or an enclosed chart also requires that the macro-step or
+    /// enclosing step of this chart is active.
     bool is_free(const Chart::Transition& transition, const std::vector<bool>& situation) const;
 
-    /// Returns the situation after an evolution from `old`. `cleared` is the result of rules 3 and 5.
+    /// Returns the situation after an evolution from `old`. `cleared` is the situation that results from rules 3 and 5.
     std::vector<bool> after(const std::vector<bool>& old, const std::vector<bool>& cleared) const;
 
     /// Returns the situation after the user activates or deactivates `step`, or the expansion of a macro-step. The
-    /// rules take precedence, so that the activity of `step` in the result may differ from `active`.
+    /// rules of the hierarchy take precedence over the user; therefore, the activity of `step` in the result may differ
+    /// from `active`.
     std::vector<bool> by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const;
 
-    /// Returns a step whose forcing order applies to the partial chart in `situation`, or an invalid id if there is
-    /// none.
+    /// Returns a step whose forcing order applies to the partial chart in `situation`, or an invalid id if no forcing
+    /// order applies.
     Id<Chart::Step> holder(Id<Chart::PartialChart> partial, const std::vector<bool>& situation) const;
 
     /// Returns the situation at power-on.
     std::vector<bool> initial() const;
 
-    /// Returns one of two contradictory forcing orders that are active in `situation`, or an invalid id if there are
-    /// none.
+    /// Returns one of two contradictory forcing orders that are active in `situation`, or an invalid id if no active
+    /// orders are contradictory.
     Id<Chart::ForcingOrder> conflict(const std::vector<bool>& situation) const;
 
 private:

@@ -3,8 +3,8 @@
 // independent of Equations, so that the two implementations can be tested against each other. The simulation, the
 // emulation of a PLC and the replay of traces use it.
 //
-//   rule 1  initial situation     power_on; its steps count as activated, so the first evolution runs their actions on
-//                                 activation and clears nothing
+//   rule 1  initial situation     power_on; its steps count as activated, so the first evolution executes their actions
+//                                 on activation and clears no transition
 //   rule 2  clearing              a transition is enabled when all upstream steps are active, and cleared when its
 //                                 condition also holds
 //   rule 3  evolution             clearing activates all downstream steps and deactivates all upstream steps
@@ -13,21 +13,23 @@
 //           deactivated           activation and deactivation are not executed, and its time conditions continue
 //
 // An evolution reads only old values: conditions, events and stored values are evaluated over the situation and the
-// variables before it. An edge compares a term with its value in the previous evolution. Therefore, it is true only in
-// the first evolution after the change, and never in the first evolution after power-on. Stored actions on outputs
-// change the process image immediately; the plant receives the image with the other outputs at the end of a cycle. If a
-// condition reads a continuous output, the actions on the output are evaluated in the current situation; the last
-// written value is not used.
+// variables before the evolution. An edge (IEC 60848) compares a term with its value in the previous evolution.
+// Therefore, an edge is true only in the first evolution after a change of its term, and never in the first evolution
+// after power-on. Stored actions on outputs change the process image immediately; the plant receives the image with the
+// other outputs at the end of a cycle. If a condition reads a continuous output, the actions on the output are
+// evaluated in the current situation; the last written value is not used.
 //
 // The hierarchy is applied one level after another. A macro-step is active while a step of its expansion is active.
-// When it is activated, its entry step is activated; it can be left only while its exit step is active. If an enclosing
-// step becomes active, the steps with activation links become active. If the enclosing step is deactivated, all
-// enclosed steps are deactivated, independently of the enclosed evolution. While the step of a forcing order is active,
-// the forced chart is in the situation that the order names, and none of its transitions is cleared. Source transitions
-// of an expansion or an enclosed chart are enabled while the step that owns it is active. At power-on, the initial
-// steps are active, except for steps whose enclosing step is inactive, and forcing orders are applied.
+// The activation of a macro-step activates its entry step; transitions from the macro-step are enabled only while its
+// exit step is active. If an enclosing step becomes active, the steps with activation links become active. If the
+// enclosing step is deactivated, all enclosed steps are deactivated, independently of the enclosed evolution. While the
+// step of a forcing order is active, the forced chart is in the situation that the order names, and none of its
+// transitions is cleared. Source transitions of an expansion (or of an enclosed chart) are enabled while its macro-step
+// (or its enclosing step) is active. At power-on, the initial steps are active, except for steps whose enclosing step
+// is inactive, and forcing orders are applied.
 //
-// Requires a chart that `derive` accepts: verify(chart).empty(), and no cycle among outputs or levels.
+// Requires a chart that `derive` accepts: verify(chart).empty(), no cycle of outputs that read each other, and no cycle
+// of charts that enclose or force each other.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +46,7 @@ namespace grafverif {
 /// The elapsed times of an observed term at the end of an evolution.
 struct Timing {
     std::int64_t risen = -1;  ///< milliseconds since the term became true; -1 while it is false
-    /// Milliseconds since the term became false, if it had been true for at least t1 before; otherwise -1.
+    /// Milliseconds since the term became false, if the term had been true for at least t1 before; otherwise -1.
     std::int64_t fallen = -1;
 
     bool operator==(const Timing&) const = default;
@@ -53,9 +55,10 @@ struct Timing {
 struct State {
     std::vector<bool> situation = {};     ///< for each step: true if it is active
     std::vector<std::int64_t> ages = {};  ///< for each step: milliseconds since its activation; -1 if inactive
-    /// For each variable: values of internal variables, images of stored outputs; otherwise the initial value.
+    /// For each internal variable: its value. For each output with stored actions: its image. For any other variable:
+    /// its initial value.
     std::vector<std::int64_t> values = {};
-    /// For each variable: outputs as written to the plant; otherwise the initial value.
+    /// For each output: the value last written to the plant. For any other variable: its initial value.
     std::vector<std::int64_t> outputs = {};
     std::vector<bool> previous = {};  ///< for each term whose edges are read: its value in the previous evolution
     std::vector<Timing> timing = {};  ///< for each element of timed_elements(): its timing
@@ -72,8 +75,8 @@ struct StoredRace {
     bool operator==(const StoredRace&) const = default;
 };
 
-/// A fault in an evolution, such as an undefined or out-of-range value. The result is then not an evolution of the
-/// chart.
+/// A fault in an evolution, such as an undefined or out-of-range value. After a fault, the computed state is not a
+/// state of the chart.
 struct RunFault {
     enum class Kind {
         NoValue,      ///< division by zero, or a result outside 64 bits, in a condition or a stored value
@@ -83,7 +86,7 @@ struct RunFault {
     Kind kind = Kind::NoValue;
     Id<Chart::Variable> variable = {};  ///< variable of the stored value; invalid for a value in a condition
     std::int64_t value = 0;
-    Span where = {};  ///< position of the transition, action or time condition, otherwise of the chart
+    Span where = {};  ///< position of the transition, action or time condition; if there is none, of the chart
 
     bool operator==(const RunFault&) const = default;
 };
@@ -103,11 +106,11 @@ struct Cycle {
     bool stable = false;                                         ///< `stable` of the last evolution
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};
-    /// Total instability (stability search only): the situations that repeat forever with these inputs. Outputs were
-    /// not written.
+    /// Total instability (stability search only): the situations that repeat forever with these inputs. After total
+    /// instability, the outputs are not written.
     std::vector<std::vector<bool>> endless = {};
-    /// True if the search found neither a stable situation nor a cycle within `evolution_limit` evolutions. Outputs
-    /// were not written.
+    /// True if the search found neither a stable situation nor a cycle within `evolution_limit` evolutions. In this
+    /// case, the outputs are not written.
     bool gave_up = false;
 };
 
@@ -115,7 +118,7 @@ struct Cycle {
 /// extremely large.
 inline constexpr std::size_t evolution_limit = 1'000'000;
 
-/// Values per Chart::variables; only the entries of inputs are read.
+/// One value for each element of Chart::variables; only the values of inputs are read.
 using InputValues = std::span<const std::int64_t>;
 
 /// Returns the state before the first evolution: outputs have their initial values, and the steps that are active at
@@ -123,7 +126,7 @@ using InputValues = std::span<const std::int64_t>;
 State power_on(const Chart& chart);
 
 /// An element of a chart that depends on time: `t1/v/t2`. The delay of an action (IEC 60848) is a time condition such
-/// as 3s/X on its step, and so is the end of its time limit.
+/// as 3s/X on the step of the action. The time limit of an action is also represented by such a time condition.
 struct TimedElement {
     Id<Expr> watched = {};  ///< observed term; invalid if `step` is observed
     Id<Chart::Step> step = {};
@@ -160,8 +163,8 @@ std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const
                                                        const std::vector<bool>& timed);
 
 /// Executes one cycle of the PLC, with time conditions from the ages of the steps. Under stability search, it executes
-/// evolutions until the situation is stable, and then writes the outputs. Otherwise it executes one evolution and
-/// writes the outputs.
+/// evolutions until the situation is stable, and then writes the outputs. Without stability search, it executes one
+/// evolution and writes the outputs.
 Cycle cycle(const Chart& chart, const State& state, InputValues inputs, ExecutionMode mode);
 
 /// Returns `state` after `milliseconds` without an evolution.

@@ -15,7 +15,7 @@
 
 namespace grafverif {
 
-/// One of the controllers. The chart or program must outlive the execution.
+/// One of the two controllers. The chart or program of this controller must outlive the execution.
 struct LockstepSide {
     const Chart* chart = nullptr;
     const Program* program = nullptr;      ///< null if the controller is a chart
@@ -23,7 +23,8 @@ struct LockstepSide {
     /// For each of Comparison::outputs: index among the outputs of the chart, or cell of the program.
     std::vector<std::size_t> outputs = {};
     std::optional<std::size_t> stop = {};  ///< cell of a program that reports a stop by a value other than 0
-    /// Cells that must not change in a settled program; empty if each scan is executed once.
+    /// Cells of a program: each scan is repeated until the values of these cells are unchanged. Empty if each scan is
+    /// executed once.
     std::optional<std::vector<std::size_t>> settled = {};
     std::function<std::string(const ProgramRun::Fault&)> fault_text = {};
 };
@@ -40,9 +41,9 @@ public:
     /// Returns the first scan with different responses. Both controllers have responded to all previous scans.
     std::optional<std::size_t> difference(const std::vector<Comparison::Scan>& scans) const;
 
-    /// Returns a simpler sequence of the same length that also ends with the first difference. If possible, it has less
-    /// time between scans (0, or one of `times`) and fewer input changes. If `times` is empty, the time between scans
-    /// is unchanged. The sequence satisfies the constraints of both charts.
+    /// Returns a simpler sequence of the same length that also ends with the first difference. If possible, the simpler
+    /// sequence has less time between scans (0, or one of `times`) and fewer input changes. If `times` is empty, the
+    /// time between scans is unchanged. The sequence satisfies the constraints of both charts.
     std::vector<Comparison::Scan> simplified(std::vector<Comparison::Scan> scans,
                                              const std::vector<std::int64_t>& times) const;
 

@@ -7,7 +7,7 @@
 //                    deactivated
 //   enclosing step   if activated, the steps of its activation links are activated; if deactivated, all enclosed steps
 //                    are deactivated
-//   forcing step     its orders take effect
+//   forcing step     if activated, its forcing orders take effect
 //
 // A change is rejected if the rules would revert it: if an active forcing order forces the step's chart, if its
 // enclosing step is inactive, or if forcing orders are contradictory. Stored actions are not executed; continuous

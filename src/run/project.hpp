@@ -2,7 +2,7 @@
 // project: converts a run of a Network, of a TransitionSystem or of a Chart to a ChartRun without rows.
 //
 // Mapping for a Network:
-//   edge of an instance, of a timer    an event; for a timer an internal one, unless one of its delays elapses
+//   edge of an instance, of a timer    an event; an event of a timer is internal unless a delay of the timer elapses
 //   edge of a PLC                      an event with the actions of its controller, in the order of its phases
 //   delay                              an event
 // For a TransitionSystem, each step is split into events in the following order: time; controllers that acted, with
@@ -61,7 +61,7 @@ public:
     }
     /// Adds a signal for a value. An existing signal keeps its role.
     Id<ChartRun::Signal> add_signal(std::uint32_t key, ChartRun::Signal signal);
-    /// Returns the signal of a value, or an invalid id if there is none.
+    /// Returns the signal of a value, or an invalid id if the value has no signal.
     Id<ChartRun::Signal> signal(std::uint32_t key) const { return signals_[key]; }
     ChartRun::State state(std::int64_t time_ms, const std::vector<std::int64_t>& values) const;
 
@@ -106,7 +106,7 @@ private:
 };
 
 /// Returns an empty run (declarations, no events) of `chart`, for a chart that the interpreter executes with free
-/// inputs. Its signals are the variables of the chart, in order; stored outputs have no images.
+/// inputs. The signals of the run are the variables of the chart, in order; stored outputs have no images.
 ChartRun project(const Chart& chart, ExecutionMode mode);
 /// Returns the values of the signals in a run of `chart` for the state `state`.
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
@@ -115,7 +115,8 @@ ChartRun::State project(const Chart& chart, const State& state, InputValues inpu
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after);
 
-/// Converts a run. Requires that grafverif built the network or system, and that `run` is a run of it.
+/// Converts a run. Requires that grafverif built the network or system, and that `run` is a run of this network or
+/// system.
 ChartRun project(const Network& network, const Run& run);
 ChartRun project(const TransitionSystem& system, const SystemRun& run);
 

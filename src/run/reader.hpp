@@ -23,7 +23,7 @@ Memory memory(const Chart& chart);
 /// Evaluates terms. Each continuous output in conditions is evaluated at most once.
 class Reader {
 public:
-    /// `timed` is the argument of evolve(). Without `memory`, as in the first evolution, all edges are false.
+    /// `timed` is the argument of evolve(). If `memory` is null, as in the first evolution, all edges are false.
     Reader(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
            const Memory* memory)
         : chart_(chart), state_(state), inputs_(inputs), timed_(timed), memory_(memory) {}

@@ -7,9 +7,10 @@
 //   starts      the first evolution: situation and stored variables agree
 //   samples     the age of the observed term agrees with its timer, if timers are exact
 //   evolves     transitions cleared, situation, stored variables agree; stable and races, if the model includes them
-//   writes      outputs agree; otherwise no output changes
+//   writes      outputs agree; an act that does not write changes no output
 //
-// A PLC program is executed on its memory cells (run/program/controller_replay.hpp).
+// If the controller is a PLC program, the replay executes the program on its memory cells
+// (run/program/controller_replay.hpp).
 #pragma once
 
 #include <cstddef>
@@ -32,8 +33,8 @@ struct Disagreement {
     bool operator==(const Disagreement&) const = default;
 };
 
-/// Returns the first disagreement, if any. `charts` contains the charts of the run's controllers, in order. Requires
-/// charts that `derive` accepts.
+/// Returns the first disagreement between the run and the rules, or nothing if they agree. `charts` contains the charts
+/// of the run's controllers, in order. Requires charts that `derive` accepts.
 std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// Contradictory actions in one evolution.
@@ -43,8 +44,8 @@ struct ContradictoryActions {
     std::string variable = {};
     std::optional<ProgramFault> fault = {};  ///< the run-time fault, if the controller is a program
 };
-/// Returns the contradiction at the end of a run that ends in a race, or nothing if there is none according to the
-/// rules.
+/// Returns the contradiction at the end of a run that ends in a race, or nothing if there is no contradiction according
+/// to the rules.
 std::optional<ContradictoryActions> clash(const ChartRun& run, std::span<const Chart* const> charts);
 
 /// Two time conditions on one step in an untimed run. A cycle samples the condition with the longer time as true and

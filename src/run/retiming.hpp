@@ -3,8 +3,9 @@
 // requires.
 //
 // The edges of the run determine all locations and variables. Only the delays are unknown. Each clock constraint and
-// each invariant on the way limits the difference between two points in time, so that the earliest solution is a
-// longest path. The result is checked by the simulator of the semantics (ir/network_run.hpp) before it is used.
+// each invariant on the path limits the difference between two points in time. Therefore, the earliest solution is a
+// longest path in the graph of these differences. The result is checked by the simulator of the semantics
+// (ir/network_run.hpp) before it is used.
 #pragma once
 
 #include <optional>
@@ -18,21 +19,22 @@ namespace grafverif {
 
 class Retiming {
 public:
-    /// `run` is a run of `network`, which is a member of the family or a relaxation of members. Otherwise, `fit` always
-    /// returns nothing.
+    /// `run` is a run of `network`, which is a member of the family or a relaxation of members. If `run` is not a run
+    /// of `network`, `fit` returns nothing for every member.
     Retiming(const Network& network, const Run& run);
 
-    /// Returns a run of `member` with the same edges, or nothing if there is none. `member` and the network have the
-    /// same frame.
+    /// Returns a run of `member` with the same edges as the run of the constructor, or nothing if there is no such run.
+    /// Requires that `member` and the network of the constructor have the same frame (ir/network_family.hpp).
     std::optional<Run> fit(const Network& member) const;
 
 private:
     struct Point {
-        std::optional<Fire> fire = {};  ///< the edge that is taken at this time; empty for the limits of a loop
-        bool immediate = false;         ///< time does not pass between the previous point and this one
+        /// The edge that is taken at this time; empty for the start of the loop and for the end of the run.
+        std::optional<Fire> fire = {};
+        bool immediate = false;  ///< time does not pass between the previous point and this one
         /// For each process and clock: the point of the last reset before this point.
         std::vector<std::vector<std::size_t>> resets = {};
-        std::vector<Id<Network::Location>> locations = {};  ///< before this point
+        std::vector<Id<Network::Location>> locations = {};  ///< locations of the processes before this point
     };
     struct Difference;
     std::vector<Difference> differences(const Network& member) const;
@@ -42,10 +44,10 @@ private:
 };
 
 /// True if `run`, possibly continued by a delay, is a run of `network` and determines the verdict on a property with
-/// this pattern. Requires that it determines this verdict in another member of the family, and that both members agree
-/// on the property. For `inevitable` and `leads to`, the run can be continued forever or ends in a state without
-/// successors; for `no timelock` and `no deadlock`, it ends in a state without moves. Returns false for patterns whose
-/// verdict depends on other runs as well.
+/// this pattern. Requires that `run` determines this verdict in another member of the family, and that both members
+/// agree on the property. For `inevitable` and `leads to`, the run can be continued forever or ends in a state without
+/// successors; for `no timelock` and `no deadlock`, the run ends in a state without moves. Returns false for patterns
+/// whose verdict depends on other runs as well.
 bool decides(const Network& network, const Run& run, Pattern pattern);
 
 }  // namespace grafverif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // ScanReplay: checks the scans of one controller in a run against its task cycle (TaskCycle), independently of the
 // translation. The first scan is at power-on; the time from each scan to the next is in the range of the cycle. A scan
-// takes no time and has one evolution, or in a search for stability all evolutions up to a stable one; then the outputs
-// are written. All its evolutions read the inputs as they are at its start, and no delay of a timer elapses between
-// them. Without a task cycle, every run is accepted.
+// takes no time. It consists of one evolution or, under stability search, of all evolutions up to a stable one; then
+// the outputs are written. All evolutions of a scan read the values that the inputs have at the start of the scan, and
+// no delay of a timer elapses between these evolutions. Without a task cycle, every run is accepted.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,8 @@ public:
     /// `before` is the state before the act.
     std::string act(const ChartRun::Act& act, const ChartRun::State& before);
 
-    /// Reports the result of an act: `stable` is that of its evolution, if it has one; `writes`: outputs were written.
+    /// Reports the result of an act. `stable` is true if the evolution of the act is stable; it is empty if the act has
+    /// no evolution. `writes` is true if outputs were written.
     void done(std::optional<bool> stable, bool writes);
 
 private:
@@ -34,12 +35,13 @@ private:
 
     const ChartRun& run_;
     const ChartRun::Controller& controller_;
-    bool has_started_ = false;               ///< the scan at power-on has begun
-    bool is_over_ = true;                    ///< no scan is in progress
-    bool must_write_ = false;                ///< the last evolution of the scan has ended; its outputs are not written
+    bool has_started_ = false;  ///< true if the scan at power-on has begun
+    bool is_over_ = true;       ///< true if no scan is in progress
+    bool must_write_ = false;  ///< true if the last evolution of the scan has ended and the outputs are not yet written
     std::int64_t since_ms_ = 0;              ///< time since the start of the last scan
-    std::vector<std::int64_t> inputs_ = {};  ///< at the start of the scan
-    std::vector<bool> timers_ = {};          ///< as sampled by the last evolution of the scan; empty before the first
+    std::vector<std::int64_t> inputs_ = {};  ///< values of the inputs at the start of the scan
+    /// Timer outputs as sampled by the last evolution of the scan; empty before the first evolution.
+    std::vector<bool> timers_ = {};
 };
 
 }  // namespace grafverif

@@ -25,7 +25,7 @@ std::string instability_text(const Chart& chart, const std::vector<std::vector<b
 /// for contradictory forcing orders.
 std::string race_text(std::string_view variable);
 
-/// Returns the reason why a PLC cannot execute `cycle`, or an empty string if there is none.
+/// Returns the reason why a PLC cannot execute `cycle`, or an empty string if a PLC can execute it.
 std::string problem_in(const Chart& chart, const Cycle& cycle);
 
 class Scanner {

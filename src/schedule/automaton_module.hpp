@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Translates one automaton of a Network to a module of the TransitionSystem (DESDES06 6.2). In each step the automaton
 // takes one of its edges or stays in its location. A choice selects the edge, and a transition constraint per edge
-// restricts the choice. The next values of location, variables and clocks are defined by cases over the edge that is
-// taken.
+// restricts the choice. The next values of the location, the variables and the clocks are conditional terms that depend
+// on the chosen edge.
 //
 //   MODULE cylinder_5_2(G_IN, G_OUT)
 //   IVAR   edge : {stay, in_to_moving_out, ...};
@@ -11,13 +11,14 @@
 //   DEFINE OUT := location = out;     if the location determines the value; otherwise a variable
 //   TRANS  edge = in_to_moving_out -> location = in & G_OUT & !G_IN;
 //
-// Clocks are omitted, or count time units up to their caps (ir/network_clocks, as in the timed engine): a step with
-// `tick` increments each clock that is compared in the current location or in a later location.
+// Clocks are omitted, or count time units up to their caps (ir/network_clocks, as in the timed engine): a step in which
+// `tick` is true increments each clock that can be compared before its next reset.
 //
-// Assignments are sequential in the automaton and simultaneous in the module: each value is a term over the values
-// before the step. Variables with several writers (the flags of the PLC) are variables of main. The module defines when
-// it writes these variables, and the values that it writes. An assignment of a value outside the range of its variable
-// sets `out_of_range` permanently and does not change the variable.
+// An automaton executes assignments sequentially, but a module assigns all next values simultaneously. Therefore each
+// next value is expressed by the values before the step. Variables with several writers (the flags of the PLC) are
+// variables of main. For each of these variables, the module defines the condition under which it writes the variable,
+// and the value that it writes. An assignment of a value outside the range of its variable sets `out_of_range`
+// permanently and does not change the variable.
 #pragma once
 
 #include <string>
@@ -32,9 +33,12 @@ namespace grafverif::schedule {
 
 /// Restrictions that a schedule imposes on the steps of automata.
 enum class Discipline {
-    Turns,     ///< the automaton takes one edge if the parameter `turn` is true, and no edge if it is false
-    Together,  ///< the automaton takes one edge in each step, or no edge if no urgent edge can be taken
-    Rounds,    ///< as Together, but only if `turn` is true, once in each `round`; timed edges only in the `first` round
+    /// The automaton takes one edge in a step in which the parameter `turn` is true, and no edge in all other steps.
+    Turns,
+    Together,  ///< the automaton takes one edge in each step; it may take no edge if it has no enabled urgent edge
+    /// As Together, but only in a step in which `turn` is true, at most once in each `round`, and timed edges only in
+    /// the `first` round.
+    Rounds,
 };
 
 /// Context of the translation of automata: the network, and the assignment of its variables to modules.
@@ -43,15 +47,15 @@ struct AutomatonContext {
     Discipline discipline = Discipline::Turns;
     std::vector<bool> shared = {};  ///< for each variable: true if several processes write it
     bool fairness = false;
-    /// Clock analysis of the expanded network if clocks are counted; empty if they are omitted.
+    /// Clock analysis of the expanded network for discrete time; empty for abstract time, in which clocks are omitted.
     std::vector<ProcessClocks> clocks = {};
 };
 
-/// A movement that terminates, represented by a location with an upper time bound. `moving` is a term over the module's
-/// symbols.
+/// A movement that terminates: the automaton stays in a location with an upper time bound.
 struct Movement {
-    Id<Symbol> moving = {};  ///< definition: the movement is in progress
-    /// Variable: the previous step took an edge that ends the movement and restarts it; may be invalid.
+    Id<Symbol> moving = {};  ///< definition: true while the movement is in progress
+    /// Variable: true if the previous step took an edge that ends the movement and restarts it. Invalid if the
+    /// automaton has no edge of this type.
     Id<Symbol> ended = {};
 };
 
@@ -67,22 +71,26 @@ struct AutomatonModule {
 
     TransitionSystem::Module module = {};
     Id<Symbol> turn = {}, first = {}, round = {}, tick = {};  ///< parameters; invalid if omitted
-    std::vector<Id<Network::Variable>> reads = {};            ///< the other parameters, which follow those above
+    /// Variables that are passed as further parameters, which follow the parameters `turn` to `tick`.
+    std::vector<Id<Network::Variable>> reads = {};
     Id<Symbol> edge = {};      ///< choice: 0 for no edge, otherwise the index of the edge plus one
     Id<Symbol> location = {};  ///< location; invalid if there is only one location
     std::vector<Held> owned = {};
-    std::vector<Held> within = {};  ///< definitions: firing conditions that exist only within a step
-    Id<Symbol> may_wait = {};  ///< definition: the clocks permit a time unit to pass; invalid if this is always true
+    /// Definitions: scratch variables (firing conditions), which have a value only within a step.
+    std::vector<Held> within = {};
+    /// Definition: true if the clocks permit one time unit to pass; invalid if it is always true.
+    Id<Symbol> may_wait = {};
     std::vector<Effect> effects = {};
-    Id<Symbol> can_move = {};      ///< definition: an edge can be taken; exists only if clocks are counted
-    Id<Symbol> must_move = {};     ///< definition: an urgent edge can be taken
-    Id<Symbol> stays = {};         ///< definition: this step takes no edge
-    Id<Symbol> out_of_range = {};  ///< invalid if no assignment can leave its range and no term can divide by zero
-    Id<Symbol> done = {};          ///< in rounds: true after the automaton's turn in the current round
+    Id<Symbol> can_move = {};   ///< definition: true if an edge can be taken; invalid for abstract time
+    Id<Symbol> must_move = {};  ///< definition: true if an urgent edge can be taken
+    Id<Symbol> stays = {};      ///< definition: true if the step takes no edge
+    /// True after a fault; invalid if no assigned value can be outside the range and no term can divide by zero.
+    Id<Symbol> out_of_range = {};
+    Id<Symbol> done = {};  ///< only for Rounds: true after the automaton's turn in the current round
     std::vector<Movement> movements = {};
 };
 
-/// Returns a key: processes with equal keys have equal modules.
+/// Returns a key. Processes with equal keys have equal modules.
 std::vector<std::int64_t> module_key(const AutomatonContext& context, Id<Network::Process> process);
 AutomatonModule automaton_module(const AutomatonContext& context, Id<Network::Process> process, Exprs& exprs);
 

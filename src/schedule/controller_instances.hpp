@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Adds the controllers as instances of main. The caller determines the source of their inputs.
+// Adds the controllers of a loop as instances of main. The caller determines the source of the inputs of the
+// controllers.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ struct ControllerPart {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
 };
 
-/// Returns the controllers of a loop, in order. `mode` overrides the modes of the loop.
+/// Returns the controllers of a loop, in order. If given, `mode` overrides the execution modes of the controllers.
 std::vector<ControllerPart> controller_parts(const ClosedLoop& loop, std::span<const Equations> equations,
                                              std::optional<ExecutionMode> mode);
 
@@ -28,11 +29,12 @@ struct ControllerInstances {
     std::vector<ControllerModule> modules = {};
     std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< instance of each controller
 
-    /// `turns` and `with_plant` have the same meaning as in ControllerStyle. `name` sets the names of the instances,
-    /// and the arguments are added later.
+    /// `turns` and `with_plant` have the same meaning as in ControllerStyle. The constructor does not set the names and
+    /// the arguments of the instances; `name` sets the names, and `wire_inputs` sets the inputs.
     ControllerInstances(Main& main, std::vector<ControllerPart> parts, bool turns, bool with_plant);
 
-    /// Sets unused names of the instances in main. Requires that no symbol of an instance is used in main yet.
+    /// Gives each instance a name that no symbol of main has. Requires that no symbol of an instance is used in main
+    /// yet.
     void name() const;
 
     /// Returns the symbol that represents a variable of a controller's equations in properties: a symbol or an argument
@@ -47,14 +49,16 @@ struct ControllerInstances {
 
     /// Adds the outputs of every controller to the shared variables of the loop.
     void share_outputs(const ClosedLoop& loop, std::vector<Id<Symbol>>& shared) const;
-    /// Passes the inputs of every controller as its first arguments.
+    /// Sets the first arguments of every instance to the symbols of the inputs of its controller.
     void wire_inputs(const ClosedLoop& loop, const std::vector<Id<Symbol>>& shared) const;
-    /// Returns the condition that every controller is quiescent.
+    /// Returns a condition that is true if every controller is quiescent.
     Id<Expr> settled() const;
-    /// Adds `no_race` and `no_out_of_range` if such faults are possible.
+    /// Adds the properties `no_race` (if a race is possible) and `no_out_of_range` (if a value outside a range is
+    /// possible).
     void add_fault_properties() const;
-    /// Adds the names of the controllers for traces. `runs` contains a condition for each controller, which is true in
-    /// the steps in which it runs; empty if all controllers run in every step.
+    /// Adds TransitionSystem::controllers, which relates the system to the charts for traces. For each controller,
+    /// `runs` contains a condition that is true in the steps in which the controller runs. `runs` is empty if all
+    /// controllers run in every step.
     void add_words(const std::vector<Id<Expr>>& runs) const;
 };
 

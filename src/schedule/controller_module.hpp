@@ -14,30 +14,36 @@ namespace grafverif::schedule {
 
 struct ControllerModule {
     TransitionSystem::Module module = {};
-    /// The inputs and timer outputs that are parameters, in order. `turn` and `elapse` follow if they are used.
+    /// The inputs and timer outputs that are parameters, in order. The parameters `turn` and `elapse` follow if the
+    /// module has them.
     std::vector<Id<Equations::Variable>> parameters = {};
-    /// The symbol of each variable of the equations that properties read. For an output, the symbol represents the
+    /// For each variable of the equations: the symbol that properties read. For an output, this symbol represents the
     /// value written to the plant.
     std::vector<Id<Symbol>> symbols = {};
-    Id<Symbol> started = {};  ///< invalid if the first evolution has no visible effect and is not a separate step
+    /// False in the step of the first evolution; invalid if the first evolution has no visible effect and is not a
+    /// separate step.
+    Id<Symbol> started = {};
     Id<Symbol> settled = {};
-    Id<Symbol> race = {};          ///< invalid if a race of stored actions is impossible
-    Id<Symbol> out_of_range = {};  ///< invalid if no assignment can leave its range and no term can divide by zero
+    Id<Symbol> race = {};  ///< invalid if a race of stored actions is impossible
+    /// Invalid if no assigned value can be outside the range and no term can divide by zero.
+    Id<Symbol> out_of_range = {};
     /// Variables to which a value outside their range may be assigned.
     std::vector<Id<Equations::Variable>> bounded = {};
-    /// For scans: the current step sets `race` or `out_of_range`; invalid if this is impossible.
+    /// With ControllerStyle::scans: true if the current step sets `race` or `out_of_range`; invalid if no step can set
+    /// them.
     Id<Symbol> faulting = {};
 };
 
 struct ControllerStyle {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    bool turns = false;  ///< true: the module has a parameter `turn`, and no variable changes while it is false
+    /// True: the module has a parameter `turn`, and no variable changes in a step in which `turn` is false.
+    bool turns = false;
     /// If true, inputs come from a plant, and timer outputs are variables of the module. A timer output is false when
     /// its step is activated, and may become true in any step in which the parameter `elapse` is true. Only a module
-    /// with timers has this parameter. Otherwise timer outputs are parameters.
+    /// with timers has the parameter `elapse`. If `with_plant` is false, timer outputs are parameters.
     bool with_plant = false;
-    /// If true, the module is used scan by scan: the first evolution is always a separate step, and the values that
-    /// timers observe are variables.
+    /// If true, the module belongs to a product (product.hpp): the first evolution is always a separate step, and the
+    /// values that timers observe are variables.
     bool scans = false;
 };
 ControllerModule controller_module(const Equations& equations, const ControllerStyle& style, Exprs& exprs);

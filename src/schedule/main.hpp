@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draft: builder of a module of the TransitionSystem. A Draft contains the symbols of the module, with unique names,
-// and creates terms over these symbols. A symbol can be declared before its value is defined (`set`), so that other
-// symbols can read it. Main: builder of the system. Main contains the module `main` as a Draft, all modules and their
-// instances in main, and the symbols of instances that are visible in main.
+// and creates terms over these symbols. A symbol can be added before its value is known; `set` defines the value later.
+// Terms can read the symbol before its value is defined. Main: builder of the system. Main contains the module `main`
+// as a Draft, all other modules, the instances of these modules, and the symbols of instances that are visible in main.
 #pragma once
 
 #include <map>
@@ -58,7 +58,7 @@ struct Main {
     TransitionSystem system = {};
     Draft draft{system.exprs};
     UniqueNames module_names = {};
-    /// Symbols of main for symbols of instances, which are added on first use.
+    /// For symbols of instances: the corresponding symbols of main, which are added on first use.
     std::map<std::pair<Id<Instance>, Id<Symbol>>, Id<Symbol>> members = {};
 
     explicit Main(const std::string& name) {

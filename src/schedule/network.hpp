@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
-// schedule_network: translates a Network to a TransitionSystem: the closed loop with its plant automata, one of which
-// moves in each step (schedule `interleaved`).
+// schedule_network: translates a Network to a TransitionSystem: the closed loop with its plant automata. In each step,
+// at most one process moves (schedule `interleaved`).
 //
 // Mapping:
-//   process          an instance of a module, one module per component and set of constants: see automaton_module.hpp.
-//                    The PLC is also a process: its cycle, in the grain of the network, with the state of the network
+//   process          an instance of a module (automaton_module.hpp); instances of the same component with equal
+//                    constants share a module. The PLC is also a process: its module represents the PLC cycle with the
+//                    grain of the network
 //   moving process   a choice `move` of main: `of_H_Cyl`, `of_PLC`, or `none`, which can be chosen only if no urgent
 //                    edge is enabled
 //   shared variable  a variable of the module that writes it, or a definition if the location determines its value; a
 //                    variable of main if it has several writers (the flags of the PLC)
 //   time             abstract: clocks are omitted, so that a timed edge may be taken at any time. The model has all
-//                    runs of the timed loop, and further runs. Discrete: clocks are bounded counters of their modules,
-//                    with the normalization of the timed engine, and `move = of_time` is a tick. The states are those
-//                    of the timed engine. `no deadlock` becomes `always possible` of an edge, and `no timelock` becomes
-//                    `always possible` of a tick
+//                    runs of the timed loop, and may have further runs. Discrete: each clock is a counter in its
+//                    module, bounded by the cap of the clock as in the timed engine, and a step with `move = of_time`
+//                    is a tick. The model has the same states as the timed engine. `no deadlock` becomes: it is always
+//                    possible that an edge can be taken. `no timelock` becomes: it is always possible that time can
+//                    pass
 //   observer         a module that observes every step
 //
-// The system is total. If an urgent edge is enabled, its process can move; otherwise `none` can be chosen. If clocks
-// are counted, a step from a state without successors leads to the same state.
+// The system is total. If an urgent edge is enabled, the process of this edge can move; otherwise `none` can be chosen.
+// With discrete time, a step from a state in which no edge can be taken and time cannot pass leads to the same state.
 #pragma once
 
 #include <optional>
@@ -32,8 +34,8 @@
 
 namespace grafverif {
 
-/// Translates `network`, which must be the result of compose for `loop` and the `equations` of its controllers. The
-/// result is empty after an error: a variable has too many values for a symbolic model.
+/// Translates `network`. Requires that `network` is the result of compose for `loop` and the `equations` of its
+/// controllers. If a variable has too many values for a symbolic model, reports an error and returns nullopt.
 std::optional<TransitionSystem> schedule_network(const Model& model, const ClosedLoop& loop,
                                                  std::span<const Equations> equations, const Network& network,
                                                  const ScheduleOptions& options, Diagnostics& diagnostics);

@@ -7,8 +7,8 @@
 
 namespace grafverif::schedule {
 
-/// Adds every observer of the loop as an instance, and records their locations in `meaning`. The observers take edges
-/// only in states in which `when` holds; if `when` is invalid, in all states.
+/// Adds every observer of the loop as an instance, and records the location symbols of the observers in `meaning`. The
+/// observers take edges only in states in which `when` holds; if `when` is invalid, they take edges in all states.
 void add_observers(LoopMeaning& meaning, Id<Expr> when = {});
 
 }  // namespace grafverif::schedule

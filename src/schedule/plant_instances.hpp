@@ -10,9 +10,10 @@
 
 namespace grafverif::schedule {
 
-/// Conditions that a schedule passes to the modules.
+/// Conditions that a schedule passes to the modules of processes as parameters.
 struct Signals {
-    std::vector<Id<Symbol>> turns = {};  ///< for each process: condition that it moves
+    /// For each process: condition that is true in a step in which the process may move.
+    std::vector<Id<Symbol>> turns = {};
     Id<Symbol> first = {}, round = {}, tick = {};
     Id<Symbol> over = {};  ///< in rounds: true if all processes have had their turn in this round
 };
@@ -25,13 +26,14 @@ struct PlantInstances {
     std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< instance of each process
     std::vector<Id<Symbol>> variables = {};                      ///< symbol in main for each variable of the network
 
-    /// Adds modules and instances of every process, and variables of main for variables that no process owns. `known`
-    /// contains the symbols of main that already exist for variables of the network (outputs of controllers).
+    /// Adds an instance, and if necessary a module, for every process. Adds variables of main for variables that no
+    /// process owns. `known` contains the symbols of main that already exist for variables of the network (outputs of
+    /// controllers).
     PlantInstances(Main& main, AutomatonContext context, std::vector<Id<Symbol>> known);
 
     /// Returns a term of main that reads a symbol of the module of a process.
     Id<Expr> inner(std::size_t process, Id<Symbol> symbol) const { return main.inner(instances[process], symbol); }
-    /// Returns the condition that the process is in a location.
+    /// Returns a condition that is true if the process is in `location`.
     Id<Expr> at(std::size_t process, std::uint32_t location) const {
         const Id<Symbol> held = automata[process].location;
         if (!held.valid()) return main.system.exprs.constant(true);
@@ -44,23 +46,24 @@ struct PlantInstances {
     }
     /// Returns `automata[i].*symbol` for every process that has such a symbol.
     std::vector<Id<Expr>> each(Id<Symbol> AutomatonModule::*symbol) const;
-    /// Returns the condition that no process has an enabled urgent edge.
+    /// Returns a condition that is true if no process has an enabled urgent edge.
     Id<Expr> none_urgent() const;
-    /// Returns the names of a process for traces: its location, and its variables that controllers neither read nor
-    /// write.
+    /// Returns the data about a process that traces need: the symbol of its location, and its variables that
+    /// controllers neither read nor write.
     TransitionSystem::Component component(std::size_t process) const;
 
     /// Passes the arguments to each instance.
     void wire(const Signals& signals) const;
     /// Sets the next values of the variables of main that processes write.
     void set_effects() const;
-    /// Adds one justice condition per movement of the plant and per timer, but none for the environment.
+    /// Adds one justice condition for each movement of the plant and for each timer. Movements of the environment have
+    /// no justice condition.
     void add_fairness() const;
-    /// Adds `no_out_of_range` if some automaton can leave a range.
+    /// Adds the property `no_out_of_range` if some automaton can assign a value outside the range of a variable.
     void add_range_property() const;
 };
 
-/// Returns `of_NAME` for each process: the values of the choice of the moving process.
+/// Returns `of_NAME` for each process. These names are the values of the choice that selects the moving process.
 std::vector<std::string> movers(const Network& network);
 
 /// Reports variables of the network that have too many values for a symbolic model.

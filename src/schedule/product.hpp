@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: MIT
-// schedule_both: translates the Equations of two charts to a TransitionSystem, their product. Both are executed scan by
-// scan as by a PLC: inputs are read, the chart computes its outputs, and time passes. Inputs and times are arbitrary,
-// but the same for both charts. Either of them can be a PLC program, whose scan is one step.
+// schedule_both: translates the Equations of two charts to a TransitionSystem, their product. Both charts are executed
+// scan by scan, as by a PLC: in each scan, the inputs are read and the chart computes its outputs; time passes between
+// scans. Inputs and times are arbitrary, but equal for both charts. Each chart can be replaced by a PLC program; a
+// program executes a scan in one step.
 //
-// A step of the system is one evolution of both charts. If both have completed the scan (`waits`), a step instead
-// chooses the next inputs and the time until the next scan. Under stability search the inputs are constant until both
-// charts are quiescent; a chart that is quiescent earlier continues without changes. In every_cycle mode a scan is one
-// evolution. A fault (race, value out of range, undefined value) is permanent; it also completes the scan. Under
-// stability search, a program executes in the first step of a scan, and not again in later steps of this scan. With
-// `settles`, the program repeats its execution, without time between the repetitions, until nothing changes. A run-time
-// fault of a program is also a fault.
+// A step of the system is one evolution of both charts. If both charts have completed the scan (`waits`), a step
+// instead chooses the next inputs and the time until the next scan. Under stability search the inputs are constant
+// until both charts are quiescent; a chart that is quiescent earlier continues without changes. In the execution mode
+// `every-cycle`, a scan is one evolution. A fault (race, value out of range, undefined value) is permanent. A chart
+// with a fault has also completed the scan. Under stability search, a program executes in the first step of a scan, and
+// not again in later steps of this scan. With `settles`, the program repeats its execution, without time between the
+// repetitions, until nothing changes. A run-time fault of a program is also a fault.
 //
-//   timer        counts down in units of `unit_ms`: the remaining t1 while its term holds, the remaining t2 after it
-//                fell; scans occur at multiples of the unit. The caller chooses the unit, and hence the resolution
-//   same         never: both have completed the scan, and exactly one has a fault, or an output differs
-//   run_time_fault   never: a program has a run-time fault, and has not stopped in an earlier scan
-//   possible     reachable: there are inputs that satisfy the constraints of both
-//   a_follows, b_follows   if b has completed the scan without a fault, a completes it eventually. The property is
-//                violated if a never becomes stable although b does. A fault in one chart and instability of the other
-//                do not count as a difference. Only under stability search
-//   one_follows  true leads to: one of them has completed the scan. Only for programs with `settles`
-//   b_settles_after_stop, a_settles_after_stop   if a has stopped, b completes the scan eventually, and vice versa.
-//                Only for programs with `settles`
-//   continues    reachable: both have completed a scan without a fault or a stop
+//   timer        counts down in units of `unit_ms`: the remaining t1 while the observed term holds, and the remaining
+//                t2 after the term has become false; scans occur at multiples of the unit. The caller chooses the unit,
+//                and hence the resolution
+//   same         never: both charts have completed the scan, and exactly one chart has a fault or an output differs
+//   run_time_fault   never: a program that has not stopped in an earlier scan has a run-time fault
+//   possible     reachable: a state whose inputs satisfy the constraints of both charts
+//   a_follows    if b has completed the scan without a fault, a completes the scan eventually. The property is violated
+//                if b becomes stable but a never does. If one chart has a fault and the other chart never becomes
+//                stable, this does not count as a difference. The property exists only under stability search
+//   b_follows    as `a_follows`, with a and b exchanged
+//   one_follows  true leads to: at least one of the two has completed the scan. Only for programs with `settles`
+//   b_settles_after_stop   if a has stopped, b completes the scan eventually. Only for programs with `settles`
+//   a_settles_after_stop   if b has stopped, a completes the scan eventually. Only for programs with `settles`
+//   continues    reachable: both charts have completed a scan without a fault or a stop
 #pragma once
 
 #include <cstdint>
@@ -37,22 +40,23 @@
 
 namespace grafverif {
 
-/// A chart, or a program.
+/// One of the two charts or programs of the product.
 struct ProductSide {
     const Equations* equations = nullptr;
-    /// nullptr for a chart; for a program, its scan, and `equations` is `&scan->equations`.
+    /// For a program: its scan; then `equations` is `&scan->equations`. nullptr for a chart.
     const Scan* scan = nullptr;
-    /// True if the program stops in a scan; a term over the values before the scan. Invalid if the program never stops.
+    /// Term over the values before a scan: true if the program stops in this scan. Invalid if the program never stops.
     Id<Expr> stop = {};
 };
 
 struct ProductOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::int64_t unit_ms = 1;                      ///< a divisor of all durations of both sides, and of the interval
-    std::optional<std::int64_t> fewer_scans = {};  ///< restricts `same` to runs with fewer scans than this
+    std::int64_t unit_ms = 1;  ///< a divisor of all durations of both sides, and of the interval
+    /// If given, the property `same` concerns only runs with fewer scans than this number.
+    std::optional<std::int64_t> fewer_scans = {};
     std::optional<std::int64_t> interval_ms = {};  ///< time between two scans; arbitrary if empty
-    bool settles = false;                          ///< see above; requires stability search
-    std::vector<std::string> outputs = {};         ///< names of the outputs that are compared
+    bool settles = false;  ///< true: programs repeat each scan until nothing changes; requires stability search
+    std::vector<std::string> outputs = {};  ///< names of the outputs that are compared
 };
 
 struct ProductMachine {
@@ -63,8 +67,8 @@ struct ProductMachine {
         {};  ///< in a step with `waits`: time units until the next scan; invalid if there are no timers
 };
 
-/// Returns the product of `a` and `b`. Requires that both have the same inputs with equal types, and each of the
-/// compared outputs, and that verify is empty for both charts.
+/// Returns the product of `a` and `b`. Requires that both have the same inputs with equal types, that both have each of
+/// the compared outputs, and that `verify` returns an empty list for the equations of both.
 ProductMachine schedule_both(const ProductSide& a, const ProductSide& b, const ProductOptions& options);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conditions under which a value is undefined (division by zero) or outside the range of its variable. Both conditions
-// are terms; a condition is constant if the types determine it.
+// Conditions under which a value is undefined (division by zero) or outside the range of its variable. Each condition
+// is a term. A condition is a constant if the types of the variables determine its value.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,18 @@
 
 namespace grafverif::schedule {
 
-/// A total version of a term, in which divisors of 0 are replaced by 1. It is necessary because a model checker also
-/// evaluates values that do not occur in any run.
+/// A total version of a term: a divisor is replaced by 1 if it is 0. The total version is necessary because a model
+/// checker also evaluates terms for values that do not occur in any run.
 struct Total {
     Id<Expr> term = {};
-    /// Condition under which the original term is undefined: grafverif::evaluate divides by zero, or the types permit a
+    /// Condition under which the original term is undefined: a divisor is zero, or the types of the variables permit a
     /// value outside 64 bits.
     Id<Expr> undefined = {};
 };
 Total total(Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
-/// Returns the condition under which `term`, which must be total, leaves the range of `type`; false for a Boolean.
+/// Returns the condition under which the value of `term` is outside the range of `type`; false for a Boolean. Requires
+/// that `term` is total.
 Id<Expr> leaves_range(Exprs& exprs, Id<Expr> term, Type type, const TypeOf& type_of);
 
 }  // namespace grafverif::schedule

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts that state the consequences of an untimed model's verdicts for the timed closed loop. A text is one paragraph
-// for the header of the model and for reports. The text depends on the approach and the schedule, and distinguishes the
+// Texts that state what the verdicts on an untimed model imply for the timed closed loop. A text is one paragraph for
+// the header of the model and for reports. The text depends on the approach and the schedule, and distinguishes the
 // types of properties.
 #pragma once
 
@@ -13,11 +13,12 @@
 
 namespace grafverif::schedule {
 
-/// Returns the text for controllers without a plant. `constrained` is true if there are constraints on their inputs.
+/// Returns the text for controllers without a plant. `constrained` is true if the model assumes constraints on the
+/// inputs.
 std::string controllers_scope(std::span<const ControllerPart> controllers, bool constrained);
-/// Returns the text for controllers and plant automata, synchronous or sequenced.
+/// Returns the text for controllers and plant automata with the schedule synchronous or sequenced.
 std::string together_scope(Schedule schedule, std::span<const ControllerPart> controllers, bool fairness);
-/// Returns the text for schedule interleaved, in which one process moves at a time.
+/// Returns the text for controllers and plant automata with the schedule interleaved.
 std::string network_scope(const Network& network, const ScheduleOptions& options);
 
 }  // namespace grafverif::schedule

@@ -16,12 +16,12 @@ public:
 
     /// Returns the signals of the sequencer to the automata. Requires that the automata are instances of main.
     Signals signals(const PlantInstances& plant);
-    /// Returns the condition for states in which properties are evaluated.
+    /// Returns a condition that is true in states in which properties are evaluated.
     Id<Expr> considered() const;
-    /// Sets the next values of the variables of the sequencer. `signals` is the result of the function `signals`.
-    /// `controllers_settled` is true if the evolution of the controllers ends with this step.
+    /// Sets the next values of the variables of the sequencer. Requires that `signals` is the result of the function
+    /// `signals`. `controllers_settled` is true if the evolution of the controllers ends with this step.
     void run(const PlantInstances& plant, const Signals& signals, Id<Expr> controllers_settled);
-    /// Adds `plant_settles` and `controllers_settle`.
+    /// Adds the properties `plant_settles` and `controllers_settle`.
     void add_properties() const;
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Translates the independent subsystems of a network (ir/network_subsystems.hpp) to main, for schedule interleaved.
+// Translates the independent subsystems of a network (ir/network_subsystems.hpp) to subsystems of a transition system
+// with the schedule interleaved.
 #pragma once
 
 #include <vector>
@@ -8,11 +9,11 @@
 
 namespace grafverif::schedule {
 
-/// Translates a term of the network, over variables and At, to main.
+/// Translates a term of the network, over variables and At, to a term over symbols of main.
 Id<Expr> over_main(const PlantInstances& plant, Id<Expr> term);
 
-/// Returns at least two subsystems, or an empty result. For each process, `turns` contains the condition that is true
-/// in its steps. Requires that all symbols of main are declared.
+/// Returns the subsystems; the result is empty if there is only one subsystem. For each process, `turns` contains a
+/// condition that is true in the steps in which the process moves. Requires that all symbols of main are declared.
 std::vector<TransitionSystem::Subsystem> interleaved_subsystems(const PlantInstances& plant,
                                                                 const std::vector<Id<Expr>>& turns);
 

@@ -11,8 +11,8 @@
 
 namespace grafverif {
 
-/// Returns the steps that a name may denote: the steps with this complete name, or otherwise the steps with this name
-/// after a qualifier (controller or partial chart).
+/// Returns the steps that a name may denote: the steps with this complete name or, if there are no such steps, the
+/// steps with this name after a qualifier (controller or partial chart).
 std::vector<Id<ChartRun::Step>> steps_called(const ChartRun& run, std::string_view name);
 /// Returns the steps that a step variable may denote: `X3`, `G1.X3`, `press.G1.X3`.
 std::vector<Id<ChartRun::Step>> step_variables_called(const ChartRun& run, std::string_view name);
@@ -33,7 +33,8 @@ std::vector<std::string> names_of(const ChartRun& run);
 /// Returns the instances that commands can move.
 std::vector<std::string> instances_of(const ChartRun& run);
 
-/// Returns the name of the step variable in conditions: `press.G1.X3`, without the controller if there is only one.
+/// Returns the name of the step variable in conditions: `press.G1.X3`, without the controller if there is only one
+/// controller.
 std::string variable_of(const ChartRun::Step& step);
 
 /// Returns the reason why a variable of this type cannot have the value, or an empty string if the value is possible.

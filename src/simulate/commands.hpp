@@ -3,7 +3,8 @@
 //
 //   NAME = VALUE         set an input (or a variable of the plant) to true, false, or a number; for a single chart also
 //                        `NAME = VALUE, NAME = VALUE`, simultaneously
-//   wait 3s              let this time pass (in ms, s or min);  `wait`: until the next spontaneous or possible event
+//   wait 3s              let 3 s pass (units: ms, s, min); `wait`: let time pass until the next spontaneous or
+//                        possible event
 //   do INSTANCE          take the first enabled edge of the instance;  `do INSTANCE LOCATION`: an edge to LOCATION
 //   force STEP on        activate (`off`: deactivate) a step; the result is no longer a run of the model
 //   3                    make the third of the listed choices

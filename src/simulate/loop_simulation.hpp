@@ -45,8 +45,8 @@ public:
     std::size_t choice_count() const { return fires().size(); }
     DelayBounds delay_bounds() const;
 
-    /// Each of the following functions is one command: it performs the moves of the command and then the automatic
-    /// moves. It returns an error message or an empty string. After an error, some moves may have been performed.
+    /// Each of the following functions executes one command: the moves of the command, followed by the automatic moves.
+    /// The result is an error message or an empty string. After an error, some moves may have been performed.
     std::string settle();
     /// Makes a choice. Numbers start at 0.
     std::string choose(std::size_t choice);
@@ -68,8 +68,8 @@ public:
     /// instance.
     std::optional<std::string> location_of(std::string_view instance, std::size_t moment) const;
     /// Returns the name of the variable that is connected to a port of an instance. For an output such as `Main.FLOW`,
-    /// it is the variable that the output writes; for an input, the variable that it reads. The result is empty if
-    /// there is no such port, or if the port reads a term.
+    /// the result is the variable that the output writes; for an input, the result is the variable that the input
+    /// reads. The result is empty if there is no such port, or if the port reads a term.
     std::string port_variable(std::string_view name) const;
     /// Undoes the last command. Returns false if there is no command to undo.
     bool back();

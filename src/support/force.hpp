@@ -12,7 +12,7 @@ namespace grafverif {
 /// A hyperedge: vertices that are placed close together.
 using ForceEdge = std::vector<std::uint32_t>;
 
-/// Returns the position of each of `vertices` vertices. The initial order is the order of their indices.
+/// Returns the position of each of `vertices` vertices. The initial order is the order of the vertex indices.
 std::vector<double> force_places(std::size_t vertices, const std::vector<ForceEdge>& edges);
 
 }  // namespace grafverif

@@ -216,7 +216,7 @@ Diagnostic edge_under_time(Span where);
 Diagnostic edge_of_edge(Span where);
 Diagnostic edge_in_assignation(Span where, std::string_view output);
 Diagnostic event_without_edge(Span where, std::string_view target);
-/// Each element of `outputs` reads the next one, and the last element reads the first one.
+/// Each element of `outputs` reads the next element, and the last element reads the first element.
 Diagnostic output_cycle(Span where, std::span<const std::string> outputs);
 Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit);
 Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit);
@@ -253,7 +253,7 @@ Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
 /// `by_user` is true if the user stopped the run, false if the time limit was reached.
 Diagnostic stopped(Span where, bool by_user);
-// Reasons for an early end that do not depend on the input. The exit code is 3.
+// Reasons for an early end that do not depend on the input. With each of these messages, the exit code is 3.
 Diagnostic timed_out(std::uint64_t milliseconds);
 Diagnostic interrupted();
 Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
@@ -262,7 +262,8 @@ Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits,
 
 // -- schedule and emit ------------------------------------------------------------------------------------------------
 // (src/support/messages_loop.cpp)
-/// `decided` is true if the contradiction is proved; otherwise, no inputs were found within the memory limit.
+/// `decided` is true if the contradiction is proved; if it is false, no inputs that satisfy the constraints were found
+/// within the memory limit.
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most);
 

@@ -8,7 +8,7 @@
 
 namespace grafverif::messages {
 
-/// `problem` contains the remedy.
+/// `problem` describes the problem and the remedy.
 Diagnostic bad_log(Span where, std::string_view problem);
 /// `names` lists inputs or outputs of the chart without a column, in backticks.
 Diagnostic unrecorded_inputs(Span where, std::string_view chart, std::string_view names);

@@ -28,7 +28,8 @@ Diagnostic program_beyond_64_bits(Span where, std::string_view name);
 Diagnostic step_or_variable(Span where, std::string_view name, std::string_view step);
 /// An input or output that is part of a structure, an array or an instance. `kind` is `input` or `output`.
 Diagnostic composite_signal(Span where, std::string_view kind, std::string_view name);
-/// A program in a loop that is used in a way that is possible only for charts. `what` begins the text, as a clause.
+/// A program in a loop that is used in a way that is possible only for charts. `what` is the clause with which the
+/// message begins.
 Diagnostic only_for_charts(Span where, std::string_view name, std::string_view what, std::string_view hint);
 Diagnostic no_program(Span where);
 Diagnostic several_programs(Span where, std::string_view name);

@@ -43,7 +43,7 @@ std::string padded(std::string_view text, std::size_t columns);
 /// Returns `text` on one line, with `?` in place of every character that a terminal interprets, except tabs.
 std::string printable(std::string_view text);
 
-/// Returns `text` with the same replacements, but keeps line feeds.
+/// Returns `text` with the same replacements as `printable`, but keeps line feeds.
 std::string printable_lines(std::string_view text);
 
 }  // namespace grafverif

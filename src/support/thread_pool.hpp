@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Thread pool: executes one parallel task at a time. The thread that owns the pool also performs a part of the task.
 //
-// The threads start with the first task. They have small stacks, and all signals are blocked in them. If the system
-// provides fewer threads than requested, the available threads perform the complete work.
+// The threads start with the first task. The threads have small stacks and block all signals. If the system provides
+// fewer threads than requested, the available threads perform the complete work.
 #pragma once
 
 #include <pthread.h>
@@ -26,7 +26,7 @@ public:
 
     unsigned size() const { return members_; }
     /// Calls `work(member)` for every member in the thread of this member, and returns when all calls have ended.
-    /// Rethrows the exception of the member with the lowest number.
+    /// If several calls throw, rethrows the exception of the member with the lowest number.
     void share(const std::function<void(unsigned)>& work);
 
 private:

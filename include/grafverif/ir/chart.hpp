@@ -2,12 +2,13 @@
 // Chart: a GRAFCET (IEC 60848) as written, after names are resolved and before any evolution rule is applied.
 //
 // A Chart can represent every construct of the standard. `derive` rejects the constructs that it cannot translate
-// exactly. Expressions are stored in `exprs`. Apart from constants, their leaves are Variable (index in `variables`),
-// Step (the step variable; index in `steps`) and Timed (index in `time_conditions`).
+// exactly. Expressions are stored in `exprs`. Apart from constants, the leaves of these expressions are Variable (index
+// in `variables`), Step (the step variable; index in `steps`) and Timed (index in `time_conditions`).
 //
 // Invariants (see verify): every id is in its table; every condition is Boolean; every stored value has the type of its
 // target. Names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
-// chart). A partial chart that is an expansion has one entry and one exit step; every initial value is in its range.
+// chart). A partial chart that is an expansion has one entry step and one exit step; every initial value is in the
+// range of its variable.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,8 @@ namespace grafverif {
 
 struct Program;
 
-/// A PLC program (ir/program/program.hpp), or none. Copies share the program; two references are equal if their
-/// programs are equal.
+/// A reference to a PLC program (ir/program/program.hpp); it may be empty. Copies of a reference share one program; two
+/// references are equal if their programs are equal.
 struct ProgramReference {
     std::shared_ptr<const Program> shared = {};
 
@@ -49,10 +50,10 @@ struct Chart {
     enum class StepKind { Ordinary, Macro, Enclosing };
     struct PartialChart;
     struct Step {
-        std::string name = {};  ///< name such as `2`; its step variable is then `X2`
+        std::string name = {};  ///< name of the step, such as `2`; the step variable of step `2` is `X2`
         StepKind kind = StepKind::Ordinary;
         bool initial = false;              ///< IEC 60848, initial step
-        bool activation_link = false;      ///< true if the step is activated when its enclosing step is activated
+        bool activation_link = false;      ///< true if the activation of the enclosing step activates this step
         bool entry = false, exit = false;  ///< true for the entry or exit step of an expansion (clause 7)
         Id<PartialChart> chart = {};
         Span origin = {};
@@ -60,7 +61,8 @@ struct Chart {
     };
 
     enum class PartialKind { Plain, Expansion, Enclosed };
-    /// A partial chart; `name` is empty for the steps and transitions written directly in the grafcet.
+    /// A partial chart. The steps and transitions that are written directly in the grafcet belong to a partial chart
+    /// whose `name` is empty.
     struct PartialChart {
         std::string name = {};
         PartialKind kind = PartialKind::Plain;
@@ -94,15 +96,15 @@ struct Chart {
         Id<Step> step = {};
         Id<Variable> output = {};
         Id<Expr> condition = {};    ///< assignation condition; default: the constant true
-        std::int64_t delay_ms = 0;  ///< time of a delayed action (`after`); 0 if there is none
-        std::int64_t limit_ms = 0;  ///< time of a time-limited action (`for`); 0 if there is none
+        std::int64_t delay_ms = 0;  ///< delay of a delayed action (`after`); 0 for an action without delay
+        std::int64_t limit_ms = 0;  ///< time limit of a time-limited action (`for`); 0 for an action without time limit
         Span origin = {};
         bool operator==(const ContinuousAction&) const = default;
     };
 
     enum class StoredOn { Activation, Deactivation, Event, Clearing };
-    /// Stored action: `target := value` when its step is activated or deactivated, when `event` occurs while the step
-    /// is active, or when `transition` is cleared.
+    /// Stored action: executes `target := value`. According to `on`, the action is executed when `step` is activated or
+    /// deactivated, when `event` occurs while `step` is active, or when `transition` is cleared.
     struct StoredAction {
         StoredOn on = StoredOn::Activation;
         Id<Step> step = {};              ///< invalid for Clearing
@@ -134,8 +136,9 @@ struct Chart {
 
     /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
-        std::string code = {};     ///< see ir/finding.hpp
-        std::string subject = {};  ///< subject such as `X4`, `t3` or `LOCK`; empty for any subject
+        std::string code = {};  ///< see ir/finding.hpp
+        /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted.
+        std::string subject = {};
         std::string reason = {};
         Span origin = {};
         bool operator==(const Acceptance&) const = default;
@@ -153,8 +156,9 @@ struct Chart {
     Table<ForcingOrder> forcing = {};
     std::vector<Constraint> constraints = {};
     std::vector<Acceptance> accepted = {};
-    /// The PLC program that a controller executes instead of the rules of IEC 60848. Such a chart declares only the
-    /// variables and steps of its program (ir/program/interface.hpp), and only closed loops can use it.
+    /// The PLC program that a controller executes instead of the rules of IEC 60848. A chart with a program declares
+    /// only the variables and steps of this program (ir/program/interface.hpp). Only controllers of closed loops can
+    /// execute such a chart.
     ProgramReference program = {};
     Span origin = {};
 
@@ -166,10 +170,10 @@ StepName name_of(const Chart& chart, Id<Chart::Step> step);
 /// Returns the step variable of `step`: `X2`, or `G2.X2` for a step of the named partial chart G2.
 std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 
-/// Terms that are read by a transition, by an action, or by a time condition that is itself read.
+/// Terms that are read by a transition, by an action, or by a time condition that a transition or an action reads.
 struct ReadTerms {
-    std::vector<bool> terms = {};            ///< for each term of Chart::exprs: true if it is read
-    std::vector<bool> time_conditions = {};  ///< for each time condition: true if it is read
+    std::vector<bool> terms = {};            ///< for each term of Chart::exprs: true if the term is read
+    std::vector<bool> time_conditions = {};  ///< for each time condition: true if the condition is read
 };
 ReadTerms read_terms(const Chart& chart);
 

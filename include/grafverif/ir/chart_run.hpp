@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// ChartRun: a run of a closed loop in terms of its charts: the sampled inputs of each controller, the transitions
-// cleared by its evolutions, the outputs written, and the moves of the plant. A ChartRun does not contain elements of
-// the translated model, such as locations of the PLC process, flags and auxiliary variables. `project`
+// ChartRun: a run of a closed loop in terms of its charts. For each controller, a ChartRun contains the sampled inputs,
+// the cleared transitions and the written outputs. It also contains the moves of the plant. A ChartRun does not contain
+// elements of the translated model, such as locations of the PLC process, flags and auxiliary variables. `project`
 // (run/project.hpp) converts a run of a Network or of a TransitionSystem to a ChartRun. The replay (run/replay.hpp)
 // checks a ChartRun against the rules of IEC 60848, and `with_rows` (report/trace_rows.hpp) adds the rows to be
 // printed. All texts, diagrams and JSON data of a run are generated from a ChartRun.
 //
-// The first entry of `moments` is power-on; each further entry is one event with the state after it. A row summarizes
-// the events since the previous row. A search for stability, from the sampling of the inputs to the writing of the
-// outputs, is one row, or two if the plant moves during it.
+// The first entry of `moments` is power-on; each further entry is one event with the state after this event. A row
+// summarizes the events since the previous row. A search for stability lasts from the sampling of the inputs to the
+// writing of the outputs. It is one row, or two rows if the plant moves during the search.
 //
 // Invariants (see verify): ids are in their tables; a state has one value per signal; the steps of a situation are in
-// increasing order; time never decreases; rows are in the order of their events; the loop begins at a row.
+// increasing order; time never decreases; rows are in the order of their events; the repeated events (`loop`) begin at
+// a row.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +35,7 @@ struct ChartRun {
         Input,     ///< input of a controller that the plant writes
         Output,    ///< output that a controller writes
         Internal,  ///< internal variable of a controller
-        Image,     ///< value of an output with stored actions before the output is written
+        Image,     ///< value of an output with stored actions, before it is written to the plant
         Plant,     ///< variable that only the plant uses
     };
     struct Signal {
@@ -46,7 +47,8 @@ struct ChartRun {
     struct Step {
         StepName name = {};           ///< name of the step in its chart
         std::string controller = {};  ///< name of its controller; empty if the loop has only one controller
-        std::string short_name = {};  ///< `2` if unambiguous, otherwise the full name (see shorten_names)
+        /// The shortest unambiguous name, such as `2`; otherwise the full name (see shorten_names).
+        std::string short_name = {};
 
         /// Returns `2` or `G2.2`; if the loop has several controllers, `press.2` or `press.G2.2`.
         std::string full_name() const { return (controller.empty() ? "" : controller + ".") + name.text(); }
@@ -57,14 +59,16 @@ struct ChartRun {
         bool operator==(const Transition&) const = default;
     };
     struct Timer {
-        std::string name = {};     ///< name of the controller that has the timer
-        std::string watched = {};  ///< observed step variable or variable, such as `X2`, `a`; empty for any other term
+        std::string name = {};  ///< name of the controller that has the timer
+        /// Name of the observed step variable or variable, such as `X2` or `a`; empty if another term is observed.
+        std::string watched = {};
         std::optional<std::size_t> step = {};   ///< the observed step, in Controller::steps
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
         bool exact = false;  ///< true if the timer expires exactly at the time that IEC 60848 prescribes
         bool operator==(const Timer&) const = default;
     };
-    /// Lists are in the order of the chart's tables; lists of signals are in the order of the signals of that role.
+    /// Lists of steps, transitions and timers are in the order of the chart's tables; each list of signals is in the
+    /// order of the signals with its role.
     struct Controller {
         std::string name = {};
         ExecutionMode mode = ExecutionMode::StabilitySearch;
@@ -74,7 +78,7 @@ struct ChartRun {
         std::vector<Id<Signal>> inputs = {}, outputs = {}, internals = {};
         std::vector<Id<Signal>> images = {};  ///< image of each output; invalid if the output has no visible image
         std::vector<Id<Timer>> timers = {};
-        /// For each time condition of the chart: index of its timer in `timers`, if it has one.
+        /// For each time condition of the chart: index of its timer in `timers`; empty if the condition is not read.
         std::vector<std::optional<std::size_t>> conditions = {};
         bool operator==(const Controller&) const = default;
     };
@@ -90,21 +94,23 @@ struct ChartRun {
     struct Act {
         enum class Writes { No, IfStable, Yes };
         Id<Controller> controller = {};
-        bool begins = false;  ///< a cycle begins
-        /// A scan of the task cycle begins. False for the scan at power-on, for which `starts` is true.
+        bool begins = false;  ///< true if a cycle of the controller begins
+        /// True if a scan of a controller with a task cycle begins. False for the scan at power-on, for which `starts`
+        /// is true.
         bool scans = false;
         bool starts = false;         ///< true for the first evolution after power-on, in which all timers are false
-        bool samples = false;        ///< inputs and timer outputs are sampled
-        bool evolves = false;        ///< one evolution
-        Writes writes = Writes::No;  ///< outputs are written
-        std::vector<std::int64_t> inputs = {};  ///< sampled values
-        std::vector<bool> timers = {};          ///< sampled outputs
-        /// For an evolution: the timers whose t1 had elapsed when the situation changed. If empty, these are the timers
-        /// whose outputs in `timers` are true.
+        bool samples = false;        ///< true if inputs and timer outputs are sampled
+        bool evolves = false;        ///< true if the act contains one evolution
+        Writes writes = Writes::No;  ///< states if the act writes the outputs
+        std::vector<std::int64_t> inputs = {};  ///< sampled values of the inputs
+        std::vector<bool> timers = {};          ///< sampled values of the timer outputs
+        /// For an evolution: true for each timer whose t1 had elapsed when the situation changed. If empty, `timers`
+        /// has the same values.
         std::vector<bool> done = {};
         /// Cleared transitions; if the act only samples: transitions to be cleared.
         std::vector<Id<Transition>> fired = {};
-        std::optional<bool> stable = {}, race = {};  ///< values after the evolution, if the model includes them
+        /// Values of the flags `stable` and `race` after the evolution; empty if the model does not have these flags.
+        std::optional<bool> stable = {}, race = {};
         bool operator==(const Act&) const = default;
     };
     struct State {
@@ -119,9 +125,9 @@ struct ChartRun {
         std::size_t move = 0;   ///< index of the move in the run of the Network or TransitionSystem
         std::vector<Act> acts = {};
         Id<Instance> instance = {};                ///< the instance that moved
-        std::optional<std::size_t> location = {};  ///< its new location
-        std::vector<Id<Signal>> changed = {};      ///< changed signals
-        Id<Timer> timer = {};                      ///< the timer whose delay has elapsed
+        std::optional<std::size_t> location = {};  ///< the new location of `instance`
+        std::vector<Id<Signal>> changed = {};      ///< signals whose value the event changed
+        Id<Timer> timer = {};                      ///< the timer that expired, if the event is the expiry of a timer
         bool timer_holds = false;                  ///< new value of `t1/v/t2`
         State after = {};
         bool operator==(const Event&) const = default;
@@ -138,8 +144,8 @@ struct ChartRun {
     };
 
     /// A value that causes the violation (explain/causes.hpp): the value of a signal, of a step (1: active), of an
-    /// instance (1: in `location`), or of a named time condition (1: true). The ids of the other alternatives are
-    /// invalid.
+    /// instance (1: in `location`), or of a named time condition (1: true). Exactly one of `signal`, `step`, `instance`
+    /// and `timer` is valid.
     struct Cause {
         Id<Signal> signal = {};
         Id<Step> step = {};
@@ -151,8 +157,8 @@ struct ChartRun {
         bool operator==(const Cause&) const = default;
     };
 
-    /// A change of a signal, or an expiry of a timer, without which the violation does not occur. Exactly one of the
-    /// two ids is valid.
+    /// A change of a signal, or an expiry of a timer, without which the violation does not occur. Exactly one of
+    /// `signal` and `timer` is valid.
     struct Counterfactual {
         std::size_t moment = 0;
         Id<Signal> signal = {};
@@ -162,7 +168,7 @@ struct ChartRun {
 
     std::string name = {};  ///< name of the loop
     bool timed = true;      ///< false for a run of an untimed model
-    bool searches = true;   ///< true: a search for stability is one row; false: each evolution is a row
+    bool searches = true;   ///< true: a row summarizes a search for stability; false: each evolution has a row
     Table<Controller> controllers = {};
     Table<Step> steps = {};
     Table<Transition> transitions = {};
@@ -170,8 +176,10 @@ struct ChartRun {
     Table<Signal> signals = {};
     Table<Instance> instances = {};
     std::vector<Event> moments = {};
-    std::optional<std::size_t> loop = {};  ///< the events from this index on repeat forever; empty if the run is finite
-    /// Index of the first move that is not possible in its state; this move and later moves are missing.
+    /// Index of an event; the events from this index on repeat forever. Empty if the run is finite.
+    std::optional<std::size_t> loop = {};
+    /// Index of the first move that is not possible in the state before it; the run does not contain this move and the
+    /// later moves. Empty if all moves are possible.
     std::optional<std::size_t> broken_at = {};
     std::vector<Row> rows = {};
     std::optional<std::size_t> loop_from = {};  ///< index of the first row of `loop`
@@ -189,8 +197,8 @@ struct ChartRun {
     bool operator==(const ChartRun&) const = default;
 };
 
-/// Returns the rows to display. A delay is omitted because the next row shows its end time, except at the end of the
-/// run and at the beginning of the loop.
+/// Returns the rows to display. A delay is omitted because the next row shows the time at which the delay ends. Delays
+/// at the end of the run and at the beginning of `loop` are displayed.
 std::vector<std::size_t> shown_rows(const ChartRun& run);
 /// True if `shown_rows` contains row `index`.
 bool is_shown(const ChartRun& run, std::size_t index);
@@ -208,7 +216,7 @@ std::string_view word(ChartRun::Role role);
 /// Sets the short name of each step to its name without partial chart and controller, if that name is unambiguous.
 void shorten_names(Table<ChartRun::Step>& steps);
 
-/// Returns the time of a state, such as `12 s`, or for an untimed run the number of steps, such as `3`.
+/// Returns the time of a state, such as `12 s`. For an untimed run, returns the number of previous steps, such as `3`.
 std::string event_text(const ChartRun& run, const ChartRun::State& state);
 
 /// Returns a time in seconds: `0 s`, `12 s`, `0.25 s`.

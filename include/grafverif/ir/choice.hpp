@@ -8,7 +8,7 @@ namespace grafverif {
 
 struct Choice {
     std::string words = {};    ///< description of the move, such as `Start: START`
-    std::string command = {};  ///< the script command that makes this choice
+    std::string command = {};  ///< the command of `grafverif simulate` that makes this move
     bool operator==(const Choice&) const = default;
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// ClosedLoop: controllers (charts) and the instances of the plant and its environment, connected by shared variables,
-// and the properties to prove. Names are resolved, but the automata are not yet composed. Model: the contents of one
-// input file and its includes.
+// ClosedLoop: controllers (charts) and instances of components (plant and environment), which are connected by shared
+// variables, and the properties to prove. Names are resolved, but the automata are not yet composed. Model: the
+// contents of one input file and of the files that it includes.
 //
 // Invariants (see verify): every id is in its table; every input of every controller and every input of every instance
-// is driven by exactly one instance output or controller output; types agree at both ends.
+// is driven by exactly one instance output or controller output; each driver has the same type as the input that it
+// drives.
 #pragma once
 
 #include <cstdint>
@@ -36,17 +37,20 @@ struct ClosedLoop {
     /// A variable shared by instances and controllers: a controller's input or output, or a variable of the plant.
     struct Shared {
         std::string name = {};
-        /// For a plant variable: the range that its component declares, evaluated for the arguments of the instance.
+        /// For an integer output of an instance: the range that the component declares, evaluated for the arguments of
+        /// the instance.
         Type type = {};
         Id<Controller> reader = {};  ///< the first controller with an input of this name; invalid if there is none
         Id<Controller> writer = {};  ///< the controller that writes the variable; invalid if there is none
-        Id<Chart::Variable> variable = {};  ///< variable of the writer's chart, otherwise of the reader's chart
+        /// Variable of the chart of `writer` or, without a writer, of the chart of `reader`.
+        Id<Chart::Variable> variable = {};
         Span origin = {};
         bool operator==(const Shared&) const = default;
     };
 
     /// Value bound to a parameter of the component: a shared variable, a constant (Booleans 0 and 1, durations in ms),
-    /// or, for an input, a term over shared variables in `exprs`. The term replaces the input in the component.
+    /// or, for an input, a term over shared variables in `exprs`. A term replaces the input in the expressions of the
+    /// component.
     using Argument = std::variant<Id<Shared>, std::int64_t, Id<Expr>>;
 
     struct Instance {
@@ -59,9 +63,9 @@ struct ClosedLoop {
         bool operator==(const Instance&) const = default;
     };
 
-    /// A fault: the instance `of` may behave as another component, permanently, from power-on or from any later time.
-    /// `behaviour` binds the parameters of this component; it writes the variables that the instance writes. Its name is
-    /// that of the fault. Only `faults` reads this table (pipeline/variants/fault_model.hpp).
+    /// A fault: from power-on or from any later time, the instance `of` may behave permanently as another component.
+    /// `behaviour` is an instance of this other component; it writes the variables that `of` writes, and its name is
+    /// the name of the fault. Only `faults` reads this table (pipeline/variants/fault_model.hpp).
     struct Fault {
         Id<Instance> of = {};
         Instance behaviour = {};
@@ -80,8 +84,8 @@ struct ClosedLoop {
         bool operator==(const ObserverEdge&) const = default;
     };
     /// A monitoring automaton (DESDES06 section 4, Fig. 6): in each step of an untimed model, the automaton takes the
-    /// first edge of its location whose guard holds; if there is none, it stays in the location. Guards are expressions
-    /// of the loop.
+    /// first edge of its location whose guard holds; if no guard holds, the automaton stays in the location. Guards are
+    /// expressions of the loop.
     struct Observer {
         std::string name = {};
         Table<ObserverLocation> locations = {};
@@ -92,8 +96,8 @@ struct ClosedLoop {
     };
 
     /// A condition on the inputs of the controllers. The condition is assumed if the inputs are free, and is a property
-    /// to prove if there are plant automata. It is declared in the loop, in the chart of a controller, or in a
-    /// component for the outputs of the component.
+    /// to prove if there are plant automata. The condition is declared in the loop, in the chart of a controller, or in
+    /// a component; a component constrains only its outputs.
     struct Constraint {
         std::string name = {};  ///< `constraint_1`, `H_Cyl_constraint_1`
         Id<Expr> condition = {};
@@ -129,7 +133,8 @@ struct ClosedLoop {
         Id<Component::Variable> variable = {};
         bool operator==(const OwnSymbol&) const = default;
     };
-    /// The output of a timer of a chart, which `t1/v/t2` reads in addition to v (IEC 60848, time-dependent conditions).
+    /// The output of a timer of a chart. The time condition `t1/v/t2` (IEC 60848, time-dependent conditions) reads v
+    /// and this output.
     struct TimeSymbol {
         Id<Controller> controller = {};
         /// Time condition of the chart; invalid for a timer of the actions of `step`.
@@ -170,7 +175,8 @@ struct ClosedLoop {
 
 struct Model {
     Table<Chart> charts = {};
-    Table<Component> components = {};  ///< components of the input, and the library components that the input uses
+    /// Components declared in the input files, and the library components that the input files use.
+    Table<Component> components = {};
     Table<ClosedLoop> loops = {};
 
     bool operator==(const Model&) const = default;
@@ -181,17 +187,18 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
 /// Returns the shared variables that an argument reads or writes, without duplicates.
 std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument);
 
-/// Returns the index of the variable in the arguments of its process in a Network. These are the arguments of the
-/// instance that are not terms, followed by its internal variables.
+/// Returns the index of the internal variable in the arguments of its process in a Network. The arguments of a process
+/// are the arguments of the instance that are not terms, followed by the internal variables of the instance.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 
-/// True if the chart has the timer: it reads the time condition, or an action of the step has this delay or time limit.
+/// True if the chart has the timer of `symbol`: the chart reads the time condition, or an action of `symbol.step` ends
+/// a delay or time limit after `symbol.rise_ms`.
 bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
 /// True if all timers that a property of the loop reads exist. A timer may be missing if a chart was changed after the
 /// property was read.
 bool has_its_timers(const ClosedLoop& loop, const Property& property, const Model& model);
 /// Returns the variable of the timer output `symbol` in the equations of its controller's chart. Requires
-/// is_waited_for.
+/// `is_waited_for(chart, symbol)`.
 Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol);
 
 /// True if an operand of `property` reads the location of an observer; observers exist only in untimed models.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Comparison: result of comparing two charts with the same inputs and outputs. Either of them can be a PLC program.
-// The result states if their outputs are equal for every sequence of scans, and lists the textual differences.
+// Comparison: result of comparing two charts with the same inputs and outputs. Each of the two charts can be a PLC
+// program. The result states if the outputs of both charts are equal for every sequence of scans, and lists the textual
+// differences.
 //
-// A scan is one cycle of a PLC: inputs are read, and outputs are written according to the mode. The charts are equal
-// if, after every scan of every sequence, both have written the same outputs or both have stopped. Inputs are
-// arbitrary, and the time between scans is any multiple of `resolution_ms`. A chart stops at a race, at an undefined or
-// out-of-range value, or without a stable situation; a program stops at a run-time fault. Behaviour after a stop, and
-// events within a scan, are not compared.
+// A scan is one cycle of a PLC: inputs are read, and outputs are written in stable situations or in every cycle,
+// according to `mode`. The charts are equal if, after every scan of every sequence, both charts have written the same
+// outputs or both charts have stopped. Inputs are arbitrary, and the time between scans is any multiple of
+// `resolution_ms`. A chart stops at a race, at an undefined or out-of-range value, or if a scan does not reach a stable
+// situation; a program stops at a run-time fault. The behaviour after a stop and the events within a scan are not
+// compared.
 #pragma once
 
 #include <array>
@@ -25,8 +27,9 @@ namespace grafverif {
 struct ChartChange {
     enum class Kind { Added, Removed, Changed, Renamed };
     Kind kind = Kind::Changed;
-    std::string subject = {};             ///< `step 2`, `transition t3`, `input START`, `action of step 2`
-    std::string before = {}, after = {};  ///< text of both versions; one is empty if the element was added or removed
+    std::string subject = {};  ///< `step 2`, `transition t3`, `input START`, `action of step 2`
+    /// Text in the first and in the second chart; the first is empty for an addition, the second for a removal.
+    std::string before = {}, after = {};
     bool operator==(const ChartChange&) const = default;
 };
 
@@ -35,8 +38,9 @@ struct Comparison {
     struct Variable {
         std::string name = {};
         Type type = {};
-        std::vector<std::string> values = {};  ///< names of the values of an enumeration, from 0; otherwise empty
-        bool duration = false;                 ///< true for a duration in milliseconds
+        /// For an enumeration: the names of the values 0, 1, ...; otherwise empty.
+        std::vector<std::string> values = {};
+        bool duration = false;  ///< true for a duration in milliseconds
         bool operator==(const Variable&) const = default;
     };
     struct Scan {
@@ -48,8 +52,8 @@ struct Comparison {
     struct ScanOutputs {
         std::vector<std::int64_t> outputs = {};  ///< values in the order of Comparison::outputs
         std::string situation = {};              ///< situation after the scan: `{2, 5}`
-        std::string stop = {};                   ///< reason why there are no outputs; empty if outputs exist
-        bool run_time_fault = false;             ///< true if the reason is a run-time fault of a program
+        std::string stop = {};                   ///< reason why the chart wrote no outputs; empty if it wrote outputs
+        bool run_time_fault = false;             ///< true if `stop` reports a run-time fault of a program
         /// True if both responses have equal outputs, or both have stopped.
         bool same(const ScanOutputs& other) const {
             return stop.empty() == other.stop.empty() && (!stop.empty() || outputs == other.outputs);
@@ -59,17 +63,21 @@ struct Comparison {
 
     std::array<std::string, 2> charts = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::array<std::string, 2> from = {};  ///< selected initial situations; those of the charts if empty
-    std::int64_t resolution_ms = 0;        ///< time between scans is a multiple of it; 0 if nothing depends on time
-    std::array<bool, 2> programs = {};     ///< true for a PLC program in place of a chart
-    std::optional<std::int64_t> interval_ms = {};  ///< fixed time between two scans
-    /// `ignored`: outputs that are not compared. `restricted`: inputs of a program that have only the values of the
-    /// chart's input.
+    /// Selected initial situations; an empty text represents the initial steps of the chart.
+    std::array<std::string, 2> from = {};
+    /// The time between scans is a multiple of this value; 0 if no output depends on time.
+    std::int64_t resolution_ms = 0;
+    std::array<bool, 2> programs = {};             ///< true for a PLC program in place of a chart
+    std::optional<std::int64_t> interval_ms = {};  ///< fixed time between two scans; empty if this time is arbitrary
+    /// `ignored`: outputs that are not compared. `restricted`: inputs of a program that are given only the values in
+    /// the range of the chart's input with the same name.
     std::vector<std::string> ignored = {}, restricted = {};
-    /// Output of each program whose value other than 0 reports a stop; empty if there is none.
+    /// For each program: name of the output that reports a stop by a value other than 0; empty if there is no such
+    /// output.
     std::array<std::string, 2> stop_outputs = {};
-    bool settles = false;                      ///< programs repeat each scan until nothing changes
-    bool faulty = false, constrained = false;  ///< a run-time fault is in the last scan; constraints are assumed
+    bool settles = false;  ///< true if programs repeat each scan until no variable changes
+    /// `faulty`: a run-time fault occurs in the last scan; `constrained`: constraints are assumed.
+    bool faulty = false, constrained = false;
     std::vector<Variable> inputs = {}, outputs = {};
     Outcome outcome = Outcome::Unknown;
     std::string reason = {};       ///< reason for an unknown outcome
@@ -83,7 +91,7 @@ struct Comparison {
     bool operator==(const Comparison&) const = default;
 };
 
-/// Return a word such as `equal` or `added`.
+/// Return the outcome (such as `equal`) or the type of change (such as `added`) as a word.
 std::string_view word(Comparison::Outcome outcome);
 std::string_view word(ChartChange::Kind kind);
 

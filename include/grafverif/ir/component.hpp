@@ -8,7 +8,8 @@
 // (milliseconds), a Parameter of kind Duration, a sum of durations, or an integer times a duration.
 //
 // Invariants (see verify): every id is in its table; an urgent edge has no clock constraint (CEP13 2.3); an invariant
-// has upper bounds only; only outputs and internal variables are assigned; types agree.
+// has upper bounds only; only outputs and internal variables are assigned; the types of operands, arguments and
+// assigned values agree.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,8 @@ struct Component {
         ValueKind value = ValueKind::Boolean;
         /// Range of an integer output; the bounds read only constants that are declared before the output.
         std::optional<Id<Expr>> low = {}, high = {};
-        std::optional<Id<Expr>> initial = {};  ///< default of a constant; value of an output at power-on (0 or `low`)
+        /// Default of a constant, or value of an output at power-on (if empty: 0 or `low`).
+        std::optional<Id<Expr>> initial = {};
         Span origin = {};
         bool operator==(const Parameter&) const = default;
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ControllerWords: maps the variables of a model to the chart of one of its controllers. Reports use it to express a
-// run of a Network or of a TransitionSystem in terms of the chart. The replay uses it to compare the run with the
-// chart. Names are those of the chart; lists are in the order of the chart.
+// ControllerWords: maps the variables of a model to the chart of one of its controllers. Reports use ControllerWords to
+// express a run of a Network or of a TransitionSystem in terms of the chart. The replay uses ControllerWords to compare
+// the run with the chart. All names are names of the chart; lists are in the order of the tables of the chart.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,8 @@ struct ControllerWords {
         Id<Variable> end = {};
         std::optional<std::size_t> step = {};   ///< observed step, index in `steps`; empty for another term
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
-        std::string watched = {};  ///< observed step variable or variable, such as `X2`, `a`; empty for any other term
+        /// Name of the observed step variable or variable, such as `X2` or `a`; empty if another term is observed.
+        std::string watched = {};
         bool operator==(const Timer&) const = default;
     };
 
@@ -41,7 +42,7 @@ struct ControllerWords {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::optional<TaskCycle> cycle = {};  ///< empty: the cycle time is zero
     std::vector<Step> steps = {};
-    std::vector<Named> transitions = {};  ///< transitions with their firing conditions
+    std::vector<Named> transitions = {};  ///< the transitions; `variable` is the firing condition
     std::vector<Named> inputs = {};
     /// For each input: the variable that holds its value during a scan of several evolutions; empty if each evolution
     /// samples the inputs.

@@ -2,9 +2,9 @@
 // Drawing: boxes, lines and texts with positions; the result of layout. Every shape belongs to an element of the
 // drawing: a step, a transition, a link.
 //
-// An element of a chart has an id and classes, which are part of the interface (docs/how-to/draw.md): `step-3` or
-// `step-G1-3` with the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`, `action-c0`,
-// `forcing-0`. A link has no id; its `data` names the elements at its two ends.
+// Each element of a chart has an id and classes. Ids and classes belong to the stable interface (docs/how-to/draw.md):
+// `step-3` or `step-G1-3` with the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`,
+// `action-c0`, `forcing-0`. A link has no id; its `data` names the elements at its two ends.
 #pragma once
 
 #include <string>
@@ -80,11 +80,12 @@ struct DrawOptions {
     std::vector<Id<Chart::Step>> situation = {};  ///< steps to be marked as active
     /// Number of columns into which a long chart is split; 0 selects a number that fits the shape of a page.
     int columns = 0;
-    std::string prefix = {};  ///< prefix of all ids, which makes the ids of several charts on one page distinct
+    /// Prefix of all ids; different prefixes make the ids of several charts on one page distinct.
+    std::string prefix = {};
 };
 
-/// The ids of a chart's elements, in the order of its tables. They are unique and consist of letters, digits, `-` and
-/// `_`.
+/// The ids of a chart's elements, in the order of the tables of the chart. Ids are unique and consist of letters,
+/// digits, `-` and `_`.
 struct ElementIds {
     std::vector<std::string> steps = {}, transitions = {}, conditions = {}, partial_charts = {};
     std::vector<std::string> continuous = {}, stored = {}, forcing = {};

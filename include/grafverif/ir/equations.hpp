@@ -10,17 +10,19 @@
 //   (c) outputs             o  = or over the actions of X_s' and the assignation condition              CEP13 (13)
 //                           observed terms: V_e' = e; timers: T = X_s' or V_e'
 // Leaves of `exprs` are only Variable. The terms of (b) and (s) read firing conditions (of this cycle), step
-// activities, internals, previous values and inputs before the cycle; the terms of (a) and (e) read the same variables
-// except firing conditions. The terms of (c) read step activities and internals after the cycle, and the inputs and
-// timer outputs sampled at its start. Hence an edge is true only in the first cycle after the change.
+// activities, internals, previous values and inputs, with their values before the cycle. The terms of (a) and (e) read
+// the same variables except firing conditions. The terms of (c) read step activities and internals after the cycle, and
+// the inputs and timer outputs sampled at its start. Hence rise(e) or fall(e) is true only in the first cycle after the
+// change of e.
 //
-// Time: a timer observes its variable after the previous cycle. If v may have changed after that cycle because it reads
-// an input, the term contains v explicitly: `3s/a` is `a and T_a_3s_Q`, `a/2s` is `a or T_a_2s_Q`. A delayed action has
-// the condition 3s/X_s; a time-limited action has the negation of this condition (IEC 60848, continuous actions).
+// Time: a timer observes the value of its variable v after the previous cycle. If v is a term that reads an input, v
+// may have changed since the previous cycle; then the term of the time condition contains v explicitly: `3s/a` is `a
+// and T_a_3s_Q`, `a/2s` is `a or T_a_2s_Q`. A delayed action has the condition 3s/X_s; a time-limited action has the
+// negation of this condition (IEC 60848, continuous actions).
 //
 // The first evolution activates the initial steps: no transition is cleared, the actions on activation of the initial
 // steps are executed (Stored::first), no rising or falling edge occurs, and previous values and observed terms are
-// initialized. All other values are unchanged (JESA13: the evolution that leaves INIT).
+// initialized. The first evolution changes no other values (JESA13: the evolution that leaves INIT).
 //
 // Invariants (see verify): ids are in their tables; each step, output and stored variable has one equation; conditions
 // are Boolean; firing conditions do not read firing conditions.
@@ -79,7 +81,7 @@ struct Equations {
     struct Write {
         Id<Expr> trigger = {};
         Id<Expr> value = {};
-        /// True for an action on the activation of an initial step, which is also executed in the first evolution.
+        /// True for an action on the activation of an initial step. The first evolution also executes such an action.
         bool initial = false;
         Span origin = {};
         bool operator==(const Write&) const = default;
@@ -89,7 +91,8 @@ struct Equations {
         /// Chain of conditional terms over `writes`; its last alternative is the variable itself. If only Boolean
         /// constants are stored, the term is `set or (v and not reset)`.
         Id<Expr> next = {};
-        /// Condition under which two writes of different values are triggered; the constant false if it never holds.
+        /// Condition under which two writes of different values are triggered; the constant false if this is
+        /// impossible.
         Id<Expr> race = {};
         Id<Expr> first = {};  ///< value after the first evolution
         Id<Expr> first_race = {};
@@ -100,8 +103,9 @@ struct Equations {
     /// A fault: two contradictory forcing orders are active after the cycle, or a program has a run-time fault.
     struct Conflict {
         Id<Expr> condition = {};  ///< term over firing conditions and values before the cycle
-        Span origin = {};         ///< position of one of the orders, or of the statement
-        Id<Expr> first = {};      ///< condition of this fault in the first evolution; impossible if invalid
+        Span origin = {};  ///< position of one of the two forcing orders, or of the statement with the run-time fault
+        /// Condition of this fault in the first evolution; if invalid, the fault cannot occur there.
+        Id<Expr> first = {};
         bool operator==(const Conflict&) const = default;
     };
 
@@ -121,11 +125,11 @@ struct Equations {
         bool operator==(const ObservedTerm&) const = default;
     };
 
-    /// A timer; there is one for each distinct time condition `t1/v/t2` (IEC 60848; CEP13 Fig. 33b). If v is true from
-    /// r to f, for at least rise_ms, `end` is true from r + rise_ms to f + fall_ms.
+    /// A timer; each distinct time condition `t1/v/t2` has one timer (IEC 60848; CEP13 Fig. 33b). If v is true from
+    /// time r to time f, and f - r is at least rise_ms, `end` is true from r + rise_ms to f + fall_ms.
     struct Timer {
         std::string name = {};      ///< `T_X2_3s`
-        Id<Variable> watched = {};  ///< X_2, or the V_e of an observed term: its level after the previous cycle
+        Id<Variable> watched = {};  ///< X_2, or V_e of an observed term e; the level after the previous cycle
         Id<Variable> end = {};      ///< T_X2_3s_Q
         std::int64_t rise_ms = 0;   ///< t1; 0 if there is none
         std::int64_t fall_ms = 0;   ///< t2; 0 if there is none
@@ -154,10 +158,11 @@ struct Equations {
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
     /// True if one more cycle with the same inputs would change nothing: no firing condition holds, no stored variable
-    /// changed, no previous value differs from the current one. The term reads firing conditions and values before the
-    /// cycle.
+    /// has changed, and no previous value differs from the current value. `stable` reads firing conditions and values
+    /// before the cycle.
     Id<Expr> stable = {};
-    /// True for a PLC program: a cycle, also the first evolution, is one scan, and terms share many subterms.
+    /// True for a PLC program. Then each cycle, including the first evolution, is one scan, and terms share many
+    /// subterms.
     bool is_program = false;
     Span origin = {};
 
@@ -172,7 +177,8 @@ struct Kept {
     Id<Equations::Variable> variable = {};
     Id<Expr> next = {};
     Id<Expr> first = {};  ///< value after the first evolution; the value at power-on if invalid
-    /// True if `next` and `first` read values after the cycle, false if they read values before it.
+    /// True if `next` and `first` read values after the cycle, false if `next` and `first` read values before the
+    /// cycle.
     bool after = false;
 };
 /// Returns stored variables (`next`), previous values, step activities and observed levels, in this order.
@@ -180,18 +186,19 @@ std::vector<Kept> kept(const Equations& equations);
 /// Returns only the previous values and observed levels: the state without the situation and the stored variables.
 std::vector<Kept> remembered(const Equations& equations);
 
-/// A condition that ends the run if it holds in a cycle: two different values are written to `variable`, or, if it is
-/// invalid, two forcing orders are contradictory. Undefined and out-of-range values are not included; they are faults
-/// of the stored terms.
+/// A condition that ends the run if it holds in a cycle. If `variable` is valid, the condition states that two
+/// different values are written to it. If `variable` is invalid, the condition is that of a Conflict. Undefined and
+/// out-of-range values are not included; they are detected when the stored terms are evaluated.
 struct Fault {
     Id<Equations::Variable> variable = {};
     Id<Expr> condition = {};
     Id<Expr> first = {};  ///< condition of this fault in the first evolution
 };
-/// Returns all possible faults, including every conflict of forcing orders.
+/// Returns all races and conflicts that may occur.
 std::vector<Fault> faults(const Equations& equations);
 
-/// True if the first evolution executes stored actions or has a race.
+/// True if the first evolution executes stored actions, gives a step activity a value other than its value at power-on,
+/// or can have a fault.
 bool acts_at_first(const Equations& equations);
 
 }  // namespace grafverif

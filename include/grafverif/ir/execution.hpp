@@ -5,15 +5,15 @@
 //
 // Approach (DESDES06 sections 3, 5.1, 5.2):
 //   none          the controllers without plant automata; their inputs are free
-//   constraints   as `none`; the constraints of the loop and of its components hold for the inputs in every state
+//   constraints   as `none`, but the inputs satisfy the constraints of the loop and of its components in every state
 //   automata      the controllers with one automaton for each instance of the plant
 // Schedule, only with plant automata:
 //   interleaved   in each step one enabled automaton, or the PLC, moves
-//   synchronous   the controllers run one cycle and every automaton takes one edge in each step (DESDES06)
+//   synchronous   in each step, every controller executes one cycle and every automaton takes one edge (DESDES06)
 //   sequenced     plant and controllers alternate; the controllers run only when the plant is quiescent (WODES06)
 // Time, only with plant automata and the interleaved schedule:
 //   abstract      timed edges may be taken at any time
-//   discrete      clocks count units of time; the states are those of the timed engine
+//   discrete      clocks count time units; the model has the same states as the timed engine
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,8 @@ constexpr std::string_view word(ExecutionMode mode) {
     return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
 }
 
-/// Task cycle of a PLC: the time between the starts of two successive scans is any value in this range. The first scan
-/// is at power-on. A scan takes no time; it samples the inputs once, at its start.
+/// Task cycle of a PLC: the time between the starts of two successive scans is any value from `least_ms` to `most_ms`.
+/// The first scan is at power-on. A scan takes no time; it samples the inputs once, at the start of the scan.
 struct TaskCycle {
     std::int64_t least_ms = 0, most_ms = 0;  ///< 1 <= least_ms <= most_ms
     Span origin = {};
@@ -42,7 +42,7 @@ struct TaskCycle {
 };
 
 /// Interleaving granularity. Phased: the plant may move between the phases of a PLC cycle. Atomic: a complete PLC cycle
-/// is one edge.
+/// is one edge, so the plant cannot move within the cycle.
 enum class Grain { Phased, Atomic };
 /// Order of moves in an untimed model. Interleaved: any enabled automaton moves next. Synchronous: all controllers and
 /// automata move in each step (DESDES06). Sequenced: controllers and plant alternate, and the plant moves until it is

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Expr: the expressions of every IR. Each IR owns one append-only, hash-consing Exprs table, so that equal terms have
-// equal ids. Children come before parents: evaluation, substitution and the computation of support sets need only one
-// loop over the table.
+// equal ids. Operands precede the terms that contain them. Therefore evaluation, substitution and the computation of
+// support sets need only one loop over the table.
 //
-// The smart constructors fold constants, drop neutral and repeated operands and cancel double negation. They keep the
-// order of operands as written and the grouping of mixed operators, so that a model is similar to its chart.
-// `conjunction` and `disjunction` are n-ary and flatten operands with the same operator.
+// The smart constructors fold constants, drop neutral and repeated operands and cancel double negation. The
+// constructors keep the order of operands as written and the grouping of mixed operators, so that a generated model is
+// similar to its chart. `conjunction` and `disjunction` are n-ary and flatten operands with the same operator.
 //
-// A leaf contains an index into a table that depends on the owner:
+// A leaf contains an index. The indexed table depends on the operator of the leaf and on the owner of the expressions:
 //   Variable   the owner's table of variables (Chart::variables, Equations::variables, Network::variables, ...)
 //   Step       Chart::steps: the step variable X of a step (IEC 60848, step variables); only in Chart
 //   Timed      Chart::time_conditions; only in Chart
 //   Parameter  the parameters of the enclosing Component or Network template
-//   At         Network: a process is in a location; only in properties and `settled`
+//   At         Network: true if a process is in a location; only in properties and in Network::settled
 //   Integer    a number; Duration: milliseconds (only in Component)
 //
-// Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports the overflow. Divide and
-// Modulo truncate towards zero as in C (UPPAAL and NuSMV do the same for the allowed operands).
+// Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports the overflow. Divide
+// truncates towards zero and Modulo has the sign of the dividend, as in C. UPPAAL and NuSMV compute the same values for
+// the operands that the input language allows.
 #pragma once
 
 #include <cstdint>
@@ -101,7 +102,8 @@ private:
 
     std::vector<Expr> nodes_ = {};
     std::vector<Id<Expr>> operands_ = {};
-    std::vector<std::uint32_t> slots_ = {};  ///< open addressing: index into nodes_ plus one, 0 is free
+    /// Hash table with open addressing: index into nodes_ plus one; 0 is a free slot.
+    std::vector<std::uint32_t> slots_ = {};
 };
 
 bool is_constant(Op op);
@@ -116,18 +118,19 @@ bool is_false(const Exprs& exprs, Id<Expr> id);
 std::uint32_t at_process(const Expr& node);
 std::uint32_t at_location(const Expr& node);
 
-/// Returns the value of `root`, with Booleans as 0 and 1. `leaf` returns the value of each leaf and each edge. The
-/// result is empty if an operation is undefined: division by zero, or a result outside 64 bits. The recursion is as
-/// deep as the term; the reader limits this depth (see read/text: `too-deep`).
+/// Returns the value of `root`, with Booleans as 0 and 1. `leaf` returns the value of a leaf or of an edge (Rise,
+/// Fall). The result is empty if an operation is undefined: division by zero, or a result outside 64 bits. The depth of
+/// the recursion is the depth of the term. The reader of the input language limits this depth (error `too-deep`).
 std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf);
 
-/// Returns the value of every term of the table. Each value is computed once, from the values of its operands. Use it
-/// for tables whose terms share many subterms. `leaf` is called for every leaf in the table.
+/// Returns the value of every term of the table. Each value is computed once, from the values of its operands. Use
+/// evaluate_all for tables whose terms share many subterms. `leaf` is called for every leaf in the table.
 std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
                                                       const std::function<std::int64_t(const Expr&)>& leaf);
 
-/// Copies terms into another or the same table with a fixed mapping of leaves. Shared subterms are copied once.
+/// Copies terms into another table or into the same table, with a fixed mapping of leaves. Shared subterms are copied
+/// once.
 class TermCopier {
 public:
     using Leaf = std::function<Id<Expr>(const Expr&)>;

@@ -4,11 +4,12 @@
 //
 // A finding states that an event is possible, with a shortest run to the event as evidence, or that an event is
 // impossible. In the second case the evidence, if any, is a run that comes as close to the event as possible. A run is
-// shorter than another run if it has fewer input changes or, with equally many, fewer evolutions. The search for
-// possible events restricts only the order of timer outputs, not their times. Afterwards, concrete times are computed
-// for the run, and Timing states if times exist. Therefore, an event that the search finds impossible is impossible
-// with any times of the timer outputs. A finding that elements are never used again is also valid for any times; its
-// evidence is a shortest run to the situation after which the elements are not used.
+// shorter than another run if it has fewer input changes. If both have the same number of input changes, the run with
+// fewer evolutions is shorter. The search for possible events takes into account only the order in which timer outputs
+// change, not the times of these changes. Afterwards, concrete times are computed for the run, and Timing states if
+// such times exist. Therefore, an event that the search finds impossible is impossible for all times. A finding that
+// elements are never used again is also valid for all times; its evidence is a shortest run to a situation after which
+// these elements are never used.
 //
 // Invariants (see verify): every code is one of finding_kinds(); an accepted finding has a reason.
 #pragma once
@@ -32,7 +33,7 @@ struct Finding {
     /// Result of the search for concrete times of the evidence.
     enum class Timing {
         Untimed,      ///< the evidence does not depend on time conditions
-        Confirmed,    ///< times were found, and the evidence contains them
+        Confirmed,    ///< concrete times were found, and the evidence contains these times
         Unconfirmed,  ///< no times were found for the evidence; the finding may be spurious
     };
     struct Related {
@@ -70,8 +71,9 @@ struct Exclusion {
 struct OpenQuestion {
     std::string code = {};  ///< code of the potential finding
     std::string subject = {};
-    std::size_t instants = 0;     ///< number of input changes up to which no evidence exists
-    std::int64_t evolutions = 0;  ///< for a counter: number of evolutions up to which no evidence exists; 0 if unknown
+    std::size_t instants = 0;  ///< no run with at most this number of input changes is evidence
+    /// For a counter: no run with at most this number of evolutions is evidence; 0 if unknown.
+    std::int64_t evolutions = 0;
 
     bool operator==(const OpenQuestion&) const = default;
 };
@@ -79,12 +81,12 @@ struct OpenQuestion {
 struct Analysis {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    /// Sorted: errors are first, and findings of equal level are ordered by code and position.
+    /// The findings, sorted by level (errors first), code and position.
     std::vector<Finding> findings = {};
     std::vector<std::string> notes = {};  ///< assumptions that apply to all findings
     std::size_t questions = 0;            ///< number of queries
-    std::vector<OpenQuestion> open = {};  ///< queries without a result; the results of all others are complete
-    /// Reason for open queries; empty if there are none.
+    std::vector<OpenQuestion> open = {};  ///< queries without a result; all other queries have been decided
+    /// Reason why queries are in `open`; empty if `open` is empty.
     std::string obstacle = {};
     std::size_t instants = 0;  ///< number of input changes to the farthest explored situation
     double seconds = 0;
@@ -104,8 +106,8 @@ struct FindingKind {
 /// Returns all codes, in the order of reports.
 std::span<const FindingKind> finding_kinds();
 
-/// True if the code concerns elements that are never used again. Such a finding is decided only if all situations are
-/// known.
+/// True if the code concerns elements that are never used again. The absence of such a finding is proved only if all
+/// reachable situations are known.
 bool is_trap(std::string_view code);
 
 /// Returns `error`, `warning` or `note`.

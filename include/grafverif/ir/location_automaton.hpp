@@ -2,34 +2,35 @@
 // LocationAutomaton: the behaviour of a controller that executes one chart, cycle by cycle (JESA13 section 4.1).
 //
 //   location    situation and stored variables; with stability search, only reachable stable situations
-//   evolution   from one location to another, with a condition on the inputs. The conditions of one location are
-//               mutually exclusive (JESA13 (7)); if no condition of an evolution or instability holds, the controller
-//               stays (8)
+//   evolution   a change from one location to another, with a condition on the inputs. The conditions of one location
+//               are mutually exclusive (JESA13 (7)); if no condition of an evolution or instability holds, the
+//               controller stays (8)
 //   INIT        the controller after power-on, before its first cycle. The first evolution activates the initial steps
-//               and clears nothing; with stability search the cycle continues until the situation is stable.
+//               and clears no transition; with stability search, the first cycle continues until the situation is
+//               stable.
 //   instability total instability: under these inputs no stable situation is ever reached (stability search only).
 //               The controller writes no outputs and never reads its inputs again.
 //
-// With stability search INIT has no evolution for the inputs under which the initial situation is stable. This requires
-// that the first evolution changed no variable and started no timer, and that the initial situation emits the same
-// outputs as power-on. Without stability search INIT is always left, because the first cycle clears no transition, but
-// the next cycle can.
+// With stability search, INIT has no evolution for inputs under which the initial situation is stable, if two
+// conditions hold. First, the first evolution changes no variable and starts no timer. Second, the initial situation
+// emits the same outputs as power-on. Without stability search, the controller always leaves INIT, because the first
+// cycle clears no transition but the second cycle can.
 //
 // Timers are inputs that a tester can influence only by waiting. Without a fall time, the output of a timer is false
-// while its step is inactive and immediately after its activation. The output rises without other changes, and falls
-// only when the step is deactivated. With a fall time, the output also falls without other changes. If a timer observes
-// a term other than a step variable, the value of the term in the previous cycle (its level) is a stored variable.
-// Conditions read timers in the same way as inputs. An evolution lists the timers whose rise time it restarts
-// (`restarted`) and those whose fall time it may start (`falling`).
+// while its step is inactive and immediately after the step is activated. The output rises when the time has elapsed,
+// and falls only when the step is deactivated. With a fall time, the output falls when the fall time has elapsed. If a
+// timer observes a term other than a step variable, the value of the term in the previous cycle (its level) is a stored
+// variable. Conditions read timer outputs in the same way as inputs. An evolution lists the timers whose rise time it
+// restarts (`restarted`) and the timers whose fall time it may start (`falling`).
 //
 // Expressions are stored in `exprs`; their leaves are Variable (index in `inputs`). `assumed` restricts the considered
-// inputs (the chart's constraints). For inputs that satisfy `assumed`, all conditions are exact; for other inputs they
-// are unspecified. The conditions may also assume the order of timers of one level: if `3s/X2` is false, `5s/X2` is
-// false.
+// inputs (the chart's constraints). For inputs that satisfy `assumed`, all conditions are exact; for all other inputs,
+// the values of the conditions are unspecified. The conditions may also assume the order of timers with the same
+// observed term: if `3s/X2` is false, `5s/X2` is false.
 //
 // Invariants (see verify): ids are in their tables; the steps of a situation are in increasing order; locations except
 // INIT differ in situation or values; `evolutions` and `instabilities` are sorted by `from`; no condition is the
-// constant false; INIT is not a target; the cycle of an instability is not empty; `assumed` does not read timers.
+// constant false; no evolution leads to INIT; the cycle of an instability is not empty; `assumed` does not read timers.
 #pragma once
 
 #include <cstddef>
@@ -63,8 +64,9 @@ struct LocationAutomaton {
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};  ///< valid if this is a timer of the step
-        /// Valid if this is a timer of this level; if both ids are invalid, this is an input of the chart.
+        Id<Step> timed = {};  ///< valid if this is the output of a timer that observes this step
+        /// Valid if this is the output of a timer that observes this level. If `timed` and `watched` are invalid, this
+        /// is an input of the chart.
         Id<Stored> watched = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2`; not both 0 for a timer
         Span origin = {};
@@ -91,9 +93,10 @@ struct LocationAutomaton {
     struct Evolution {
         Id<Location> from = {}, to = {};
         Id<Expr> condition = {};
-        std::vector<Id<Input>> restarted = {};  ///< timers whose level became true and holds in `to`
-        /// Timers with a fall time whose level became false during the evolution. A timer that also has a rise time is
-        /// listed only if its level held in `from`. The fall time starts if the level had been true for the rise time.
+        std::vector<Id<Input>> restarted = {};  ///< timers whose observed term became true and holds in `to`
+        /// Timers with a fall time whose observed term became false during the evolution. A timer that also has a rise
+        /// time is listed only if its observed term held in `from`. The fall time starts only if the term had been true
+        /// for the rise time.
         std::vector<Id<Input>> falling = {};
         bool operator==(const Evolution&) const = default;
     };
@@ -118,8 +121,8 @@ struct LocationAutomaton {
     Id<Location> init = {};
     std::vector<Evolution> evolutions = {};
     std::vector<Instability> instabilities = {};
-    bool complete = true;       ///< if false, there may be further locations and evolutions
-    std::size_t looked_at = 0;  ///< all evolutions of this number of locations, counted from the first, are known
+    bool complete = true;       ///< false: a limit ended the search, and there may be further locations and evolutions
+    std::size_t looked_at = 0;  ///< for the first `looked_at` locations, all evolutions are known
     Id<Expr> assumed = {};
     Span origin = {};
 
@@ -129,7 +132,8 @@ struct LocationAutomaton {
 /// True if the input is a timer output.
 inline bool is_timer(const LocationAutomaton::Input& input) { return input.timed.valid() || input.watched.valid(); }
 
-/// True if the observed term holds in `location`: its step is active, or its level was true in the previous cycle.
+/// True if the term that the timer observes holds in `location`: the observed step is active, or the observed level was
+/// true in the previous cycle.
 bool level(const LocationAutomaton::Location& location, const LocationAutomaton::Input& timer);
 
 /// Returns the term that the timer observes: `step 2`, `V_a`.

@@ -2,18 +2,21 @@
 // MealyMachine: a location automaton as a machine with outputs for every input combination (JESA13 section 6).
 //
 //   state       a location; in a chart with timers, also the elapsed time of each running timer
-//   transition  leads to the next state for a set of inputs, or after a wait; has the outputs that are then written
+//   transition  leads to the next state for a set of inputs, or after a wait; `answer` contains the outputs that are
+//               written after the inputs are applied or the wait has ended
 //
-// With stability search, INIT is merged with the location of the initial situation if both have the same responses.
-// Without stability search, the first cycle only activates the initial steps. If it leads to the same state for all
-// inputs, `activation` represents this cycle, which precedes the first transition of the machine.
+// With stability search, INIT is merged with the location of the initial situation if both respond to all inputs with
+// the same outputs and next states. Without stability search, the first cycle only activates the initial steps. If this
+// first cycle leads to the same state for all inputs, `activation` represents the cycle, and the first transition of
+// the machine represents the second cycle.
 //
 // A condition represents a set of input combinations without enumerating them. The inputs are the inputs of the chart,
-// without timers. A `wait` transition lets time pass until the next timer event, with constant inputs. The conditions
-// of `unstable` and of the other transitions in one state are disjoint and together cover `assumed`.
+// without timers. A `wait` transition lets time pass until the next timer event, with constant inputs. For each state,
+// the conditions of its entries in `unstable` and of its transitions without a wait are disjoint, and together they
+// cover `assumed`.
 //
-// Invariants (see verify): ids are in their tables; `transitions` and `unstable` are sorted by `from`; outputs are
-// complete; no condition is the constant false; waits are positive; state names differ.
+// Invariants (see verify): ids are in their tables; `transitions` and `unstable` are sorted by `from`; each OutputWord
+// has one value per output; no condition is the constant false; no `wait_ms` is negative; state names differ.
 #pragma once
 
 #include <cstddef>
@@ -58,7 +61,7 @@ struct MealyMachine {
         Id<Expr> condition = {};
         bool operator==(const Unstable&) const = default;
     };
-    /// Outputs of the cycle that activates the initial steps, depending on its inputs.
+    /// Outputs of the cycle that activates the initial steps, for the inputs that satisfy `condition`.
     struct Activation {
         Id<Expr> condition = {};
         Id<OutputWord> answer = {};
@@ -78,7 +81,8 @@ struct MealyMachine {
     Id<Expr> assumed = {};
     /// Number of input combinations that satisfy `assumed`; empty if it exceeds 64 bits.
     std::optional<std::uint64_t> combinations = 1;
-    /// Number of pairs of a state and an input combination without a stable situation.
+    /// Number of pairs of a state and an input combination for which the machine enters total instability; empty if it
+    /// exceeds 64 bits.
     std::optional<std::uint64_t> unstable_pairs = 0;
 
     bool operator==(const MealyMachine&) const = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NamedConstant: a constant of a closed loop with its current value, for display. Terms contain the value, not the
-// name.
+// NamedConstant: a constant of a closed loop with its current value, for display. The terms of the closed loop contain
+// the value of the constant, not its name.
 #pragma once
 
 #include <cstdint>

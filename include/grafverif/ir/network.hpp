@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Network: timed automata with discrete data that share variables (CEP13 2.4): the closed loop for engines and
-// emitters. Templates have parameters; processes instantiate them; `expand` gives each process a separate template.
+// emitters. Templates have parameters, and processes instantiate templates. `expand` gives each process a separate
+// template.
 //
-// Semantics (CEP13 section 2; urgency as in ETFA12 section 2). One edge is taken at a time: its guard and clock
-// constraint hold, its assignments and procedures are executed, clocks are reset, and the invariants of the new
-// locations hold after the resets. Time may pass while every invariant holds and no urgent edge is enabled. The
-// assignments of an edge are executed first, and then the procedures that it calls, in order. Each assignment uses the
-// results of the previous assignments. A value outside the range of its variable is a model error (`out-of-range`).
+// Semantics (CEP13 section 2; urgency as in ETFA12 section 2). Processes take edges one at a time. An edge can be taken
+// if its guard and its clock constraint hold and the invariant of its target location holds after its clock resets.
+// Taking the edge executes its assignments and then the procedures that it calls, in order, and resets clocks. Time may
+// pass while every invariant holds and no urgent edge is enabled. Each assignment uses the results of the previous
+// assignments. An assignment of a value outside the range of its target is a model error (`out-of-range`).
 //
-// Expressions are stored in `exprs`. Apart from constants, their leaves are Variable (index in `variables`), Parameter
-// (index in the `parameters` of the current template) and, in properties and `settled`, At. A `scratch` variable stores
-// a value only within one edge: it is written before it is read, and does not belong to the state.
+// Expressions are stored in `exprs`. Apart from constants, the leaves of these expressions are Variable (index in
+// `variables`), Parameter (index in the `parameters` of the current template) and, in properties and `settled`, At. A
+// `scratch` variable stores a value only within one edge: it is written before it is read, and does not belong to the
+// state.
 //
 // Invariants (see verify): ids are in their tables; guards are Boolean, over variables and parameters; urgent edges
-// have no clock constraint; the target invariant of an urgent edge holds whenever the edge is taken; arguments match
-// parameters in kind and type; initial values are in range; scratch variables are written before they are read.
+// have no clock constraint; whenever an urgent edge is taken, the invariant of its target location holds; arguments
+// match parameters in kind and type; initial values are in range; scratch variables are written before they are read.
 #pragma once
 
 #include <cstddef>
@@ -45,9 +47,9 @@ struct Network {
         Image,         ///< output of a controller before it is written
         TimerEnd,      ///< output of a timer
         TimerPending,  ///< request of a controller to start or stop a timer
-        Previous,      ///< value of a term in the previous cycle, for its edges
+        Previous,      ///< value of a term in the previous cycle, from which its rising and falling edges are computed
         Watched,       ///< level that a timer observes
-        Flag,          ///< EVOL_PL, EVOL_TI, stable, race
+        Flag,          ///< flag of a controller: EVOL_PL, EVOL_TI, stable or race
         Plant,         ///< variable that only instances share
     };
     struct Variable {
@@ -57,7 +59,7 @@ struct Network {
         std::int64_t initial = 0;
         bool scratch = false;
         Span origin = {};
-        std::string shown_name = {};  ///< name in properties and traces, `Gate.X`; `name` if empty
+        std::string shown_name = {};  ///< name in properties and traces, such as `Gate.X`; if empty, `name` is used
 
         const std::string& display_name() const { return shown_name.empty() ? name : shown_name; }
         bool operator==(const Variable&) const = default;
@@ -139,24 +141,27 @@ struct Network {
 
     struct Timer {
         Id<Process> process = {};
-        Id<Location> done = {};  ///< location of the process after t1 has elapsed; invalid if there is no t1
+        Id<Location> done = {};  ///< location of the timer process after t1 has elapsed; invalid if the timer has no t1
         /// True: the timer restarts whenever its step is activated, even if the step was deactivated in the same
-        /// instant. False: the timer only observes whether its step is active (CEP13 Fig. 33b).
+        /// instant. False: the timer only observes if its step is active (CEP13 Fig. 33b), and does not notice that the
+        /// step was deactivated and activated again in one instant.
         bool restarts = true;
         bool operator==(const Timer&) const = default;
     };
-    /// A controller: its names and the elements of its PLC cycle.
+    /// A controller: the names of its chart, and the elements of the network that implement its PLC cycle.
     struct Controller {
         ControllerWords<Variable> words = {};
         Id<Process> process = {};   ///< the process of the PLC
-        Id<Location> waiting = {};  ///< location W of the template of the PLC process
+        Id<Location> waiting = {};  ///< location W (the PLC waits for the next cycle) of the template of `process`
         Id<Variable> stable = {};
         std::vector<Timer> timers = {};  ///< timers in the order of `words`
-        /// For each variable of the controller's equations: its variable in the network.
+        /// For each variable of the controller's equations: the corresponding variable of the network.
         std::vector<Id<Variable>> variables = {};
-        /// Variable that stores each output until it is written; invalid if there is none.
+        /// For each output: the variable that stores the new value until the output is written; invalid if the output
+        /// has no such variable.
         std::vector<Id<Variable>> images = {};
-        Id<Procedure> start = {};  ///< procedure executed before the first cycle; invalid if it would have no effect
+        /// Procedure that is executed before the first cycle; invalid if no such procedure is necessary.
+        Id<Procedure> start = {};
         Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;
     };
@@ -171,9 +176,9 @@ struct Network {
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
-    /// Condition for a quiescent state, over variables and At: every controller is in W and stable. No change of the
-    /// plant or of a timer (EVOL_PL, EVOL_TI) and no timer request is pending. No other process has an enabled urgent
-    /// edge.
+    /// Condition for a quiescent state, over variables and At. In a quiescent state, every controller is in W and
+    /// stable, and no process other than a controller has an enabled urgent edge. No controller has an unprocessed
+    /// change of the plant or of a timer (EVOL_PL, EVOL_TI), and no timer request is pending.
     Id<Expr> settled = {};
     /// Flag that is set when two stored actions have written different values (race); invalid if a race is impossible.
     Id<Variable> race = {};
@@ -183,19 +188,20 @@ struct Network {
 
 std::vector<std::string> verify(const Network& network);
 
-/// True if the edge calls the procedure, which may be invalid.
+/// True if the edge calls the procedure; false if `procedure` is invalid.
 bool has_call(const Network::Edge& edge, Id<Network::Procedure> procedure);
 
 /// Returns the value of `bound` for the arguments of `process`. A clock bound reads only constants.
 std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound);
 
 /// True if the invariant of the target of `edge` holds whenever the edge is taken without delay: each clock that this
-/// invariant bounds is either reset by the edge or bounded at least as strongly in the source location. UPPAAL decides
-/// urgency by the guard only; therefore this function is true for every urgent edge of a Network.
+/// invariant bounds is either reset by the edge or bounded at least as strongly in the source location. UPPAAL ignores
+/// invariants when it decides if an urgent edge is enabled; therefore, `verify` requires that this function is true for
+/// every urgent edge.
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
 /// Returns an equivalent network with one template per process and without parameters. Indices of processes and
-/// locations are unchanged, and properties keep their meaning.
+/// locations are unchanged, so the properties remain valid.
 Network expand(const Network& network);
 
 }  // namespace grafverif

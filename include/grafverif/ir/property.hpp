@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Property: a query about a closed loop. Its pattern belongs to a fixed set, and has the same semantics in every
-// engine. The operands are expressions of the owner. In a ClosedLoop, their leaves are Variable (index in
-// `symbols`); in a Network, Variable and At.
+// Property: a query about a closed loop. The pattern of a property is one of `Pattern` and has the same semantics in
+// every engine. The operands of a property are expressions of the ClosedLoop or Network that contains the property. In
+// a ClosedLoop, the leaves of the operands are Variable (index in `symbols`); in a Network, they are Variable and At.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +14,33 @@
 namespace grafverif {
 
 enum class Pattern {
-    Always,             ///< p holds in every reachable state
-    Never,              ///< p does not hold in any reachable state
-    Reachable,          ///< p holds in some reachable state
-    Inevitable,         ///< p holds at some time on every maximal run
-    LeadsTo,            ///< after every state with p, a state with q is inevitable; operands p, q
-    NoDeadlock,         ///< from every reachable state, an edge can be taken immediately or after a delay
-    NoTimelock,         ///< from every reachable state, a state in which time passes is reachable
+    Always,      ///< p holds in every reachable state
+    Never,       ///< p does not hold in any reachable state
+    Reachable,   ///< p holds in some reachable state
+    Inevitable,  ///< p holds at some time on every maximal run
+    LeadsTo,     ///< from every state with p, a state with q is inevitable (this may be the same state); operands p, q
+    NoDeadlock,  ///< from every reachable state, an edge can be taken immediately or after a delay
+    NoTimelock,  ///< from every reachable state, a state in which time can pass is reachable
     ReachableAllSteps,  ///< every step of every chart is active in some reachable state
     ExactlyOneOf,       ///< in every reachable state, exactly one of the operands holds
     AlwaysPossible,     ///< from every reachable state, a state with p is reachable
-    Watched,            ///< Property::watch, decided by an observer (docs/reference/properties.md)
+    Watched,  ///< the Sentence `Property::watch`, decided by an observer automaton (docs/reference/properties.md)
     RawUppaal,
     RawCtl,
     RawLtl,  ///< `raw`: formula for an external tool
 };
 
-/// Maximum count of a Sentence; its observer has two locations per count.
+/// Maximum count of a Sentence. The observer of a Sentence has two locations per unit of the count.
 inline constexpr std::int64_t greatest_count = 100;
 
-/// A property that needs an observer: it has a duration, a count or a scope, or its kind is Precedence. The operands of
-/// the property are those of the kind, followed by those of the scope.
+/// A property that an observer automaton decides: it has a duration, a count or a scope, or its kind is Precedence. The
+/// operands of the property are the operands of the kind, followed by the operands of the scope.
 struct Sentence {
     enum class Kind {
         Absence,       ///< `never p`
         Universality,  ///< `always p`
         Existence,     ///< `inevitable p`
-        Response,      ///< `p leads to q`, also with `within` a duration
+        Response,      ///< `p leads to q`, without or with `within` a duration
         Precedence,    ///< `p precedes q`
         HoldsFor,      ///< `p holds for` at least a duration
         HoldsAtMost,   ///< `p holds at most` a duration
@@ -53,7 +53,7 @@ struct Sentence {
     Kind kind = Kind::Absence;
     Scope scope = Scope::Globally;
     std::int64_t duration_ms = 0;  ///< duration in ms; 0 if there is none
-    std::int64_t count = 0;        ///< count for Occurrences; otherwise 0
+    std::int64_t count = 0;        ///< maximum number of occurrences, only for Occurrences; otherwise 0
 
     bool operator==(const Sentence&) const = default;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Report: results of an engine for one model: all verdicts with their assumptions and with their runs in terms of the
-// charts.
+// Report: results of an engine for one model. A Report contains the verdicts of all properties, the assumptions of the
+// verdicts, and their runs in terms of the charts.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,13 @@ namespace grafverif {
 /// Settings and assumptions that apply to all verdicts of a report.
 struct CheckSettings {
     std::string engine = {};  ///< engine name, such as `timed`
-    std::string mode = {};    ///< `stability-search`, `every-cycle`, or both if the controllers differ
+    std::string mode = {};    ///< `stability-search` or `every-cycle`; both if the controllers have different modes
     std::string grain = {};   ///< `phased`, `atomic`
     std::int64_t time_unit_ms = 1000;
-    std::string cycle = {};  ///< task cycles of the controllers, such as `task cycle 10ms`; empty: cycle time zero
-    /// Components of an untimed model, such as `no plant` or `plant automata, interleaved`; empty for a timed check.
+    /// Task cycles of the controllers, such as `task cycle 10ms`; empty if all cycle times are zero.
+    std::string cycle = {};
+    /// Plant approach and schedule of an untimed model, such as `no plant` or `plant automata, interleaved`; empty for
+    /// a timed check.
     std::string untimed = {};
     std::vector<NamedConstant> constants = {};  ///< constants of the loop with their current values
 
@@ -33,8 +35,9 @@ struct PropertyResult {
     Verdict verdict = {};
     std::string text = {};               ///< text of the property in the model
     std::optional<ChartRun> trace = {};  ///< counterexample or witness
-    std::string preservation = {};       ///< consequence of an untimed verdict for the timed loop
-    std::string place = {};              ///< `file:line` of the property, if the sources are available
+    /// What an untimed verdict implies for the timed closed loop; empty for a timed check.
+    std::string preservation = {};
+    std::string place = {};  ///< `file:line` of the property, if the sources are available
 
     bool operator==(const PropertyResult&) const = default;
 };

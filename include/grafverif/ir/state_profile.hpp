@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // StateProfile: the components and clocks that contribute most states of an explicit-state search. The *factor* of a
-// component is the number of sampled states divided by the number that remains after merging states that differ only in
-// this component. The factor is 1 if the other components determine the component, and k if the component has k values
-// for each state of the others.
+// component is the number of sampled states divided by the number of states that remain if states that differ only in
+// this component are merged. The factor is 1 if the state of the other components determines the component. It is k if
+// the component has k values for each state of the other components.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ struct StateProfile {
     struct Component {
         std::string name = {};
         Kind kind = Kind::Instance;
-        std::uint64_t combinations = 0;  ///< distinct values in the sample, at most `most_combinations`
+        /// Number of distinct states of this component in the sample; counted up to `most_combinations`.
+        std::uint64_t combinations = 0;
         Factor factor = {};
         Span origin = {};
         std::string place = {};  ///< `file:line`, if the sources are available
@@ -36,20 +37,20 @@ struct StateProfile {
     struct Clock {
         std::string process = {};
         std::string name = {};
-        std::int64_t greatest = 0;  ///< the largest constant that is compared with the clock, in time units
+        std::int64_t greatest = 0;  ///< the largest constant with which the clock is compared, in time units
         std::uint64_t values = 0;   ///< number of distinct values in the sample
         Factor factor = {};
-        Span origin = {};        ///< position of that constant
-        std::string place = {};  ///< `file:line` of that constant, if the sources are available
+        Span origin = {};        ///< position of the constant `greatest`
+        std::string place = {};  ///< `file:line` of the constant `greatest`, if the sources are available
         bool operator==(const Clock&) const = default;
     };
 
     /// A single duration that determines the time unit: without this duration the unit would be coarser.
     struct Finest {
-        std::int64_t duration_ms = 0;  ///< 0 means the time unit that the loop declares
-        std::int64_t unit_ms = 0;      ///< current unit
-        std::int64_t coarser_ms = 0;   ///< unit without this duration
-        Factor factor = {};  ///< reduction factor if clock values that are equal in the coarser unit are merged
+        std::int64_t duration_ms = 0;  ///< the duration; 0 represents the time unit that the loop declares
+        std::int64_t unit_ms = 0;      ///< time unit of the network in ms
+        std::int64_t coarser_ms = 0;   ///< time unit in ms if the duration is ignored
+        Factor factor = {};            ///< factor if states whose clock values are equal in the coarser unit are merged
         Span origin = {};
         std::string place = {};  ///< `file:line` of the duration, if the sources are available
         bool operator==(const Finest&) const = default;

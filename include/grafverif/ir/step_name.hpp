@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// StepName: the parts of a step's name, so that names need not be parsed.
+// StepName: the name of a step, divided into the name of its partial chart and its name within this chart.
 #pragma once
 
 #include <string>

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
-// TestSequence: inputs to apply to a controller and the expected outputs, step by step (JESA13 section 6). It is
-// self-contained: a tester needs only the names, values and numbers of cycles that it contains.
+// TestSequence: inputs to apply to a controller and the expected outputs, step by step (JESA13 section 6). A
+// TestSequence is self-contained: a tester does not need the chart.
 //
 // A sequence starts at power-on. In each step the tester lets `wait_ms` pass with the inputs of the previous step; then
-// it applies `inputs` for `cycles` scans of the controller and compares `outputs` in each of them. A scan reads the
-// inputs, executes the chart in `mode` and writes the outputs. A step that waits changes no input.
+// it applies `inputs` for `cycles` scans of the controller and compares the outputs of the controller with `outputs`
+// after each scan. A scan reads the inputs, executes the chart in `mode` and writes the outputs. A step with a positive
+// `wait_ms` changes no input.
 //
-// `cycles` is 1 if one more scan would lead to another state (without stability search), or if the user requested one
-// cycle per step. Otherwise `cycles` is 2; the second scan shows that the controller stays in its state.
+// Without stability search, `cycles` is 1 if a second scan with the same inputs would lead to another state. It is also
+// 1 if the user requested one cycle per step. In all other cases, `cycles` is 2; the second scan shows that the
+// controller stays in its state.
 //
 // Without stability search the first scan after power-on clears no transition: it activates the initial steps.
 // `activation` represents this scan, which has the inputs of step 1 and does not count as a test step.
 //
-// Invariants (see verify): there is at least one sequence, and none is empty; the numbers of values match the inputs
-// and outputs, and values are in their ranges; cycles are positive; a step that waits changes no input and is not the
-// first step. `lower_bound` does not exceed the number of steps, and is equal to it if the number is proved minimal.
+// Invariants (see verify): there is at least one sequence, and each sequence has at least one step. The numbers of
+// values match the inputs and outputs, and values are in their ranges; cycles are positive. A step with a positive
+// `wait_ms` changes no input and is not the first step of its sequence. `lower_bound` is at most the number of steps;
+// the two numbers are equal if the number of steps is proved minimal.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +34,7 @@
 namespace grafverif {
 
 enum class TestCover {
-    Transitions,  ///< every transition of the Mealy machine: each input combination in each state
+    Transitions,  ///< every transition of the Mealy machine, for each input combination of the transition
     Evolutions,   ///< every evolution of the location automaton, each with one input combination
     Locations,    ///< every location
 };
@@ -43,7 +46,8 @@ struct TestSequence {
         bool operator==(const Variable&) const = default;
     };
     struct Situation {
-        std::string text = {};  ///< situation after the step: `{2,5}`; for equivalent states `{1} or {3}`
+        /// Situation after the step, such as `{2,5}`; several situations if equivalent states are merged: `{1} or {3}`.
+        std::string text = {};
         bool operator==(const Situation&) const = default;
     };
     struct Step {
@@ -70,7 +74,7 @@ struct TestSequence {
     std::vector<Sequence> sequences = {};
     std::uint64_t covered = 0;      ///< number of covered transitions, evolutions or locations, depending on `cover`
     std::uint64_t to_cover = 0;     ///< number of reachable transitions, evolutions or locations
-    std::uint64_t lower_bound = 0;  ///< lower bound of the total number of steps for this coverage
+    std::uint64_t lower_bound = 0;  ///< lower bound of the total number of steps that the coverage `cover` requires
     bool proven_least = false;
 
     bool operator==(const TestSequence&) const = default;

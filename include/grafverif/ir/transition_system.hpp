@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// TransitionSystem: a finite-state model of controllers, with or without their plant, untimed or with discrete time. It
-// has finite variables, definitions, initial and next values, invariants and justice conditions, in modules that are
-// instantiated once or several times.
+// TransitionSystem: a finite-state model of controllers, with or without their plant, untimed or with discrete time.
+// The model consists of modules that are instantiated once or several times. A module contains variables with finite
+// ranges, definitions, initial and next values, invariants, and justice conditions.
 //
-// Expressions are stored in `exprs`. Within a module, Variable leaves index the module's `symbols`: its parameters,
-// variables and definitions. `main` is the module of the system; only `main` contains instances of other modules.
+// Expressions are stored in `exprs`. In a term of a module, Variable leaves are indices in the `symbols` of the module:
+// its parameters, variables, choices and definitions. `main` is the module of the system; only `main` contains
+// instances of other modules.
 //
-// A variable without `next` is free: it has any value of its type in each step. A variable without `initial` starts
-// with any value. `next` reads only current values and choices. A choice, such as the process that moves, has any value
-// in each step and does not belong to the state. A step consists of current values, choices that satisfy all
-// `transitions`, and the resulting next values; states that violate an invariant do not exist. The system is total:
-// every reachable state has a successor.
+// A variable without `next` is free: in each state, it has any value of its type. A variable without `initial` starts
+// with any value. `next` reads only current values and choices. A choice, such as the process that moves, is a symbol
+// that has any value of its type in each step and does not belong to the state. A step consists of current values,
+// choices that satisfy all `transitions`, and the resulting next values; states that violate an invariant do not exist.
+// The system is total: every reachable state has a successor.
 //
-// Invariants (see verify): ids are in their tables; definitions do not depend on themselves; a symbol of main that
-// refers to a symbol of an instance refers to an existing symbol; types agree; initial values, invariants, justice
-// conditions and properties do not read choices.
+// Invariants (see verify): ids are in their tables; definitions do not depend on themselves; the instance and the
+// symbol of each MemberSymbol exist; types agree; initial values, invariants, justice conditions and properties do not
+// read choices.
 #pragma once
 
 #include <cstddef>
@@ -79,7 +80,7 @@ struct TransitionSystem {
         std::string name = {};
         Table<Symbol> symbols = {};  ///< parameters come first, in the order of the arguments
         std::vector<Id<Expr>> invariants = {};
-        /// Conditions that every step satisfies; they restrict the choices in a state.
+        /// Conditions that every step satisfies; they restrict the values of the choices of a step.
         std::vector<Id<Expr>> transitions = {};
         std::vector<Id<Expr>> justice = {};  ///< justice conditions, each of which holds infinitely often
         bool operator==(const Module&) const = default;
@@ -92,27 +93,29 @@ struct TransitionSystem {
         bool operator==(const Instance&) const = default;
     };
 
-    /// A property that this system cannot express, with the reason.
+    /// A property of the closed loop that the transition system cannot express, with the reason.
     struct Omitted {
         Property property = {};  ///< the property, without operands
         std::string reason = {};
-        std::size_t before = 0;  ///< position of the property: before the property of the system with this index
+        std::size_t before = 0;  ///< index of the property of the system before which the omitted property is declared
         bool operator==(const Omitted&) const = default;
     };
 
     // The following structs map the symbols of main to charts and plant, for traces and their replay.
 
     using Named = ControllerWords<Symbol>::Named;
-    /// Each condition is evaluated in a state, with the choices of the step from this state. An invalid id has the
-    /// meaning that the comment of the condition states.
+    /// Each condition is evaluated in a state, with the choices of the step from this state. The comment of each
+    /// condition states the meaning of an invalid id.
     struct Controller {
-        /// If `evolves` is true in a step, the step clears the transitions whose conditions held before the step.
+        /// Names and symbols of the chart. If `evolves` is true in a step, the step clears the transitions whose firing
+        /// conditions held before the step.
         ControllerWords<Symbol> words = {};
         Id<Expr> starts = {};   ///< true in the first evolution; invalid if the first evolution has no visible effect
         Id<Expr> samples = {};  ///< true if inputs and timer outputs are sampled; invalid if equal to `evolves`
         Id<Expr> evolves = {};  ///< true if the step is one evolution; invalid if all steps are evolutions
         Id<Expr> scans = {};    ///< true if a scan of the task cycle begins; invalid without a task cycle
-        Id<Expr> writes = {};   ///< true if outputs are written; invalid if evolutions write them as the mode requires
+        /// True if outputs are written; invalid if each evolution writes the outputs as the execution mode requires.
+        Id<Expr> writes = {};
         bool operator==(const Controller&) const = default;
     };
     /// A component that moves in addition to the controllers: an instance of the loop or a timer.
@@ -122,20 +125,20 @@ struct TransitionSystem {
         Kind kind = Kind::Plant;
         /// Symbol of the location, with named values; invalid if there is only one location.
         Id<Symbol> location = {};
-        std::vector<Named> variables = {};  ///< its variables that controllers neither read nor write
+        std::vector<Named> variables = {};  ///< variables of this component that controllers neither read nor write
         std::vector<Named> inputs = {};     ///< inputs of controllers that this component writes
         bool operator==(const Component&) const = default;
     };
 
-    /// A subsystem: a set of instances of an interleaved system. These instances share nothing with the other instances
-    /// except time and the choice of the moving instance.
+    /// A subsystem: a set of instances of an interleaved system. These instances share no variables with instances of
+    /// other subsystems; all subsystems share only time and the choice of the moving instance.
     struct Subsystem {
         std::string name = {};  ///< displayed name
         std::vector<Id<Instance>> instances = {};
-        /// Symbols of main that belong to this subsystem, with the constants that replace them if the subsystem is
-        /// omitted.
+        /// Symbols of main that belong to this subsystem. Each symbol is paired with the constant that replaces it if
+        /// the subsystem is omitted.
         std::vector<std::pair<Id<Symbol>, Id<Expr>>> without = {};
-        Id<Expr> moves = {};  ///< condition of a step: an instance of this subsystem moves
+        Id<Expr> moves = {};  ///< true in a step in which an instance of this subsystem moves
         /// Conjunct of `settled` that concerns this subsystem; invalid if `settled` cannot be decomposed.
         Id<Expr> settled = {};
         bool operator==(const Subsystem&) const = default;
@@ -143,14 +146,16 @@ struct TransitionSystem {
     /// Independent subsystems, of which at most one moves in a step. All terms are over symbols of main.
     struct Subsystems {
         std::vector<Subsystem> each = {};  ///< the subsystems; empty if the system cannot be decomposed
-        Id<Expr> waits = {};  ///< condition of a step: no subsystem moves; if clocks are counted, time passes
-        Id<Expr> can_move = {}, can_wait = {};  ///< only if clocks are counted: some instance can move; time can pass
+        /// True in a step in which no subsystem moves; with discrete time, time passes in this step.
+        Id<Expr> waits = {};
+        /// Only with discrete time: true if some instance can move; true if time can pass.
+        Id<Expr> can_move = {}, can_wait = {};
         bool operator==(const Subsystems&) const = default;
     };
 
     std::string name = {};
     std::vector<NamedConstant> constants = {};  ///< constants of the loop, for file headers
-    std::string scope = {};  ///< consequence of verdicts for the timed plant, as one paragraph for file headers
+    std::string scope = {};  ///< what the verdicts imply for the timed plant, as one paragraph for file headers
     Exprs exprs = {};
     Table<Module> modules = {};
     Id<Module> main = {};
@@ -164,7 +169,8 @@ struct TransitionSystem {
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
     Subsystems parts = {};
-    /// Condition over symbols of main: time passes by `tick_ms`; invalid if the system is untimed.
+    /// Term over symbols of main: true in a step in which `tick_ms` milliseconds pass; invalid if the system is
+    /// untimed.
     Id<Expr> ticks = {};
     std::int64_t tick_ms = 0;
 

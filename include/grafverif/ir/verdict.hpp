@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Verdict: the result of an engine for one property, with a run of the network as evidence.
+// Verdict: the result of an engine for one property. A verdict may contain a run of the network as evidence.
 //
-// A run starts in the initial state of the Network. It is finite, or a lasso: the moves from `loop` on repeat forever.
-// The loop of a run that stays in a state forever is one delay. A finite counterexample of `inevitable` or `leads to`
-// ends in a state without successors. A run with integer delays is also a run of the dense-time model.
+// A run starts in the initial state of the Network. A run is finite or infinite; in an infinite run, the moves from
+// `loop` on repeat forever. If a run stays in one state forever, the repeated moves are one delay. A finite
+// counterexample of `inevitable` or `leads to` ends in a state without successors. A run with integer delays is also a
+// run of the dense-time model.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,8 @@ using Move = std::variant<Delay, Fire>;
 
 struct Run {
     std::vector<Move> moves = {};
-    std::optional<std::size_t> loop = {};  ///< the moves from this index on lead back to the state before them
+    /// The moves from this index on lead back to the state before the move with this index; empty for a finite run.
+    std::optional<std::size_t> loop = {};
 
     bool operator==(const Run&) const = default;
 };
@@ -46,22 +48,24 @@ enum class UnknownReason {
     Bound,        ///< maximum number of states reached
     Memory,       ///< memory limit reached
     Stopped,      ///< stopped by the user or the deadline
-    Inexact,      ///< integer time is inconclusive for dense time
+    Inexact,      ///< the result for integer time does not decide the property for dense time
     Unsupported,  ///< this engine does not support the property
     Faulty,       ///< the model has an error: see ModelError
     Failed,       ///< the external program gave no verdict
     Unchecked,    ///< the external program reports `holds` without evidence that can be checked
-    Disagrees,    ///< the verdict of the external program contradicts its evidence, the model or the rules
+    /// The verdict of the external program contradicts the run that it returned, the model, or the rules of IEC 60848.
+    Disagrees,
 };
 
-/// The part of the network that was explored for a verdict, if not the complete network.
+/// The subsystems or fragments of the network that were explored for a verdict.
 struct SearchScope {
-    /// Names of the explored parts; empty if the complete network was explored.
+    /// Names of the explored subsystems or fragments.
     std::vector<std::string> searched = {};
-    /// Names of the parts that were not explored; empty if all parts were explored separately.
+    /// Names of the subsystems or fragments that were not explored. If `searched` and `left_out` are empty, the
+    /// complete network was explored.
     std::vector<std::string> left_out = {};
-    std::string because = {};  ///< reason why the omitted parts cannot affect the verdict
-    bool cells = false;        ///< true: parts are fragments, not independent subsystems
+    std::string because = {};  ///< reason why the subsystems or fragments in `left_out` cannot affect the verdict
+    bool cells = false;        ///< true: the names are names of fragments; false: names of independent subsystems
     bool operator==(const SearchScope&) const = default;
 };
 
@@ -88,7 +92,7 @@ struct Verdict {
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     SearchScope scope = {};
-    /// Input abstraction, if one was used; the run is then not necessarily a shortest run.
+    /// The input abstraction that was used, if any; then `run` is not necessarily a shortest run.
     std::optional<InputsAbstracted> abstraction = {};
     std::optional<Run> run = {};  ///< counterexample, or witness of a `reachable` that holds
     Span origin = {};             ///< position of the property
@@ -96,7 +100,8 @@ struct Verdict {
     bool operator==(const Verdict&) const = default;
 };
 
-/// A model error. The run ends in the state before `edge` is taken; for a race, it ends in the state with the race.
+/// A model error. The run ends in the state in which `edge` can be taken; for a race, the run ends in the state in
+/// which the flag is set.
 struct ModelError {
     enum class Kind {
         OutOfRange,  ///< `edge` assigns `variable` a value outside its range
@@ -119,7 +124,7 @@ std::string_view word(Outcome outcome);
 std::string_view word(UnknownReason obstacle);
 /// Returns the code of a model error: `out-of-range`, `action-race` or `no-value`.
 std::string_view word(ModelError::Kind kind);
-/// Describes a model error: `` `N` would leave its range 0..3, in an evolution of `press` ``.
+/// Returns a description of a model error, such as `` `N` would leave its range 0..3, in an evolution of `press` ``.
 std::string text_of(const Network& network, const ModelError& error);
 
 /// Returns an initial verdict without a result for `property`, which has the id `about` in its model.
@@ -131,10 +136,11 @@ void set_unknown(Verdict& verdict, UnknownReason obstacle, std::string reason);
 /// Returns the reason of a verdict that a memory limit of `bytes` makes unknown: `memory limit of 512 MiB reached`.
 std::string memory_limit_reached(std::uint64_t bytes);
 
-/// Changes the verdict of an external program to unknown (`engine-disagrees`) with this reason.
+/// Changes the verdict of an external program to unknown (`engine-disagrees`) with the reason `why`.
 void distrust(Verdict& verdict, std::string_view why);
 
-/// True if the verdict is the expected one; false for an unknown verdict.
+/// True if the property is violated and `expected_violated` is true, or if the property holds and `expected_violated`
+/// is false.
 bool as_expected(const Verdict& verdict);
 
 }  // namespace grafverif

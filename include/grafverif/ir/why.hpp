@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ProofExplanation: the model elements that are necessary for the proofs of properties. They are found by removing one
-// element at a time (docs/explanation/why.md).
+// ProofExplanation: the model elements that are necessary for the proofs of properties. An element is necessary if a
+// property fails after only this element is removed (docs/explanation/why.md).
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,13 @@ struct ProofExplanation {
     /// Elements on which the proof of a property that holds depends.
     struct ProofCore {
         std::string property = {};
-        /// For a state property: the instances and timers that are necessary for it if all other behaviour of plant and
-        /// timers is arbitrary. The clocks of the instances and timers in `timings` are also necessary.
+        /// For a state property, `parts` contains the instances and timers that the proof needs if all other instances
+        /// and timers behave arbitrarily. `timings` contains the instances of `parts` whose clocks the proof also
+        /// needs.
         std::vector<std::string> parts = {}, timings = {};
-        bool about_states = false;           ///< true if the property concerns all states, so that parts were examined
-        std::vector<std::string> open = {};  ///< parts for which the result is unknown
+        /// True if the property concerns all states; only then `parts` and `timings` are computed.
+        bool about_states = false;
+        std::vector<std::string> open = {};  ///< instances and timers for which the result is unknown
         bool vacuous = false;                ///< true if the premise of the property is never true
         bool operator==(const ProofCore&) const = default;
     };
@@ -27,9 +29,9 @@ struct ProofExplanation {
     /// A model element, and the result of removing only this element (explain/ablation.hpp).
     struct ModelElement {
         Kind kind = Kind::Transition;
-        std::string name = {};                    ///< `t3`, `5`, `!a`, `shut -> opening`
-        std::string of = {};                      ///< the owner of a term, or the instance of an edge
-        std::size_t nth = 1;                      ///< index among elements with the same name
+        std::string name = {};  ///< `t3`, `5`, `!a`, `shut -> opening`
+        std::string of = {};    ///< the owner of a term, or the instance of an edge
+        std::size_t nth = 1;    ///< number of this element among the elements with the same name, counted from 1
         std::vector<std::string> needed_by = {};  ///< properties that fail without the element
         std::vector<std::string> open = {};       ///< properties for which the result is unknown
         bool operator==(const ModelElement&) const = default;
@@ -37,10 +39,11 @@ struct ProofExplanation {
 
     std::vector<ProofCore> grounds = {};
     std::vector<ModelElement> things = {};  ///< elements by kind, each kind in the order of the model
-    /// Parts that are not necessary for any of these properties. Parts with an unknown result are not included.
+    /// Instances and timers that are not necessary for any property in `grounds`. Instances and timers with an unknown
+    /// result are not included.
     std::vector<std::string> unneeded_parts = {};
     std::size_t searches = 0;
-    std::string ended = {};  ///< reason why some elements were not examined; empty if all were
+    std::string ended = {};  ///< reason why some elements were not examined; empty if all elements were examined
     bool operator==(const ProofExplanation&) const = default;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Diagnostics: problems of the input, as data. Each stage appends its problems to a Diagnostics object. `render_text`
-// and `render_json` convert them to text and JSON. The texts of all messages are in support/messages.
+// and `render_json` convert diagnostics to text and JSON. The texts of all messages are in support/messages.
 #pragma once
 
 #include <cstddef>
@@ -24,15 +24,17 @@ struct Fix {
 struct Diagnostic {
     Severity severity = Severity::Error;
     std::string code = {};  ///< stable kebab-case code, printed in brackets
-    Span where = {};        ///< position; if its source is invalid, the diagnostic concerns the complete input
+    /// Position of the problem; if `where.source` is invalid, the diagnostic concerns the complete input.
+    Span where = {};
     /// The problem, then `; ` and the remedy; in lower case, with names in backticks and without a full stop.
     std::string message = {};
     std::vector<Diagnostic> notes = {};
     std::optional<Fix> fix = {};  ///< present if the remedy is unambiguous
 };
 
-/// Collects errors and warnings in the order of their discovery. At most twice `limit` diagnostics are stored, and none
-/// after more than `limit` errors, so that malicious input uses bounded memory. All errors are counted.
+/// Collects errors and warnings in the order of their discovery. At most 2 * `limit` diagnostics are stored, and no
+/// diagnostic is stored after more than `limit` errors, so that malicious input uses bounded memory. `errors` counts
+/// all errors.
 class Diagnostics {
 public:
     static constexpr std::size_t limit = 50;
@@ -49,7 +51,8 @@ public:
     /// Number of errors that are not repetitions of stored diagnostics.
     std::size_t distinct_errors() const { return errors_ - repeated_; }
     const std::vector<Diagnostic>& all() const { return stored_; }
-    /// True if there are at least `limit` errors. Further errors are not stored, so that a reader may stop early.
+    /// True if at least `limit` distinct errors were added. Further errors are not stored, so that the caller may stop
+    /// early.
     bool full() const { return distinct_errors() >= limit; }
 
 private:

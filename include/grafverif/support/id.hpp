@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Id<T>: the typed index of an entity in its Table<T>. Unlike a pointer, an id can be copied, compared, printed and
-// stored in the tables of another IR without a dependency between lifetimes.
+// Id<T>: the typed index of an entity in its Table<T>. Unlike a pointer, an id remains meaningful if its table is
+// copied or grows, and it can be printed and stored in the tables of another IR.
 #pragma once
 
 #include <compare>

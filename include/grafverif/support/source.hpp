@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Source and Span: positions in texts. A span is two byte offsets into one source; its line and column are computed on
-// demand.
+// Source and Span: positions in texts. A Span consists of two byte offsets into one source; `place` computes the line
+// and column of an offset.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,8 @@ struct Span {
     std::uint32_t begin = 0;  ///< byte offset of the first byte
     std::uint32_t end = 0;    ///< byte offset past the last byte
 
-    /// Always true: comparisons ignore positions, so that two IRs of texts with different layouts are equal.
+    /// Always true, so that comparisons of IRs ignore positions: the IRs of two texts that differ only in layout are
+    /// equal.
     bool operator==(const Span&) const { return true; }
 };
 

@@ -19,7 +19,7 @@
 
 namespace grafverif::app {
 
-/// A parsed file and the models derived from it. It is immutable.
+/// A parsed file and the models derived from this file; immutable.
 struct CheckedFile {
     ParseResult reading = {};
     std::vector<std::optional<Network>> networks = {};  ///< network of each closed loop; empty if the loop was rejected

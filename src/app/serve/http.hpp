@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // HttpServer: serves pages to browsers of this user on this computer. It listens on 127.0.0.1 and, if available, on
-// [::1]. A request must name one of these as its Host, must not come from another page (Origin), and must contain the
-// token. Therefore neither pages of other sites nor other users of the computer have access. The size, duration and
-// number of requests are bounded.
+// [::1]. A request must name one of these addresses as its Host, must not come from another page (Origin), and must
+// contain the token. Therefore neither pages of other sites nor other users of the computer have access. The size,
+// duration and number of requests are bounded.
 //
-// One thread reads and writes; other threads compute responses. A response may be delayed until an event.
+// One thread reads and writes; other threads compute responses. The response to a request can be delayed until `notify`
+// is called.
 #pragma once
 
 #include <atomic>
@@ -31,8 +32,8 @@ struct HttpAnswer {
     std::string body = {};
 };
 
-/// Returns the response. An empty result means that the request waits for `notify`. If `at_once` is true, a response is
-/// required. Called from several threads.
+/// Returns the response. An empty result means that the request waits for `notify`. If `at_once` is true, the result
+/// must not be empty. Called from several threads.
 using HttpHandler = std::function<std::optional<HttpAnswer>(const HttpRequest&, bool at_once)>;
 
 struct HttpOptions {
@@ -40,7 +41,7 @@ struct HttpOptions {
     std::string token = {};
     std::size_t largest_body = std::size_t{1} << 20U;
     /// Maximum number of connections. If another client connects, the oldest connection whose token has not been read
-    /// is closed; if there is none, the new connection is closed.
+    /// is closed; if there is no such connection, the new connection is closed.
     std::size_t most_connections = 64;
     int longest_wait = 20;  ///< maximum delay of a response in seconds
 };

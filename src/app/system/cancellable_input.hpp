@@ -13,14 +13,15 @@
 
 namespace grafverif::app {
 
-/// Reads standard input until `end_requested` is true or the deadline is over. A call of `stop` ends the wait for input.
+/// Reads standard input until `end_requested` is true or the deadline has passed. A call of `stop` ends the wait for
+/// input.
 class CancellableInput {
 public:
     /// Throws std::system_error if the system refuses a pipe.
     explicit CancellableInput(const std::atomic<bool>& end_requested, Deadline deadline = {})
         : end_requested_(end_requested), deadline_(deadline) {}
 
-    /// Waits for bytes and stores some of them. Returns their number; 0 at the end.
+    /// Waits for bytes and stores some of them. Returns the number of stored bytes; 0 at the end of the input.
     std::size_t receive(std::span<char> buffer) const;
     void stop() const;
 

@@ -17,8 +17,8 @@ public:
     const std::atomic<bool>& requested() const;
 };
 
-/// While an object exists, none of these signals ends the program; a pending signal does so afterwards. Use it for
-/// short sections of code that must be completed.
+/// While an object exists, SIGINT, SIGTERM and SIGHUP do not end the program; a signal that arrives during this time
+/// ends the program afterwards. Use it for short sections of code that must be completed.
 class SignalBlocker {
 public:
     SignalBlocker();
@@ -26,8 +26,8 @@ public:
     SignalBlocker(const SignalBlocker&) = delete;
     SignalBlocker& operator=(const SignalBlocker&) = delete;
 
-    /// Returns true if no SignalBlocker exists; after that, none can be created. Call it before the process is ended
-    /// other than by a signal. Does not wait.
+    /// Returns true if no SignalBlocker exists. After the function has returned true, no SignalBlocker can be created.
+    /// Call this function before the process is ended other than by a signal. Does not wait.
     static bool none_from_now_on();
 };
 

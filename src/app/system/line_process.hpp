@@ -45,13 +45,13 @@ public:
 
     /// Sends `line` and waits for the response. After any reply other than Line, the connection has ended.
     Reply request(const std::string& line);
-    /// Sends `line`, which has no response, together with the next one.
+    /// Sends `line`, which has no response, together with the next line that `request` sends.
     void send(const std::string& line) { unsent_ += line + '\n'; }
 
-    /// Only after Ended: returns how the program ended, with its last line on standard error. Waits briefly for its
-    /// end.
+    /// Only after Ended: returns how the program ended, with its last line on standard error. Waits briefly for the end
+    /// of the program.
     std::string end_text();
-    /// Only after Ended: true if the shell did not find such a program, or could not execute it.
+    /// Only after Ended: true if the shell did not find the program of the command, or could not execute it.
     bool not_found();
 
 private:
@@ -72,7 +72,7 @@ private:
     bool over_ = false;        ///< true if the last reply was not a line; the destructor then ends the program at once
     std::string unsent_ = {};  ///< text that has not been written to the program yet
     std::string received_ = {};      ///< the response received so far
-    std::string error_output_ = {};  ///< the end of its output on standard error
+    std::string error_output_ = {};  ///< the last part of the program's output on standard error
     void (*pipe_signal_before_)(int) = nullptr;
 };
 

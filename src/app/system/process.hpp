@@ -19,11 +19,11 @@ struct ProgramLimits {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;           ///< cancellation flag, which ends the program
     std::size_t max_output = std::size_t{256} << 20U;  ///< limit in bytes for standard output and for standard error
-    std::filesystem::path folder = {};                 ///< the program's current folder; that of this process if empty
+    std::filesystem::path folder = {};  ///< the program's current folder; if empty, the current folder of this process
 };
 
-/// Returns the absolute path of the executable file called `name` in the first folder of the PATH that contains one. A
-/// name with a slash is a path and is not searched for.
+/// Returns the absolute path of the executable file called `name` in the first folder of the PATH that contains such a
+/// file. A name with a slash is a path and is not searched for.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
 /// Executes `arguments`, the first of which is the path of the program, with `input` as its standard input. When the
@@ -32,10 +32,10 @@ std::optional<std::filesystem::path> find_program(const std::string& name);
 ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input,
                           const ProgramLimits& limits);
 
-/// A new folder for files that other programs read. The destructor removes it. The constructor also removes the
+/// A new folder for files that other programs read. The destructor removes the folder. The constructor also removes the
 /// folders of killed runs, and recognizes such a folder by its free lock. The folder is the current folder of the
 /// programs, which name its files without their path. Therefore the path may contain any characters. Throws
-/// std::system_error.
+/// std::system_error if the folder cannot be created.
 class TemporaryFolder {
 public:
     TemporaryFolder();
@@ -44,7 +44,7 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    /// Writes the file `name`, replacing an existing one. Throws std::system_error.
+    /// Writes the file `name`, replacing an existing file. Throws std::system_error if the file cannot be written.
     void write(const std::string& name, const std::string& content) const;
 
 private:

@@ -47,7 +47,7 @@ public:
 private:
     static void* watch(void* guard);
     void watch();
-    /// Returns the message for a limit that is currently exceeded, or null if there is none.
+    /// Returns the message for a limit that is currently exceeded, or null if no limit is exceeded.
     const std::string* reason();
     void end(const std::string& why);
 
@@ -66,8 +66,8 @@ private:
 /// the limit plus half a second of processor time.
 void work_is_done();
 
-/// Prepares the process for exhausted memory. Call it once, before any other function. The function reserves memory for
-/// the message and for the stack, so that growth of the stack does not raise a signal.
+/// Prepares the process for exhausted memory. Call this function once, before any other function. The function reserves
+/// memory for the message and for the stack, so that growth of the stack does not raise a signal.
 void expect_memory_to_end();
 
 /// Reserves the memory again after a failed allocation was handled. Returns false if the system refuses the allocation.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joins runs of subsystems that share only time to one run of the complete network. In each instant, each subsystem
-// behaves as in its separate run. Time passes only when all subsystems wait.
+// Joins runs of subsystems that share only time to one run of the complete network. In each instant of the joined run,
+// each subsystem makes the same moves as in its separate run. Time passes only when all subsystems wait.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +14,19 @@ namespace grafverif {
 /// Maximum number of moves of a returned run.
 constexpr std::size_t most_moves = 100'000;
 
-/// Required states of the other subsystems at the end of `shown`.
+/// Required states of the subsystems in `others` at the end of `shown` (see `joined`).
 enum class Ending {
     Anywhere,  ///< any state: a subsystem has only made the moves that were necessary before time could pass
-    Waiting,   ///< a state after all moves of the last instant, for `at stable`
+    Waiting,   ///< a state in which the subsystem has made all moves of the last instant; required for `at stable`
 };
 
-/// Returns the run of the complete network that combines `shown` with `others`, which are lassos in which time passes.
-/// All runs are in terms of the complete network. The result is empty if the period of the combined run would be too
-/// long.
+/// Returns the run of the complete network that combines `shown` with `others`, which are infinite runs in which time
+/// passes. The moves of all runs refer to processes of the complete network. The result is nullopt if the period of the
+/// combined run, the least common multiple of the durations of the repeated moves, is too long.
 std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Ending ending);
 
-/// Returns the run, continued by edges within its last instant until no edge is enabled, a state is repeated, or there
-/// are too many moves.
+/// Continues the run by edges within its last instant. The continuation ends if no edge is enabled, a state is
+/// repeated, or the run has more than `most_moves` moves.
 Run continued(const Network& network, Run run);
 
 }  // namespace grafverif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Preservation of verdicts: conditions under which a verdict on some independent subsystems applies to the complete
-// system, and their explanations (proofs: docs/explanation/decomposition.md, "Sub-loops").
+// system, and texts that explain the conditions (proofs: docs/explanation/decomposition.md, "Sub-loops").
 #pragma once
 
 #include <string>
@@ -13,37 +13,38 @@ namespace grafverif {
 /// Classes of statements that a verdict makes. The premises of preservation depend on the class.
 enum class PreservationClass {
     Everywhere,   ///< a statement about every reachable state
-    Somewhere,    ///< a statement about one reachable state, or about a run that avoids some states forever
+    Somewhere,    ///< a statement that some state is reachable, or that some run avoids a set of states forever
     Unavoidable,  ///< a statement about every maximal run
-    Possible,     ///< a statement about the states that are reachable from every state
+    Possible,     ///< a statement that a state with some condition is reachable from every reachable state
 };
 /// Returns the class of a verdict. Requires that the verdict is decided.
 PreservationClass preservation_class_of(const Verdict& verdict);
 
-/// Properties of an omitted subsystem on which preservation depends.
+/// Facts about an omitted subsystem on which the preservation of verdicts depends.
 struct OmittedSubsystem {
     std::string name = {};
-    bool searched = false;  ///< the subsystem was explored completely
-    bool faulty = false;    ///< a model error is reachable in the subsystem
-    bool diverges = false;  ///< the subsystem has a run in which time diverges
-    /// From each state of the subsystem, a state in which time passes is reachable, in dense time.
+    bool searched = false;  ///< true if the subsystem was explored completely
+    bool faulty = false;    ///< true if a model error is reachable in the subsystem
+    bool diverges = false;  ///< true if the subsystem has a run in which time diverges
+    /// True if, in dense time, a state in which time passes is reachable from each state of the subsystem.
     bool never_locks = false;
-    bool rests = false;        ///< no run of the subsystem has infinitely many moves in one instant
-    bool settles = false;      ///< time passes only in quiescent states of the subsystem
-    bool time_passes = false;  ///< time passes in some state of the subsystem
+    bool rests = false;        ///< true if no run of the subsystem has infinitely many moves in one instant
+    bool settles = false;      ///< true if time passes only in quiescent states of the subsystem
+    bool time_passes = false;  ///< true if time passes in some state of the subsystem
 };
 
 /// Returns the reason why the verdict, which was computed without `left_out`, might not apply to the complete system,
-/// or an empty string if it applies. Requires a decided verdict.
+/// or an empty string if the verdict applies. Requires that the verdict is decided.
 std::string preservation_obstacle(const Verdict& verdict, bool at_stable,
                                   const std::vector<const OmittedSubsystem*>& left_out);
 
-/// Returns the reason why the omitted subsystems do not affect the verdict. Requires that preservation_obstacle is
-/// empty.
+/// Returns the reason why the omitted subsystems do not affect the verdict. Requires that `preservation_obstacle`
+/// returned an empty string for the verdict.
 std::string because(const Verdict& verdict, bool at_stable);
 
-/// The same functions for abstract time. Subsystems then do not share anything. With abstract time, `settles` means
-/// that some state is quiescent, and `rests` means that there is no infinite run of moves.
+/// The same functions for models with abstract time, in which subsystems do not share time. With abstract time,
+/// `settles` is true if some state of the subsystem is quiescent, and `rests` is true if the subsystem has no infinite
+/// sequence of moves.
 std::string untimed_preservation_obstacle(const Verdict& verdict, bool at_stable,
                                           const std::vector<const OmittedSubsystem*>& left_out);
 std::string untimed_because(const Verdict& verdict, bool at_stable);
@@ -51,8 +52,8 @@ std::string untimed_because(const Verdict& verdict, bool at_stable);
 /// True if `at stable` can be checked compositionally for properties of this pattern.
 bool settled_separately(Pattern pattern);
 
-/// Marks the verdict as vacuous if time does not pass in an omitted subsystem and the property, which is not
-/// `reachable`, holds.
+/// Marks the verdict as vacuous if the property holds, its pattern is not `reachable`, and time does not pass in an
+/// omitted subsystem.
 void mark_vacuous(Verdict& verdict, const std::vector<const OmittedSubsystem*>& left_out);
 
 }  // namespace grafverif

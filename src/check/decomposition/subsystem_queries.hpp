@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries of the timed engine for compositional checking: one query for each verdict, with the parts that it reads.
+// Queries of the timed engine for compositional checking. There is one query for each verdict; it contains the parts
+// (independent subsystems) that the property reads.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +16,17 @@ using PartNumbers = std::vector<std::uint32_t>;
 
 /// A query for one verdict.
 struct SubsystemQuery {
-    Property property = {};  ///< property with the name of its verdict; for an expanded property, it concerns one step
+    /// The property, named as its verdict; if a property is expanded (`reachable all steps`), the property for one
+    /// step.
+    Property property = {};
     Verdict verdict = {};
     PartNumbers reads = {};
     bool each = false;  ///< true if the query is decided for every part separately
-    bool race = false;  ///< true if the query concerns an action race; `each` is then also true
+    bool race = false;  ///< true if the query concerns an action race; if `race` is true, `each` is also true
 };
 
-/// Returns a query for each selected property; for an expanded property, a separate query for each step. `no timelock`
-/// is included unless `options` exclude it.
+/// Returns a query for each selected property; for `reachable all steps`, one query for each step. A query for `no
+/// timelock` is included unless `options` exclude it.
 std::vector<SubsystemQuery> subsystem_queries(const Network& network, const NetworkSubsystems& parts,
                                               const TimedOptions& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Combines runs of interleaved parts to one run of the complete system. Each step of a part is executed in the complete
-// system with the same choices.
+// Combines runs of interleaved parts (independent subsystems) to one run of the complete system. The complete system
+// executes each step of a part with the same choices as the part.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct SubsystemStep {
     std::vector<std::pair<std::uint32_t, std::int64_t>> choices = {};
 };
 
-/// A run of a part; a lasso leads back to the state before step `loop`.
+/// A run of a part. If `loop` is given, the last step leads back to the state before step `loop`.
 struct SubsystemRun {
     std::vector<SubsystemStep> steps = {};
     std::optional<std::size_t> loop = {};
@@ -37,13 +37,14 @@ SubsystemRun concatenated(SubsystemRun first, const SubsystemRun& second);
 /// another kind.
 SubsystemRun without_waits(const SubsystemRun& run);
 
-/// Combines `shown` with `others`, which are lassos that wait infinitely often. All parts wait together. If `settling`
-/// is true, the other parts continue to their next wait at the end of `shown`. The result is empty if the period would
-/// be too long. Requires that `shown` has no step of the kind `Ends`.
+/// Combines `shown` with `others`, which are infinite runs with infinitely many steps of the kind `Waits`. In the
+/// combined run, all parts wait in the same steps. If `settling` is true, the parts of `others` continue to their next
+/// wait at the end of `shown`. The result is nullopt if the combined run would be too long. Requires that `shown` has
+/// no step of the kind `Ends`.
 std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::vector<SubsystemRun>& others,
                                          bool settling);
 
-/// Returns the corresponding run of the complete system.
+/// Returns the states of the complete system in `run`.
 FlatRun replayed(const FlatSystem& whole, const SubsystemRun& run);
 
 }  // namespace grafverif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Searches of interleaved subsystems ("sub-loops"). A search explores some subsystems as a separate system. It decides
-// the queries that concern only these subsystems, and the side conditions under which they can be omitted from other
-// queries.
+// Searches of interleaved subsystems ("sub-loops"). A search explores some subsystems as a separate system. The search
+// decides the queries that concern only these subsystems, and the conditions under which these subsystems can be
+// omitted from other queries.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace grafverif {
 
-/// The search of a system that consists of some of the parts.
+/// The search of a system that consists of some parts (independent subsystems) of the complete system.
 struct SubsystemResult {
     PartList chosen = {};
     TransitionSystem system = {};
@@ -25,7 +25,7 @@ struct SubsystemResult {
     SymbolicResult result = {};
     std::unique_ptr<symbolic::InterleavingPremises> interleaving = {};
     OmittedSubsystem as = {};
-    /// True if the corresponding properties in `as` are known.
+    /// `knows_time`, `knows_rest` and `knows_settled` are true if the corresponding members of `as` have been computed.
     bool knows_time = false, knows_rest = false, knows_settled = false;
 };
 
@@ -48,10 +48,10 @@ public:
     /// property is decided for each part.
     bool about_each(const Property& property) const;
 
-    /// Returns the search of these parts. The search is created on first use and stored.
+    /// Returns the search of the parts `chosen`. The search is created on first use and stored.
     SubsystemResult& search(const PartList& chosen);
     symbolic::InterleavingPremises& interleaving(SubsystemResult& search);
-    /// Returns the properties of a part on which a verdict about other parts depends.
+    /// Returns the facts about `part` on which the preservation of a verdict about other parts depends.
     const OmittedSubsystem& omitted(std::uint32_t part, const Verdict& verdict, bool at_stable);
     void forget() { searches_.clear(); }
 

@@ -2,7 +2,8 @@
 // Interface to programs that decide one query about a circuit: ABC and the model checkers of the hardware model
 // checking competition. The functions write the input of a program and read its output; the caller runs the program.
 //
-// Names in the file are generated from numbers (`i7`, `l12`), because programs interpret other names differently.
+// Names of inputs and latches in the written file consist of a letter and a number (`i7`, `l12`), because programs
+// interpret other names differently.
 #pragma once
 
 #include <optional>
@@ -16,14 +17,14 @@
 
 namespace grafverif::hwmcc {
 
-/// Relates the inputs and latches of the written file to those of the circuit.
+/// Relates the inputs and latches of the written file to the inputs and latches of the circuit.
 struct Numbering {
     /// Indices of inputs and latches in the circuit, in the order of the file.
     std::vector<std::size_t> inputs = {}, latches = {};
 };
 
-/// Returns the circuit with the names `i0`, `i1`, ..., `l0`, `l1`, .... If the circuit has no input, an input that no
-/// gate reads is added.
+/// Returns the circuit with the names `i0`, `i1`, ..., `l0`, `l1`, .... If the circuit has no input, the result has one
+/// additional input that no gate reads.
 Circuit with_numbers(Circuit circuit);
 
 /// Reads a witness (HWMCC 2011: `1`, the initial latches, the inputs of each step, `.`) and returns the inputs of the
@@ -31,14 +32,15 @@ Circuit with_numbers(Circuit circuit);
 std::optional<std::vector<std::vector<bool>>> read_witness(const Circuit& circuit, const Numbering& numbering,
                                                            std::string_view text);
 /// Converts ABC's counterexample (`write_cex -a`) to a witness for read_witness. The counterexample has no result line.
-/// If the text does not contain `# DONE`, which marks its end, the result is empty.
+/// If the text does not contain the line `# DONE`, which marks the end of a complete counterexample, the result is
+/// empty.
 std::string witness_of_abc(std::string_view text);
-/// Returns the first result line of a text: true for `1` or `sat` (the state is reachable), false for `0` or `unsat`
-/// (it is unreachable), otherwise empty.
+/// Returns the result in the first result line of a text: true for `1` or `sat` (the bad state is reachable), false for
+/// `0` or `unsat` (the bad state is unreachable), and nullopt without a result line.
 std::optional<bool> witness_result(std::string_view text);
 
-/// Reads an invariant of ABC (`pdr -d -I FILE`). Returns the states that the invariant excludes, one cube per row. The
-/// result is empty if the invariant is invalid.
+/// Reads an invariant of ABC (`pdr -d -I FILE`). Returns the states that the invariant excludes, as one cube for each
+/// row of the text. The result is empty if the invariant is invalid.
 std::optional<std::vector<pdr::Cube>> read_invariant(const Circuit& circuit, std::string_view text);
 
 /// Returns the reason why a program gave no result.

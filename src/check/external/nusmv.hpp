@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Interface to NuSMV and nuXmv: generates their commands and reads their results. The caller writes the model, runs the
-// program and passes its output to read_nusmv.
+// Interface to NuSMV and nuXmv: generates commands for these programs and reads their results. The caller writes the
+// model, runs the program and passes its output to read_nusmv.
 //
-// Each property is checked by its name after a printed marker, so that the result does not depend on the order of the
-// output. The exit code is ignored (it is 0 even if a property is false). For `reachable p`, the negation is checked,
-// and a counterexample of the negation is the witness.
+// The commands print a marker before they check a property by its name, so that each result in the output is assigned
+// to its property. The exit code of the program is ignored, because it is 0 even if a property is false. For `reachable
+// p`, the negation is checked, and a counterexample of the negation is the witness.
 #pragma once
 
 #include <optional>
@@ -30,9 +30,9 @@ struct NusmvResult {
 };
 
 /// Reads the results of the commands of nusmv_commands for the properties of `system`. If the program has no result for
-/// a property, its verdict is unknown (`failed` or `stopped`); if the model is not total, all verdicts are unknown. The
-/// verdict is also unknown (`engine-disagrees`) if a false specification has no run of the system that shows it, or if
-/// a property has two verdicts.
+/// a property, the verdict on this property is unknown (`failed` or `stopped`); if the model is not total, all verdicts
+/// are unknown. The verdict is also unknown (`engine-disagrees`) if the program reports a specification as false
+/// without a run of the system that shows it, or if a property has two verdicts.
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& program_result);
 

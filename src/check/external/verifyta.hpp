@@ -2,10 +2,10 @@
 // Interface to verifyta, the model checker of UPPAAL, which runs on the exported project. The caller provides functions
 // that run the program on the model.
 //
-// Each formula is checked by a separate call, so that a result cannot be assigned to another query. Only the documented
-// lines `-- Formula is satisfied.`, `-- Formula is NOT satisfied.` and `-- Formula MAY [NOT] be satisfied.` are read;
-// exit codes and traces are not documented and are ignored. If the output does not have exactly one such line, there is
-// no verdict.
+// Each formula is checked by a separate call, so that a result cannot be assigned to the wrong query. Only the
+// documented lines `-- Formula is satisfied.`, `-- Formula is NOT satisfied.` and `-- Formula MAY [NOT] be satisfied.`
+// are read; exit codes and traces are not documented and are ignored. If the output does not contain exactly one of
+// these lines, the verdict is unknown.
 #pragma once
 
 #include <functional>
@@ -45,9 +45,9 @@ struct ExternalResult {
 };
 ExternalResult read_verifyta(const ProgramResult& result);
 
-/// Returns one verdict per selected query, in order, without runs. No UPPAAL formula expresses `no timelock`; it is
-/// added as unknown if the model does not declare it. If stored actions may race, verdicts of verifyta are accepted
-/// only if verifyta also proves `no_race`.
+/// Returns one verdict per selected query, in order, without runs. No UPPAAL formula expresses `no timelock`; if the
+/// model does not declare `no timelock`, an unknown verdict for it is added. If stored actions of the model may race,
+/// verdicts of verifyta are accepted only if verifyta also proves the property `no_race`.
 std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuery> questions,
                                     const ExternalOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run of an input abstraction (ir/network_inputs.hpp), and the inputs that its PLCs sample.
+// A run of an input abstraction (ir/network_inputs.hpp), and the inputs that PLCs sample in this run.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,16 @@ struct AbstractRun {
     const std::vector<AbstractState>& path;
 };
 
-/// One sampling of a PLC, with the valuations of each instance that are possible after its cycle.
+/// One sampling of inputs by a PLC. `possible` contains, for each instance, the valuations that are possible at the end
+/// of the PLC cycle.
 struct Sampling {
-    std::size_t at = 0;  // index in the path
+    std::size_t at = 0;  // index of the sampling in AbstractRun::path
     Id<Network::Process> plc = {};
     std::vector<timed::Word> possible = {};
 };
 
-/// Returns all samplings in order. Later edges of a cycle reduce the possible valuations of its sampling.
+/// Returns all samplings in order. Edges of the PLC cycle after the sampling reduce the possible valuations of the
+/// sampling.
 std::vector<Sampling> samplings(const AbstractRun& run);
 
 }  // namespace grafverif

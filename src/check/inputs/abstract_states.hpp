@@ -14,11 +14,11 @@
 
 namespace grafverif {
 
-/// Returns the levels in which the instances of the *panel* are Chosen and all other processes are Untimed. An instance
-/// belongs to the panel if it is autonomous, can rest and can always return to its initial state
+/// Returns levels: the instances of the *panel* are Chosen, and all other processes are Untimed. An instance belongs to
+/// the panel if it is autonomous, need not move, and can always return to its initial state
 /// (AbstractableProcess::returns). Instances of `read`, and instances that an Untimed process reads, do not belong to
-/// the panel. If `all` is true, instances that cannot always return to their initial state are also in the panel. Only
-/// tests use this, to show that PossibleProof needs the premise (InputAblations::need_not_return).
+/// the panel. If `all` is true, instances that cannot always return to their initial state also belong to the panel.
+/// Only tests set `all`, to show that PossibleProof needs the premise (InputAblations::need_not_return).
 std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                      const std::set<Id<Network::Process>>& read, bool all = false);
 
@@ -30,16 +30,16 @@ public:
 
     /// Searches the states. Returns true if all states were found. Returns false if the abstraction cannot be used: it
     /// has a model error, a clock or too many combinations of inputs, or a PLC can remain inside its cycle. Returns
-    /// nullopt if a limit is reached; another call then continues the search.
+    /// nullopt if a limit is reached; the next call continues the search.
     std::optional<bool> run(const FollowLimits& limits);
 
-    /// `expand` returns the moves of a state. Afterwards, `successor` returns the state to which move number `move`
-    /// leads.
+    /// `expand` returns the moves of a state. After a call of `expand`, `successor` returns the state to which move
+    /// number `move` of the expanded state leads.
     const timed::Moves& expand(std::uint32_t state);
     std::uint32_t successor(std::size_t move);
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }
 
-    /// Returns the abstraction. Its properties are the properties of the loop.
+    /// Returns the abstraction. The properties of the abstraction are the properties of the loop.
     const Network& network() const { return network_; }
     /// True if each PLC is in W in the state that `words` represents.
     bool all_wait(const timed::Word* words) const;

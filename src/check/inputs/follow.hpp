@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Guided search for a run of the complete network along a run of its input abstraction (ir/network_inputs.hpp).
+// Guided search of the complete network. The guide is a run of its input abstraction (ir/network_inputs.hpp), called
+// the abstract run.
 //
-// The abstract run is divided into stages, one per valuation of the steps and internal variables of the controllers.
-// The search is best-first. It prefers states whose run has reached the latest stage, then those with the fewest
-// variables that differ from the next stage; among equals, it is breadth-first. An autonomous Chosen instance moves only if its outputs are not among those that
-// the abstract run samples before the next stage. All moves are moves of the complete network; therefore each run that
-// is found is a real run. A run is found quickly if the abstract run becomes possible with longer delays. If no run is
-// found, nothing is proved.
+// The abstract run is divided into stages; a new stage begins whenever a step or an internal variable of a controller
+// changes. The search is best-first. It prefers states whose run has reached the latest stage. Among these states, it
+// prefers states with the fewest variables that differ from the next stage. Among states with equal priority, the
+// search is breadth-first. An autonomous Chosen instance moves only if its outputs differ from all valuations that the
+// abstract run samples before the next stage. All moves are moves of the complete network; therefore each run that is
+// found is a real run. The search finds a run quickly if the complete network can perform the abstract run with longer
+// delays. If the search finds no run, the property may still have a run in the complete network.
 #pragma once
 
 #include <atomic>
@@ -34,12 +36,14 @@ struct FollowLimits {
 std::vector<Id<Network::Variable>> signature_variables(const Network& network);
 
 struct ConcreteRun {
-    std::optional<Run> run = {};           ///< run of the complete network to a state that decides the property
-    std::vector<std::size_t> blamed = {};  ///< if there is no run: the instances that the last reached stage constrains
+    std::optional<Run> run = {};  ///< run of the complete network to a state that decides the property
+    /// If no run was found: the instances whose sampled outputs the last reached stage requires.
+    std::vector<std::size_t> blamed = {};
 };
 
-/// Searches for a run along the abstract run. `network` is complete, expanded, and has the observers of the
-/// abstraction. `property` is one of its properties about single states, or one step of `reachable all steps`.
+/// Searches `network` for a run that decides `property`, guided by `abstract`. Requires that `network` is complete and
+/// expanded, and has the observers of the abstraction. `property` is a property of `network` about single states, or
+/// `reachable all steps` for one step.
 ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
                    const FollowLimits& limits);
 

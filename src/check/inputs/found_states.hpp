@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States that a guided search of a network has found, each with the run to it.
+// States that a guided search of a network has found, each with the run that leads to the state.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,14 @@ public:
     explicit FoundStates(const timed::Layout& layout) : layout_(layout), states_(layout.stored + 1) {}
     FoundStates(FoundStates&&) = delete;
 
-    /// Adds a state and returns its number; empty if the state is already known with this `mark`. `parent` is the state
-    /// before `move`. The first state is the initial state.
+    /// Adds a state and returns its number; returns nullopt if the state has already been added with the same `mark`.
+    /// `parent` is the number of the state before `move`. The first added state is the initial state.
     std::optional<std::size_t> add(const timed::Word* words, std::size_t parent, std::size_t mark, const Move& move);
 
     std::size_t size() const { return states_.size(); }
     /// Returns the approximate memory in bytes.
     std::uint64_t bytes() const { return nodes_.capacity() * sizeof(Node) + states_.bytes(); }
-    /// Copies a state to `words`, which then has the size of the layout.
+    /// Copies a state to `words`, and resizes `words` to the size of the layout.
     void load(std::size_t state, std::vector<timed::Word>& words) const;
     std::size_t mark(std::size_t state) const { return states_.words(state)[layout_.stored]; }
     Run run_to(std::size_t state) const;

@@ -36,8 +36,8 @@ public:
           observed_(expand(observe(loop))),
           complete_(in_longest_unit(observed_)),
           writers_(observed_.variables.size()) {
-        // In a loop with model errors, or in which time does not pass, a property that holds in an abstraction may hold
-        // vacuously.
+        // If the loop has a model error or time cannot pass in it, a property that holds in an abstraction may hold
+        // only vacuously.
         if (!instances_.empty() && result_.errors.empty() && result_.time_passes) collect();
     }
 
@@ -77,17 +77,17 @@ private:
         std::size_t rounds = 0;
         bool coarse = false;  // true if instances that read the loop, and timers, are also abstracted
         Kind kind = Kind::SingleStates;
-        bool rounded = false;      // true if bounds of observers are rounded to the time unit of all others
+        bool rounded = false;      // true if clock bounds of observers are rounded to the unit of all other processes
         std::size_t searches = 0;  // number of earlier searches for these properties in the current round
     };
 
     bool has_observer() const { return observed_.processes.size() != loop_.processes.size(); }
     bool stopped() const { return is_over(deadline_, options_.stop); }
-    /// Returns the bound on the states of a complete search for the task.
+    /// Returns the maximum number of states of a search for the task that the bound of the round does not limit.
     std::uint64_t bound_of(const Task& task) const {
         return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
     }
-    /// True if the bound of the round ended the search of the task.
+    /// True if the search of the task ended because it reached the bound on states of the current round.
     bool ends_with_round(const Task& task, const TimedResult& found) const {
         return round_ < bound_of(task) && !found.complete && found.states >= round_;
     }
@@ -106,7 +106,8 @@ private:
     bool search_for_runs(std::uint64_t states);
     Levels first_levels(const Property& property, bool coarse) const;
     void begin_with_known(const Property& property, Levels& levels) const;
-    /// How the search of a task has ended. RoundedRun: a spurious run, in a network whose bounds rounding has changed.
+    /// Reason why the search of a task ended without a verdict. RoundedRun: the search found a spurious run in a
+    /// network with rounded clock bounds.
     enum class End : std::uint8_t { Limit, SpuriousRun, RoundedRun };
     void refine(std::size_t verdict, const Task& task, End end, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
@@ -141,10 +142,11 @@ private:
     const Network complete_;                        // complete network in its longest time unit
     std::vector<std::set<std::uint32_t>> writers_;  // processes that write each variable of observed_
     std::deque<Task> tasks_ = {}, postponed_ = {};
-    std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in its order
+    std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in the order of its properties
     std::optional<NoveltySearch> novelty_ = {};
     std::optional<PossibleProof> possible_ = {};
-    // True if it is proved that time diverges while instances that can rest do not move.
+    // True if it is proved that time diverges if instances that need not move (AbstractableProcess::can_rest) do not
+    // move.
     bool time_diverges_ = false;
     std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;              // bound of the searches of the current round

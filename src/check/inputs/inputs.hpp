@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Decides properties about single states on input abstractions of a closed loop (ir/network_inputs.hpp).
 //
-// Each property starts with the coarsest levels: `Untimed` for the processes that it reads and for timers, `Chosen` for
-// the others. Properties with equal levels share a search. The time unit of a search is the greatest common divisor of
-// the durations in the abstraction. If the abstraction preserves a verdict, it is also the verdict on the complete
-// loop. If a verdict that is not preserved has a run, this run is followed in the complete loop (follow.hpp). If this
-// succeeds, the result is a run of the loop. Otherwise the level of a process that cannot perform what the run requires
-// is raised, and the search is repeated. For a property that remains open, the search restarts with only autonomous
-// instances abstracted.
+// Each property starts with the coarsest levels: `Untimed` for timers and for the processes that the property reads,
+// and `Chosen` for all other processes. Properties with equal levels share a search. The time unit of a search is the
+// greatest common divisor of the durations in the abstraction. If the abstraction preserves a verdict, the verdict is
+// also the verdict on the complete loop. If the abstraction does not preserve a verdict with a run, a guided search
+// looks for a similar run of the complete loop (follow.hpp). A run that the guided search finds is reported. Otherwise,
+// the level of a process that cannot perform its moves in the abstract run is raised, and the search is repeated. If a
+// property remains undecided, the search restarts with only autonomous instances abstracted.
 //
 // The searches run in rounds with growing bounds on states. A search that ends at the bound of a round is repeated in
-// the next round. Therefore a property that requires a small search does not wait for one that requires a large search.
-// Each round begins with a search for runs of the complete loop (novelty.hpp).
+// the next round. Therefore a property that requires a small search does not wait for a property that requires a large
+// search. Each round begins with a search for runs of the complete loop (novelty.hpp).
 //
 // An abstraction with a model error yields no verdict, because the states after the error are not explored.
 #pragma once
@@ -26,7 +26,8 @@
 
 namespace grafverif {
 
-/// Adds the observers of the current properties; returns the network unchanged if there are none.
+/// Returns the network with the observers of the current properties; returns the network unchanged if no property has
+/// an observer.
 using Observe = std::function<Network(const Network&)>;
 
 struct InputLimits {
@@ -34,14 +35,16 @@ struct InputLimits {
     /// Maximum number of states of one search in which instances that read the loop are also abstracted.
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;
     std::size_t followed = 200'000;  ///< maximum number of states of one guided search
-    /// The same maximum for a run of an abstraction in which instances that read the loop are also abstracted.
+    /// Maximum number of states of one guided search, for a run of an abstraction in which instances that read the loop
+    /// are also abstracted.
     std::size_t followed_coarse = 20'000;
-    /// Number of states of the complete loop that are searched before the abstractions; may be 0.
+    /// Number of states of the complete loop that NoveltySearch explores before the abstractions are searched; may be
+    /// 0.
     std::uint64_t explored = std::uint64_t{1} << 20U;
     /// Maximum number of searches for one property in which only autonomous instances are abstracted.
     std::size_t rounds = 8;
-    /// Maximum number of searches for one property in one round, except for the last round. Many searches of one
-    /// property, usually `reachable all steps`, would use the time of the others.
+    /// Maximum number of searches for one property in one round, except for the last round. Without this limit, many
+    /// searches for one property, usually `reachable all steps`, would delay all other properties.
     std::size_t searches_per_round = 8;
     /// Maximum number of preceding searches for one property in which instances that read the loop are also abstracted.
     std::size_t coarse_rounds = 32;
@@ -52,19 +55,19 @@ struct InputLimits {
 
 class InputAbstractionCheck;
 
-/// Decides properties that are open in `result` because a limit ended its search, or because integer time is not exact
-/// for them.
+/// Decides properties with an unknown verdict in `result`, if the verdict is unknown because a limit ended the search
+/// or because integer time is not exact for the property.
 class InputSearch {
 public:
     /// `loop` is expanded and has no observers. `result` is the result for observe(loop), with the verdicts that
-    /// `options` select. The memory limits are those of `options`. All references must outlive the search.
+    /// `options` select. The searches have the memory limit of `options`. All references must outlive the search.
     InputSearch(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
                 const InputLimits& limits = {}, const InputAblations& ablations = {});
     ~InputSearch();
     InputSearch(InputSearch&&) = delete;
 
-    /// Performs one round: searches of at most `states` states each. Returns false if no search is left for the next
-    /// round.
+    /// Performs one round of searches; each search explores at most `states` states. Returns false if no search remains
+    /// for the next round.
     bool run(std::uint64_t states, const Deadline& deadline);
 
 private:

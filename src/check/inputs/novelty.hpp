@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // NoveltySearch: searches a complete closed loop for runs, and prefers states whose signature has occurred rarely.
 //
-// In a loop with an operator panel, a breadth-first search finds mainly combinations of buttons. This search orders
-// states by the number of earlier states with the same signature: steps and internal variables of the PLCs, locations
-// and variables of the plants. Within a signature, states with fewer moves of autonomous instances come first. The
-// order only determines which runs are found early; each run that is found is a run of the loop.
+// In a loop with an operator panel, a breadth-first search finds mainly combinations of buttons. NoveltySearch orders
+// states by the number of earlier states with the same signature. A signature consists of the steps and internal
+// variables of the PLCs and the locations and variables of the plant. Among states with the same signature, states with
+// fewer previous moves of autonomous instances come first. The order only determines which runs are found early; each
+// run that the search finds is a run of the loop.
 #pragma once
 
 #include <memory>
@@ -24,8 +25,8 @@ std::uint64_t signature_of(const std::vector<timed::Field>& fields, const timed:
 
 class NoveltySearch {
 public:
-    /// `network` is complete, expanded, without observers, and must outlive the search. Each of `properties` concerns
-    /// single states, or one step of `reachable all steps`.
+    /// `network` is complete, expanded, without observers, and must outlive the search. Each property in `properties`
+    /// concerns single states, or is `reachable all steps` for one step.
     NoveltySearch(const Network& network, std::vector<Property> properties,
                   const std::vector<AbstractableProcess>& instances);
     ~NoveltySearch();
@@ -34,7 +35,7 @@ public:
     /// are found, or if the memory limit is reached.
     bool run(const FollowLimits& limits);
     std::size_t states() const;
-    /// Returns the run to a state that decides the property, or nothing if none was found.
+    /// Returns the run to a state that decides the property, or nullopt if no such state was found.
     std::optional<Run> run_of(std::size_t property) const;
 
 private:

@@ -25,7 +25,7 @@ public:
     Added add(const timed::Word* words);
 
     std::size_t size() const { return size_; }
-    /// Returns a state as packed words. It remains at this address.
+    /// Returns a state as packed words. The address of the result remains valid when states are added.
     const timed::Word* words(std::size_t state) const { return chunks_[state / chunk].get() + state % chunk * words_; }
     /// Returns the approximate memory in bytes.
     std::uint64_t bytes() const {
@@ -35,7 +35,8 @@ public:
 private:
     static constexpr std::size_t chunk = 4096;  // number of states that are allocated together
 
-    /// A slot of the hash table: the number of a state plus 1, and the lower half of its hash value; 0 if it is free.
+    /// A slot of the hash table: the number of a state plus 1, and the lower half of the hash value of the state; 0 for
+    /// a free slot.
     using Slot = std::uint64_t;
     void put(Slot slot);
     void grow();
@@ -43,7 +44,7 @@ private:
     const std::size_t words_;
     std::size_t size_ = 0;
     std::vector<std::unique_ptr<timed::Word[]>> chunks_ = {};
-    std::vector<Slot> slots_ = {};  // a power of two; at least a quarter is free
+    std::vector<Slot> slots_ = {};  // the number of slots is a power of two; at least a quarter of the slots are free
 };
 
 }  // namespace grafverif

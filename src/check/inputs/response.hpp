@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Proves `inevitable q` and `p leads to q`, both without a duration, on an abstraction without clocks.
+// Proves `inevitable q` and `p leads to q` on an abstraction without clocks. Neither property may have a duration
+// (`within`).
 //
 // Premises: `no timelock` is proved, and no run has infinitely many moves in bounded time (check/inputs/resting.hpp).
-// Therefore time diverges in each maximal run of the loop. Such a run corresponds to a run of the abstraction of one of
-// two forms:
-//   - The run has a last move, after which no urgent edge is enabled and no bound of an invariant is in force.
-//   - The run has infinitely many moves. It does not remain forever in states that all have an enabled urgent edge, and
-//     no process stays forever in a location with a bound without moving.
+// Therefore time diverges in each maximal run of the loop. The corresponding run of the abstraction has one of two
+// forms:
+//   - The run has a last move; after this move, no urgent edge is enabled and no current location has an invariant with
+//     a bound.
+//   - The run has infinitely many moves. Infinitely many states of the run have no enabled urgent edge, and no process
+//     stays forever in a location whose invariant has a bound.
 // If no run of these forms avoids q, the property holds.
 #pragma once
 
@@ -18,8 +20,10 @@
 namespace grafverif {
 
 struct ResponseResult {
-    std::optional<bool> holds = {};  ///< true if proved, false if not; empty if a limit was reached
-    bool vacuous = false;            ///< true if the search found no state with p
+    /// True if the property is proved, false if it cannot be proved; empty if a limit was reached.
+    std::optional<bool> holds = {};
+    /// True if p holds in no state that the search found, so that `p leads to q` holds vacuously.
+    bool vacuous = false;
     std::vector<InputLevel> levels = {};
     std::size_t states = 0;
 };

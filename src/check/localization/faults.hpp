@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Static detection of possible model errors, because an abstraction must not hide them.
+// Static detection of possible model errors. Localization uses it, because an abstraction must not hide a model error.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace grafverif {
 /// exceed 64 bits.
 bool terms_have_values(const Network& network);
 
-/// Returns a set of fragments that covers all model errors of the network: a value that leaves its range, or a true
-/// `race`. For each error, the set contains a fragment such that every abstraction with this fragment detects the
-/// error. Requires terms_have_values(network).
+/// Returns a set of fragments that covers all model errors of the network: an assignment of a value outside the range
+/// of its variable, or a race (flag `race`). For each error, the set contains a fragment such that every abstraction
+/// with this fragment detects the error. Requires terms_have_values(network).
 std::set<std::uint32_t> cells_that_may_err(const Network& network, const NetworkFragments& cells);
 
 }  // namespace grafverif

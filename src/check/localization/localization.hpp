@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Localization: an abstraction for the timed engine. If the complete network has too many states, a property is decided
-// on the fragments ("cells") that it reads. The rest of the network is over-approximated (ir/network_fragments.hpp).
-// The abstraction preserves the verdicts that `always`, `never` or `exactly one of` holds, and that `reachable` is
-// violated (proof: docs/explanation/decomposition.md, "Cells").
+// on the fragments ("cells") that it reads. All other fragments are over-approximated (ir/network_fragments.hpp). If
+// `always`, `never` or `exactly one of` holds in the abstraction, or `reachable` is violated in it, the complete
+// network has the same verdict (proof: docs/explanation/decomposition.md, "Cells").
 //
-// Refinement: if the abstraction admits a run that may be spurious, or a model error, the fragments whose values are
-// read are added. The last iteration explores the complete network.
+// Refinement: if the abstraction has a run that may be spurious, or a model error, the search is repeated with more
+// fragments. The fragments whose values the abstraction reads are added. The last iteration explores the complete
+// network.
 //
-// A verdict is reported only if no model error is possible anywhere in the complete network. Therefore it is also the
-// verdict on the complete network.
+// A verdict is reported only if no model error is possible anywhere in the complete network. Therefore each reported
+// verdict is also the verdict on the complete network.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +28,9 @@ struct LocalizationLimits {
     std::uint64_t whole = std::uint64_t{1} << 17U;
     /// Maximum number of states of an abstraction; 0 disables localization.
     std::uint64_t local = std::uint64_t{1} << 22U;
-    /// Maximum number of transitions of an abstraction, per state of its bound, except in the last round. In an abstraction in which many
-    /// omitted variables can change at any time, states have hundreds of transitions.
+    /// Except in the last round, the number of transitions of an abstraction is limited to `transitions` times the
+    /// maximum number of states. In an abstraction in which many omitted variables can change at any time, states have
+    /// hundreds of transitions.
     std::uint64_t transitions = 8;
 };
 
@@ -37,7 +39,7 @@ using WholeSearch = std::function<TimedResult(const Network&, const TimedOptions
 
 class LocalizationCheck;
 
-/// Executes check_timed_by_cells in steps, for callers that decide open verdicts between the steps.
+/// Executes check_timed_by_cells in steps, for callers that decide unknown verdicts between the steps by other methods.
 class CellSearch {
 public:
     /// Prepares a search. `network` must be expanded. The search reads `options` at the beginning of each step.
@@ -49,16 +51,16 @@ public:
     /// Performs the first search of the complete network, and then the first round of localization.
     void begin();
     /// Performs a round of localization with searches of at most `states` states each. Has no effect if an earlier
-    /// round had the same or a greater bound. Returns false if no search is left for the next round.
+    /// round had the same or a greater bound. Returns false if no search remains for the next round.
     bool refine(std::uint64_t states, const Deadline& deadline);
-    /// Returns the result so far. Open verdicts have the obstacle `Bound`. A caller that decides an open verdict also
-    /// sets its `abstraction`.
+    /// Returns the result so far. Undecided verdicts are unknown with the obstacle `Bound`. A caller that decides such
+    /// a verdict also sets Verdict::abstraction.
     TimedResult& found();
-    /// True if the complete network must be searched: a verdict is open, and either it is requested or no verdict was
-    /// decided without the complete network.
+    /// True if a search of the complete network must follow: a verdict is undecided, and either its property is
+    /// requested or declared, or no verdict was decided on fragments.
     bool needs_whole();
-    /// Searches the complete network for the open verdicts. Has no effect if the first search already had the maximum
-    /// number of states as its limit.
+    /// Searches the complete network to decide the undecided verdicts. Has no effect if the first search of the
+    /// complete network already had the limit `max_states` of the options.
     void search_complete();
     TimedResult result();
 
@@ -67,9 +69,10 @@ private:
 };
 
 /// Checks the properties with `whole`, limited to `limits.whole` states. If this search reaches its limit, localization
-/// follows, and then, if `needs_whole()`, a search with `whole` and the limit of `options`. If the first search decides
-/// every property, its verdicts are the result. The limits apply to each search. If no other query requires the
-/// complete network, an undeclared `no timelock` remains unknown. Requires verify(network).empty().
+/// follows, and then, if `needs_whole()`, a search with `whole` and the limit of `options`. If the search with
+/// `limits.whole` states decides every property, its verdicts are the result. The limits of `options` apply to each
+/// search separately. If no declared or requested property requires the complete network, an undeclared `no timelock`
+/// remains unknown. Requires verify(network).empty().
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options = {},
                                  const LocalizationLimits& limits = {}, const LocalAblations& ablations = {},
                                  const WholeSearch& whole = check_timed_by_parts);

@@ -3,15 +3,15 @@
 // `reachable`). Property directed reachability (PDR) decides one property at a time. Bounded model checking (BMC)
 // searches all runs up to a length that is increased step by step.
 //
-// A property `holds` (for `reachable`: is violated) if there is an inductive invariant, which an independent second
-// solver checks. BMC cannot prove that a property holds. Other engines can be used in place of PDR (PdrOptions::reach);
-// their results are validated in the same way. For a violation, the engine returns a run, which is validated with the
-// terms of the system. If PDR finds a run, BMC searches for shorter runs, and a note states whether a shorter run may
-// exist.
+// PDR proves that a property holds (for `reachable`: that it is violated) by an inductive invariant, which an
+// independent second solver checks. BMC cannot prove that a property holds. Other engines can be used in place of PDR
+// (PdrOptions::reach); their results are validated in the same way. For a violation, the engine returns a run; this run
+// is validated by evaluating the terms of the system. If PDR finds a run, BMC searches for shorter runs, and a note
+// states if a shorter run may exist.
 //
-// If a variable of a system can leave its range, no property is decided (`faulty`); otherwise induction or PDR proves
-// that this is impossible. The engine does not check whether the system is total, because verdicts concern only states
-// that runs reach.
+// If a step can assign a variable a value outside its range, no property is decided (`faulty`). Otherwise, induction or
+// PDR proves that no step assigns such a value. The engine does not check that every state has a successor, because
+// verdicts concern only states that finite runs reach.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ namespace grafverif {
 
 struct PdrProgress {
     std::string property = {};
-    std::size_t frames = 0;  ///< number of frames of PDR, or of steps that BMC has searched
+    std::size_t frames = 0;  ///< number of frames of PDR, or number of steps up to which BMC has searched
     std::uint64_t bytes = 0;
     double seconds = 0;
 };
@@ -39,25 +39,27 @@ struct Undecided {
 };
 
 struct PdrOptions {
-    /// Alternating: PDR runs for some time on each property, and then BMC on all properties for a third of the time
-    /// that PDR has used. Then both run again, with four times the time. A note names the engine that found the
-    /// verdict.
+    /// Alternating: PDR runs for a limited time on each property. Then BMC runs on all properties for a third of the
+    /// time that PDR has used. Both engines are repeated, each time with a four times longer time limit for PDR. A note
+    /// names the engine that found the verdict.
     enum class Method { Pdr, Bmc, Alternating };
     Method method = Method::Pdr;
     std::chrono::steady_clock::duration first_step_of = std::chrono::milliseconds(250);
     /// For BMC: maximum length of the searched runs; if empty, only time and memory limit the search.
     std::optional<std::size_t> max_steps = {};
-    /// Engine that is used in place of PDR, with the interface of pdr::reach. Its results are validated.
+    /// Engine that is used in place of PDR, with the interface of pdr::reach. The results of this engine are validated.
     std::function<pdr::PdrAnswer(const Circuit& circuit, pdr::Literal bad, pdr::LimitMonitor& watch)> reach = {};
-    /// True: first tries the invariant that latches are equal (for the product of two similar systems).
+    /// True: before PDR, tries the invariant that some latches are always equal (EqualLatches). This is useful for the
+    /// product of two similar systems.
     bool equal_latches = false;
     std::vector<std::string> properties = {};            ///< names of the properties to check; all if empty
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;                ///< cancellation flag: return the results so far
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag; if set, the check ends with the results so far
     std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame or step
-    /// For Alternating. `answered` is called with every decided verdict as soon as it is available. `decided_elsewhere`
-    /// marks properties of the system for which no further work is necessary, because another engine has decided them.
+    /// Used only by Alternating. `answered` is called with every decided verdict as soon as the verdict is available.
+    /// `decided_elsewhere` has one flag per property of the system; a flag is true if another engine has decided the
+    /// property, so that no further work is necessary.
     std::function<void(const Verdict&, const std::optional<SystemRun>&)> answered = {};
     const std::vector<std::atomic<bool>>* decided_elsewhere = nullptr;
 };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Signal correspondence (van Eijk 2000: "Sequential equivalence checking based on structural similarities"): proves by
-// induction that some latches of a circuit have equal values in every reachable state. For two systems that store the
-// same state, this is a direct proof of their equality. PDR would need an invariant that relates all values of their
-// states.
+// induction that some latches of a circuit have equal values in every reachable state. If two systems store equal
+// states, equal latches prove directly that the systems are equivalent. PDR would need an invariant that relates all
+// values of the two states.
 //
 // Initially all latches and the constant false form one class. Random runs are used to split the classes. Then a solver
-// searches for a step from a state in which the latches of each class are equal to a state in which latches of a class
-// differ. Each such step splits the classes. The search ends when there is no such step.
+// searches for a step that begins in a state in which all latches of each class are equal. In the state after the step,
+// two latches of a class must differ. The step that the solver finds splits the classes. The search ends if the solver
+// proves that no such step exists.
 #pragma once
 
 #include <optional>
@@ -21,8 +22,8 @@ public:
     /// Both arguments must outlive the object.
     EqualLatches(const Circuit& circuit, LimitMonitor& watch);
 
-    /// Returns the unreachable states in which two latches of a class would differ, as the cubes of an inductive
-    /// invariant (see flaw). Throws Exhausted; another call continues the search.
+    /// Returns cubes that contain all states in which two latches of a class differ. The complement of the cubes is an
+    /// inductive invariant (see `flaw`). Throws Exhausted if a limit is exceeded; the next call continues the search.
     const std::vector<Cube>& cubes();
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Justification: given a state and inputs for which some literals are true, determines a subset of their values that is
-// sufficient to make these literals true.
+// Justification: given values of latches and inputs for which some literals are true, determines a subset of these
+// values that is sufficient to make the literals true.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,11 @@ public:
     explicit Justifier(const Circuit& circuit);
 
     struct Justification {
-        Sources latches = {}, inputs = {};  ///< literals that are true, increasing
+        Sources latches = {}, inputs = {};  ///< literals that are true, in increasing order
     };
     /// Returns values of latches and inputs that are sufficient to make `targets` true. `value` returns the value of
-    /// every literal in the cone of `targets`. Requires that all targets are true. A greedy pass over the gates reduces
-    /// the number of latches.
+    /// every literal in the cone of `targets`. Requires that all targets are true. A greedy pass over the gates keeps
+    /// the number of latches small, but not necessarily minimal.
     Justification part(const std::vector<Gates::Literal>& targets, const std::function<bool(Gates::Literal)>& value);
 
 private:

@@ -3,10 +3,11 @@
 // true. Sources: Bradley 2011: "SAT-based model checking without unrolling"; Eén, Mishchenko and Brayton 2011:
 // "Efficient implementation of property directed reachability".
 //
-// Frame i is a set of cubes that no run of at most i steps reaches. States that lead to a bad state are generalized and
-// excluded, frame by frame. Literals on which a step does not depend are removed from the source state of the step
-// (justification along the gates). Literals that the solver did not use are removed from an unreachable cube. If two
-// adjacent frames are equal, the states outside of their cubes are an inductive invariant.
+// Frame i is a set of cubes that no run of at most i steps reaches. States from which a bad state is reachable are
+// generalized to cubes and excluded, frame by frame. From the source state of a step, literals on which the step does
+// not depend are removed (justification along the gates). From an unreachable cube, literals that the solver did not
+// use are removed. If two adjacent frames are equal, the set of states outside of all cubes of the frame is an
+// inductive invariant.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +27,12 @@ struct PdrAnswer {
     std::size_t frames = 0;
 };
 
-/// Decides if a bad state is reachable. Throws Exhausted. `progress` is called with the number of frames.
+/// Decides if a bad state is reachable. Throws Exhausted if a limit is exceeded. `progress` is called with the current
+/// number of frames.
 PdrAnswer reach(const Circuit& circuit, Literal bad, LimitMonitor& watch,
                 const std::function<void(std::size_t)>& progress = {});
-/// Returns a search that can be continued: after Exhausted, another call continues it. The circuit and the monitor must
-/// outlive the search.
+/// Returns a function that performs the search of `reach`. If a call throws Exhausted, the next call continues the
+/// search. The circuit and the monitor must outlive the search.
 std::function<PdrAnswer()> search_for(const Circuit& circuit, Literal bad, LimitMonitor& watch,
                                       std::function<void(std::size_t)> progress);
 

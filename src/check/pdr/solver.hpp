@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Incremental solver for functions of one state of a circuit (CaDiCaL; Biere, Fazekas, Fleury and Heisinger 2020). A
-// gate is translated to clauses on first use, so that the cost of a query depends only on its cone.
+// Incremental SAT solver (CaDiCaL; Biere, Fazekas, Fleury and Heisinger 2020) for gates of a circuit, which are Boolean
+// functions of the latches and inputs. A gate is translated to clauses on first use, so that the cost of a query
+// depends only on the gates in its cone.
 #pragma once
 
 #include <atomic>
@@ -25,27 +26,27 @@ struct SolverLimits {
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// Thrown when a limit is exceeded or the work is cancelled. The current query of the solver has no result in this
-/// case.
+/// Thrown when a limit is exceeded or the work is cancelled. The solver query that throws Exhausted has no result.
 struct Exhausted {
     enum class Cause { Memory, Stopped };
     Cause cause = Cause::Stopped;
 };
 
-/// Polls the limits during the work of the solver and of other callers.
+/// Polls the limits while the solver or another caller works.
 class LimitMonitor final : public CaDiCaL::Terminator {
 public:
     explicit LimitMonitor(const SolverLimits& bounds);
 
-    /// Sets the deadline to the end of the first of `parts` equal shares of the remaining time. Work that reaches this
-    /// deadline may be continued in the next share.
+    /// Divides the remaining time into `parts` equal shares, and sets the deadline to the end of the first share. Work
+    /// that reaches the deadline of its share can be continued in the next share.
     void share(std::size_t parts);
     /// Limits the following work to `time` or to the remaining time, whichever is shorter.
     void limit(std::chrono::steady_clock::duration time);
-    /// Adds a flag that ends the following work when it is set; null removes the flag.
+    /// Sets a flag that ends the following work when the flag becomes true; null removes the flag.
     void end_with(const std::atomic<bool>* decided_elsewhere) { decided_elsewhere_ = decided_elsewhere; }
     std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
-    /// True if the complete work was cancelled or its deadline has passed; deadlines of shares and memory are ignored.
+    /// True if the work was cancelled or the deadline of SolverLimits has passed; deadlines of shares and the memory
+    /// limit are ignored.
     bool over() const;
 
     bool terminate() override;
@@ -73,11 +74,12 @@ public:
     SatSolver(const SatSolver&) = delete;
     SatSolver& operator=(const SatSolver&) = delete;
 
-    /// Disables techniques that inspect all clauses, for thousands of small queries.
+    /// Disables solver techniques that inspect all clauses. These techniques are too expensive for thousands of small
+    /// queries.
     void expect_small_queries();
     void add(std::span<const int> clause);
-    /// True if the clauses are satisfiable under the assumptions, and under at least one literal of `one_of` if
-    /// `one_of` is not empty. Throws Exhausted.
+    /// True if the clauses are satisfiable under the assumptions; if `one_of` is not empty, at least one of its
+    /// literals must also be true. Throws Exhausted if a limit is exceeded.
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {});
     /// Returns the value of a literal after a satisfiable query.
     bool is_true(int literal) const;
@@ -98,15 +100,16 @@ public:
     /// All arguments must outlive the object. Gates may be added to the circuit.
     Solver(const Circuit& circuit, LimitMonitor& watch);
 
-    /// Returns the solver's literal for a literal of the circuit; adds the clauses of its gates.
+    /// Returns the solver's literal for a literal of the circuit, and adds the clauses of the gates in its cone.
     int of(Literal literal);
     /// Returns a new variable.
     int fresh() { return ++variables_; }
-    /// Adds clauses by which all existing and later latch variables are false if `condition` is true.
+    /// Adds clauses: if `condition` is true, the variables of all latches are false. The clauses also apply to latches
+    /// whose variables are created later.
     void all_false_under(int condition);
 
     void add(std::span<const int> clause);
-    /// See SatSolver.
+    /// See SatSolver::solve.
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {}) {
         return solver_.solve(assumptions, one_of);
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Bounded model checking (Biere, Cimatti, Clarke and Zhu 1999: "Symbolic model checking without BDDs"). One graph of
-// gates represents the first states of all runs of a circuit. The graph grows with every step. The latches of the first
-// state are constants, and equal gates of different steps are one gate. Therefore, for a small number of steps, most
-// gates are simplified before solving. Only gates on which a query depends are unrolled.
+// gates represents the states of all runs of a circuit up to a number of steps. The graph grows with every step. The
+// latches of the first state are constants, and equal gates of different steps are represented by one gate. Therefore,
+// for a small number of steps, most gates are simplified before solving. Only gates on which a query depends are
+// unrolled.
 #pragma once
 
 #include <optional>
@@ -21,8 +22,8 @@ public:
     /// Both arguments must outlive the object.
     Unrolling(const Circuit& circuit, LimitMonitor& watch);
 
-    /// Returns a run of `steps` steps whose last state is bad. If there is no such run, the result is empty, and later
-    /// queries use this fact. Throws Exhausted; may be called again afterwards.
+    /// Returns a run of `steps` steps whose last state is bad. If no such run exists, the result is nullopt, and later
+    /// queries use this fact. Throws Exhausted if a limit is exceeded; the function may then be called again.
     std::optional<RunInputs> run_to(Literal bad, std::size_t steps);
 
 private:

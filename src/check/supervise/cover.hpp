@@ -12,15 +12,16 @@
 namespace grafverif::supervise {
 
 /// An irredundant sum of products, from which no product and no literal can be removed. If `negated` is true, the sum
-/// represents the negation of the condition.
+/// of products represents the negation of the condition.
 struct Cover {
-    std::vector<std::vector<BddLiteral>> products = {};  ///< products; if empty, the sum is false
+    /// Products of the sum; without products, the sum is the constant false.
+    std::vector<std::vector<BddLiteral>> products = {};
     bool negated = false;
 };
 
 /// Returns a condition that is true on `on` and false on `off`, which must be disjoint. Variables are removed greedily,
-/// in the order of `variables`. The result represents the condition or its negation, whichever is shorter; it is empty
-/// if both sums have more than `most` products.
+/// in the order of `variables`. The result represents the condition or its negation, whichever has the shorter sum of
+/// products. The result is nullopt if both sums have more than `most` products.
 std::optional<Cover> cover(const BddSpace& space, Bdd on, Bdd off, std::span<const std::uint32_t> variables,
                            std::size_t most);
 

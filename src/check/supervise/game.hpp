@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Supervisory-control game: the charts of a system (controllable) against its plant (uncontrollable).
 //
-// In each evolution a chart clears transitions and sets outputs; the supervisor restricts both by permissions. All
-// other moves are uncontrollable: moves of the plant, the environment and timers, and scheduling. In terms of Ramadge
-// and Wonham (1987), "Supervisory control of a class of discrete event processes", permissions are the controllable
-// events, except that an evolution itself cannot be prevented.
+// In each evolution, a chart clears transitions and sets outputs. The supervisor refuses permissions to clear
+// transitions and to set outputs. All other moves are uncontrollable: moves of the plant, of the environment and of
+// timers, and the choice of the process that moves next. In terms of Ramadge and Wonham (1987), "Supervisory control of
+// a class of discrete event processes", permissions are the controllable events. However, the supervisor cannot prevent
+// the evolution itself.
 //
-// A state is losing if it is bad or if an uncontrollable move leads to a losing state. It is also losing if an
-// evolution of some chart leads to a losing state whichever permissions are granted. Finally, a state is losing if
-// every path to a marked state contains a losing state. All other states are winning; every uncontrollable move from a
+// A state is losing if it is bad or if an uncontrollable move leads to a losing state. A state is also losing if an
+// evolution of some chart leads to a losing state for every choice of permissions. Finally, a state is losing if every
+// path to a marked state contains a losing state. All other states are winning; every uncontrollable move from a
 // winning state leads to a winning state.
 #pragma once
 
@@ -28,8 +29,8 @@ struct Player {
     std::vector<Bdd> may = {};
 };
 
-/// The losing states, in stages in the order of their detection. A state of a stage is bad or blocked, or one move or
-/// evolution leads from it to an earlier stage.
+/// The losing states, in stages in the order of their detection. A state of a stage is bad or blocked, or an
+/// uncontrollable move or an evolution leads from this state to a state of an earlier stage.
 struct LosingRegion {
     struct Stage {
         Bdd states = {};
@@ -50,15 +51,15 @@ public:
     const Bdd& reached() const { return reached_; }
 
     /// `moved` returns the successors of `states` by uncontrollable moves; `moves_to` returns the predecessors of `to`
-    /// by such moves.
+    /// by uncontrollable moves.
     Bdd moved(const Bdd& states) const { return model_.image(states, moves_); }
     Bdd moves_to(const Bdd& to) const { return model_.preimage(to, moves_); }
     /// Returns the states to which evolutions of a player lead from pairs of a state and permissions.
     Bdd evolved(std::size_t player, const Bdd& pairs) const;
     /// Returns the pairs of a state and permissions from which an evolution of the player leads to a state of `to`.
     Bdd evolves_to(std::size_t player, const Bdd& to) const { return model_.preimage(to, evolutions_[player]); }
-    /// `ready` returns the states in which the player can evolve; `helpless` returns the states in which its evolution
-    /// leads to `to` whichever permissions are granted.
+    /// `ready` returns the states in which the player can evolve. `helpless` returns the states in which an evolution
+    /// of the player leads to `to` for every choice of permissions.
     const Bdd& ready(std::size_t player) const { return ready_[player]; }
     Bdd helpless(std::size_t player, const Bdd& to) const { return ready(player) & ~states(~evolves_to(player, to)); }
     /// Functions of states and choices. `is_move` is true if the step is not an evolution; `is_evolution` is true if

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Maps sets of states to sets of observed values of a chart, and back. An observation is a Boolean function of states.
-// A set of observed values ("sights") is a function with one variable per observation. If an observation is a bit of
-// the state, it uses the variable of that bit.
+// A set of observed values ("sights") is a Boolean function with one variable per observation. An observation that is a
+// bit of the state is represented by the variable of this bit.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ public:
     /// Creates the map and adds variables to the space.
     ObservationMap(const symbolic::StateSpace& model, BddSpace& space, const std::vector<Bdd>& seen);
 
-    /// `sights` returns the values observed in the states; `states` returns the states in which one of these values is
-    /// observed.
+    /// `sights` returns the values that are observed in `states`. `states` returns the states in which a value of
+    /// `sights` is observed.
     Bdd sights(const Bdd& states) const { return and_exists(states, link_, unseen_); }
     Bdd states(const Bdd& sights) const { return and_exists(sights, link_, own_); }
 

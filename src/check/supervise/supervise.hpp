@@ -3,14 +3,14 @@
 // reachable.
 //
 // The synthesis solves the game (game.hpp) on a system in which each transition and each output of the charts has a
-// permission, which is a choice. A condition reads only the observations of its chart, so that the restrictions are
-// equal in states with equal observations.
+// permission, which is a choice. The condition of a permission states when the permission is granted. A condition reads
+// only the observations of its chart, so that the restrictions are equal in states with equal observations.
 //
-// The conditions are classified with respect to the states that are reachable under them:
-//   Least     every refused permission would lead to a losing state: no supervisor could allow more
-//   Several   a permission could be granted more often only if another permission were refused more often;
-//             transitions are refused before outputs, and later elements before earlier elements
-//   Cautious  a supervisor that observes the complete plant could allow more
+// The conditions are classified with respect to the states that are reachable if the conditions restrict the charts:
+//   Least     every refused permission would lead to a losing state, so that no supervisor can grant more permissions
+//   Several   a permission could be granted more often only if another permission were refused more often; the
+//             synthesis refuses transitions before outputs, and later elements before earlier elements
+//   Cautious  a supervisor that observes the complete plant could grant more permissions
 #pragma once
 
 #include <atomic>
@@ -33,22 +33,23 @@ struct Supervision {
         Id<TransitionSystem::Symbol> symbol = {};
         bool output = false;
         Id<Expr> effect = {};  ///< term over main: true if the transition is cleared, or the output is set, in the step
-        /// For an output: the indices of the observations with which its actions may set the output. Each of these
-        /// observations is a site.
+        /// For an output: indices of observations, one for each action that may set the output. Each of these
+        /// observations is called a site.
         std::vector<std::size_t> sites = {};
-        /// For each site, a term over main: true if the action of the site sets the output in the step, if this is
-        /// permitted. If the term is missing or invalid, the action sets the output whenever the observation of the
-        /// site is true.
+        /// For each site, a term over main: true if the action of the site sets the output in the step, provided that
+        /// the permission is granted. If the term is missing or invalid, the action sets the output whenever the
+        /// observation of the site is true.
         std::vector<Id<Expr>> site_effects = {};
     };
     struct Controller {
         Id<Expr> evolves = {};  ///< term over main: true if the step is an evolution of the controller
-        /// Terms over main, without choices: the observations of the controller. It does not observe its outputs.
+        /// Terms over main, without choices: the observations of the controller. A controller does not observe its
+        /// outputs.
         std::vector<Id<Expr>> seen = {};
         std::vector<Permission> permissions = {};
     };
     std::vector<Controller> controllers = {};
-    /// Terms over main, without choices: states to avoid; an undefined value is treated as bad.
+    /// Terms over main, without choices: a state is bad if one of these terms is true or undefined.
     std::vector<Id<Expr>> bad = {};
     Id<Expr> marked = {};  ///< term over main, without choices: states that must remain reachable
 };
@@ -63,8 +64,10 @@ struct SuperviseOptions {
 struct Supervisor {
     enum class Outcome {
         Found,
-        None,     ///< conditions are not sufficient, even if they read all variables
-        Unknown,  ///< `reason` states why
+        /// No conditions avoid all bad states and keep marked states reachable, even if the conditions read all
+        /// variables.
+        None,
+        Unknown,  ///< the synthesis was inconclusive; `reason` states why
     };
     enum class Permissiveness { Least, Several, Cautious };
 
@@ -73,8 +76,8 @@ struct Supervisor {
         bool value = true;
         bool operator==(const Literal&) const = default;
     };
-    /// A condition. If `all` is true, `terms` is a conjunction of disjunctions; otherwise a disjunction of
-    /// conjunctions.
+    /// The condition of one permission. If `all` is true, `terms` is a conjunction of disjunctions; otherwise, `terms`
+    /// is a disjunction of conjunctions.
     struct Condition {
         std::size_t controller = 0, permission = 0;
         std::optional<std::size_t> site = {};  ///< for an output: index of the site
@@ -97,7 +100,7 @@ struct Supervisor {
     /// Several: permissions that could be granted more often if other permissions were refused more often.
     std::vector<Selection> traded = {};
     /// Found: permissions that the conditions refuse in some reachable state, and that have no effect in any reachable
-    /// state: the transition is never cleared, or the output is never set.
+    /// state. The transition of such a permission is never cleared, or its output is never set.
     std::vector<Selection> disabled = {};
     /// An observation, identified by its indices.
     struct Observation {
@@ -107,10 +110,11 @@ struct Supervisor {
     /// Found: observations that are true in some reachable state of the system without conditions, but not in any
     /// reachable state with the conditions.
     std::vector<Observation> newly_unreachable = {};
-    /// For each bad term: true if it is reachable without conditions; empty if Unknown, or if no condition is needed.
+    /// For each term of `bad`: true if it holds in some state that is reachable without conditions. Empty for Unknown,
+    /// or if no condition is necessary.
     std::vector<bool> violated = {};
-    /// None: a run to a bad state. All permissions are granted, and no move of the run can be prevented. If `blocked`
-    /// is true, the run leads to a state from which every path to a marked state contains a losing state.
+    /// None: a run to a bad state in which all permissions are granted. No supervisor can prevent a move of this run.
+    /// If `blocked` is true, the run leads to a state from which every path to a marked state contains a losing state.
     std::optional<FlatRun> run = {};
     bool blocked = false;
     FlatSystem flat = {};  ///< system with the variables of `run`

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A symbolic check: owns the space of decision diagrams, the model and the verdicts. The object remains usable for
-// further queries about the state space.
+// A symbolic check: owns the space of decision diagrams, the model and the verdicts. After `result`, the object can be
+// used for further queries about the state space.
 #pragma once
 
 #include <chrono>
@@ -19,10 +19,11 @@ public:
     Check(const Check&) = delete;
     Check& operator=(const Check&) = delete;
 
-    /// Searches the states and decides the queries. The function must be called once, before the following functions.
+    /// Searches the states and decides the queries. This function must be called exactly once, before all other
+    /// functions of this class.
     SymbolicResult result();
 
-    /// True if all reachable states were found, and none of them is faulty.
+    /// True if all reachable states were found, and the search found no fault of the system.
     bool complete() const { return search_.obstacle == UnknownReason::None; }
     std::uint64_t bytes() const { return space_.bytes(); }
     const FlatSystem& flat() const { return flat_; }
@@ -32,7 +33,7 @@ public:
     const StateSpace& model() const { return *model_; }
     const Bdd& reached() const { return search_.reached; }
     ReachableSet& search_made() { return search_; }
-    /// Returns a term over main, which must be defined everywhere, as a function of states and choices.
+    /// Returns a term over main as a function of states and choices. Requires that the term has a value in every state.
     Bdd meaning(const TransitionSystem& system, Id<Expr> term);
 
 private:

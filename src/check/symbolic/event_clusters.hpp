@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Event clusters: a disjunctive partition of the transition relation. Steps are grouped by the value of a choice, if
-// this value determines which bits can change. An interleaved closed loop has one cluster for each automaton and one
-// cluster for time.
+// this value determines which bits of the state can change. An interleaved closed loop has one cluster for each
+// automaton and one cluster for time.
 #pragma once
 
 #include <span>
@@ -12,15 +12,15 @@
 
 namespace grafverif::symbolic {
 
-/// A cluster of steps: the bits that they may change, and the conjuncts of their condition as functions of states and
-/// choices.
+/// A cluster of steps: the state bits that the steps may change, and the conjuncts of the condition of the steps, as
+/// functions of states and choices.
 struct EventCluster {
     std::vector<Bdd> conditions = {};
     std::vector<bdd::NextBit> bits = {};
 };
 
-/// Returns clusters whose union is the set of steps of `all`; they may overlap. `choices` are variables whose values
-/// are chosen freely in each step.
+/// Returns clusters whose union is the set of steps of `all`; the clusters may overlap. `choices` are variables whose
+/// values are chosen freely in each step.
 std::vector<EventCluster> kinds(const BddSpace& space, EventCluster all, std::span<const BddWord> choices);
 
 }  // namespace grafverif::symbolic

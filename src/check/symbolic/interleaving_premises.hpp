@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Interleaving premises: the properties of a part of a loop on which verdicts about interleaved parts depend, and the
-// runs that show them (docs/explanation/decomposition.md, "Sub-loops").
+// Interleaving premises: facts about a part (independent subsystem) of a loop on which verdicts about other,
+// interleaved parts depend, and the runs that show these facts (docs/explanation/decomposition.md, "Sub-loops").
 //
-// In a step, the part waits or moves. If the loop has clocks, waiting is the passing of time, and a step that neither
-// waits nor moves repeats a state without successors.
+// In a step, the part waits or moves. If the loop has clocks, the part waits in a step in which time passes; a step in
+// which the part neither waits nor moves repeats a state without successors.
 #pragma once
 
 #include <optional>
@@ -16,15 +16,16 @@ namespace grafverif::symbolic {
 class InterleavingPremises {
 public:
     /// `waits` and `moves` are terms over the module `main` of `part`. `waits` is true in a step in which the part
-    /// waits; each term of `moves` is true in a step in which one process moves. Requires check.complete(). `check` belongs to `part` and must outlive the object.
+    /// waits; each term of `moves` is true in a step in which one process moves. Requires check.complete(). `check` is
+    /// the check of `part` and must outlive the object.
     InterleavingPremises(const TransitionSystem& part, Check& check, Id<Expr> waits,
                          const std::vector<Id<Expr>>& moves);
 
-    /// True if some run waits infinitely often.
+    /// True if the part waits infinitely often in some run.
     bool diverges() { return !(waiting_forever() & model_.initial()).is_false(); }
     /// True if, from each reachable state, the part can reach a step that waits.
     bool never_locks();
-    /// True if every run waits infinitely often or ends.
+    /// True if the part has no infinite sequence of moves without waiting.
     bool rests() { return moving_forever().is_false(); }
     /// Returns the reachable states in which the part can wait.
     const Bdd& ready();
@@ -32,10 +33,12 @@ public:
     /// True if the state with these values is reachable.
     bool reaches(const std::vector<std::int64_t>& values) const { return evaluate(reached_, model_.state_of(values)); }
 
-    /// Returns a run that waits infinitely often, or nullopt if the run would be too long. Requires diverges().
+    /// Returns a run in which the part waits infinitely often, or nullopt if the run would be too long. Requires
+    /// diverges().
     std::optional<FlatRun> waiting_run();
-    /// Returns moves from the state with these values to a state of `goal`. If no such state is reachable, returns an
-    /// infinite sequence of moves. Requires that every finite maximal sequence of moves ends in `goal`.
+    /// Returns moves from the state with the values `from` to a state of `goal`. If moves cannot reach a state of
+    /// `goal`, returns an infinite sequence of moves. Requires that every finite maximal sequence of moves ends in
+    /// `goal`.
     FlatRun moves_on(const std::vector<std::int64_t>& from, const Bdd& goal) const;
     /// Returns the reachable states from which no move is possible.
     Bdd still() const { return reached_ & ~model_.preimage(reached_, move_steps_); }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// StateSpace: a FlatSystem over the variables of a BddSpace. Its states are assignments; its steps are a relation
-// between assignments.
+// StateSpace: a FlatSystem over the variables of a BddSpace. A state of the space is an assignment to the variables;
+// the steps are a relation between assignments.
 //
 // Each bit of a state variable with a next value has two variables: one for the bit before a step and one for the bit
-// after it. Free variables and choices have one variable, since the value of a free variable after a step is arbitrary.
+// after the step. Free variables and choices have one variable, since the value of a free variable after a step is
+// arbitrary.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +24,20 @@ using State = std::vector<bool>;
 
 class StateSpace {
 public:
-    /// Builds the model. If `by_kind` is true, the steps are partitioned by the values of their choices, if these
-    /// values determine which bits change.
+    /// Builds the model. If `by_kind` is true, the steps are partitioned by the values of those choices that determine
+    /// which bits change.
     StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind);
 
-    // In this class, a set of states is a function of the bits of a state that implies the invariants.
+    // In this class, a set of states is a function of the bits of a state. The function implies the invariants.
     const Bdd& initial() const { return initial_; }
     const Bdd& invariant() const { return invariant_; }
     /// Returns the successors of `states` by one step.
     Bdd image(const Bdd& states) const { return image(states, steps_); }
     Bdd image(const Bdd& states, const std::deque<bdd::ClusterSteps>& steps) const;
-    /// True if the steps are partitioned, so that `closure` is fast.
+    /// True if the steps are partitioned into several clusters, so that `closure` uses saturation.
     bool has_clusters() const { return steps_.size() > 1; }
-    /// Returns the states that are reachable from `states` by any number of steps. If a value can leave its range, the
-    /// result may contain invalid states and their successors.
+    /// Returns the states that are reachable from `states` by any number of steps. If a step can assign a variable a
+    /// value outside its range, the result may contain invalid states and their successors.
     Bdd closure(const Bdd& states) const;
     /// Returns the predecessors of `states` by one step.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
@@ -45,7 +46,7 @@ public:
     /// step of a cluster that cannot change any bit.
     Bdd still() const;
     /// Returns the steps that satisfy `condition`, a function of states and choices. Images and preimages by these
-    /// steps do not quantify the choices `kept`, which are bits of the space.
+    /// steps do not quantify the bits `kept`, which are bits of choices.
     std::deque<bdd::ClusterSteps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
 
     /// Returns a translator of terms over the variables of the system to functions of the bits of a state.
@@ -58,14 +59,15 @@ public:
     };
     std::optional<Leak> leak(const Bdd& states) const;
 
-    /// Returns a state of `states`, which must not be empty. Beginning with the topmost bit, each bit has its value in
-    /// `near` if this is possible.
+    /// Returns a state of `states`, which must not be empty. The bits of the result are chosen in the order of the
+    /// variables. A bit has the same value as in `near` if a state of `states` has this value and the bits chosen
+    /// before.
     State pick(const Bdd& states, const State& near) const;
     Bdd only(const State& state) const;
-    /// Returns the state with these values of the variables.
+    /// Returns the state in which the variables have the values `values`.
     State state_of(const std::vector<std::int64_t>& values) const;
-    /// Returns the values of all variables. If `next` is given, the values of choices are those of a step from `state`
-    /// to `next` that satisfies `condition`.
+    /// Returns the values of all variables. If `next` is given, the choices have values for which a step from `state`
+    /// to `next` satisfies `condition`.
     std::vector<std::int64_t> values(const State& state, const State* next, const Bdd& condition) const;
 
     /// Returns the bits of a state, increasing.
@@ -83,9 +85,11 @@ private:
     std::vector<BddWord> words_ = {};  ///< bits of each variable before a step
     std::vector<std::uint32_t> state_bits_ = {}, choice_bits_ = {};
     Bdd initial_ = {}, invariant_ = {};
-    /// Conjuncts of the relation between states and the choices that are possible in them.
+    /// Conjuncts of a relation between states and choices; the relation contains the choices that are possible in each
+    /// state.
     std::vector<Bdd> offered_ = {};
-    std::vector<Leak> leaks_ = {};  ///< functions of states and choices
+    /// For each state variable: states and choices for which the next value is undefined or outside its range.
+    std::vector<Leak> leaks_ = {};
     Bdd choices_ = {}, free_ = {};  ///< sets of variables
     std::vector<bdd::NextBit> next_bits_ = {};
     std::deque<bdd::ClusterSteps> steps_ = {};  ///< steps of each cluster

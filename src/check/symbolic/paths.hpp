@@ -15,13 +15,14 @@ namespace grafverif::symbolic {
 struct Path {
     std::vector<State> states = {};
     std::optional<std::size_t> loop = {};
-    /// Condition on the choices of the step from each state. A missing entry means that there is no condition.
+    /// Condition on the choices of the step from each state. If the entry of a step is missing, all choices of the step
+    /// are permitted.
     std::vector<Bdd> steps = {};
 };
 
-/// Adds rings to `rings` until one intersects `goal`, no new state is found, or `keep_going` returns false for the
-/// number of rings. Rings are subsets of `within`; the first ring must be a subset of `within`. Returns true if further
-/// states may exist.
+/// Adds rings to `rings` until a ring intersects `goal`, no new state is found, or `keep_going` returns false for the
+/// number of rings. Requires that the first ring is a subset of `within`; all added rings are subsets of `within`.
+/// Returns true if further rings may exist.
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<bool(std::size_t)>& keep_going = {});
 
@@ -30,11 +31,12 @@ std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& ring
 
 /// Returns the states of `within` from which a path in `within`, possibly of length 0, leads to a state of `goal`.
 Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal);
-/// Returns the states of `within` from which some infinite path stays in `within` and visits each of `justice`
+/// Returns the states of `within` from which some infinite path stays in `within` and visits each set of `justice`
 /// infinitely often (Emerson and Lei 1986).
 Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>& justice);
 
-/// Returns an infinite path in `staying`, which is a result of can_stay, starting in its state `first`.
+/// Returns an infinite path in `staying` that begins in `first`. Requires that `staying` is a result of can_stay and
+/// contains `first`.
 Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice);
 
 FlatRun run_of(const StateSpace& model, const Path& path);

@@ -12,38 +12,42 @@ namespace grafverif::symbolic {
 
 /// Result of a search of the reachable states.
 struct ReachableSet {
-    bdd::Rings rings = {};  ///< rings around the initial states that were computed so far
+    /// Rings around the initial states (sets of states at the same distance) that were computed so far.
+    bdd::Rings rings = {};
     Bdd reached = {};
-    bool witnesses = true;                         ///< true: find a run for each `reachable` that holds
-    UnknownReason obstacle = UnknownReason::None;  ///< reason why the search ended; None if all states were reached
+    bool witnesses = true;  ///< true: find a run for each `reachable` that holds
+    /// Reason why the search ended early; None if all reachable states were found.
+    UnknownReason obstacle = UnknownReason::None;
     std::string reason = {};
 };
 
 /// Returns a shortest path from an initial state to a state of `goal`. Requires that a state of `goal` is reachable.
-/// Extends the search if necessary.
+/// Computes further rings if necessary.
 std::vector<State> shortest_trace(const StateSpace& model, ReachableSet& search, const Bdd& goal);
 
 /// One verdict and the run that shows it.
 struct QueryResult {
     Verdict verdict = {};
     std::optional<FlatRun> run = {};
-    std::optional<State> dead_state = {};  ///< a state from which the states required by the property are unreachable
+    /// The point of no return: a state from which the states that the property requires are unreachable.
+    std::optional<State> dead_state = {};
 };
 
 class PropertyQueries {
 public:
     PropertyQueries(const TransitionSystem& system, FlatSystem& flat);
 
-    /// Translates a property. All calls must precede answers(), because the function adds terms to `flat`.
+    /// Translates a property. All calls of add_query must precede `answers`, because add_query adds terms to `flat`.
     void add_query(Id<Property> property);
-    /// Returns the verdicts, in the order of the calls of add_query(). `model` may be null if the search ended before
-    /// it was built.
+    /// Returns the verdicts, in the order of the calls of add_query(). `model` is null if the check ended before the
+    /// model was built; then all verdicts are unknown.
     std::vector<QueryResult> answers(const StateSpace* model, ReachableSet& search, const SymbolicOptions& options);
 
 private:
     struct PropertyQuery {
         Id<Property> about = {};
-        /// Operands over the variables of the flat system, with `at stable` included.
+        /// Operands over the variables of the flat system. For a property with `at stable`, the operands include the
+        /// condition of quiescence.
         std::vector<Id<Expr>> operands = {};
     };
     /// The sets of states of a query.

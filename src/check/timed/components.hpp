@@ -14,8 +14,8 @@
 
 namespace grafverif::timed {
 
-/// Computes the components of all states that are reachable from the states passed to `visit`. `each(state, take)`
-/// calls `take` with every successor.
+/// Computes the components of all states that are reachable from the states that are passed to `visit`. `each(state,
+/// take)` calls `take` for every successor of `state`.
 template <class Each>
 class Components {
 public:
@@ -49,8 +49,8 @@ public:
     bool has_cycle(std::uint32_t state) const { return cyclic_[of(state)]; }
     bool any_cycle() const { return std::ranges::find(cyclic_, true) != cyclic_.end(); }
 
-    /// Returns the states of a shortest cycle through `state`, which is the last state of the list. If `first` is
-    /// given, the list begins with `first`.
+    /// Returns the states of a shortest cycle through `state`; `state` is the last state of the list. If `first`, a
+    /// successor of `state`, is given, the cycle is a shortest cycle whose first state after `state` is `first`.
     std::vector<std::uint32_t> cycle(std::uint32_t state, std::optional<std::uint32_t> first = {}) {
         std::unordered_map<std::uint32_t, std::uint32_t> from;
         std::vector<std::uint32_t> queue = {first.value_or(state)};
@@ -70,7 +70,7 @@ private:
     struct Frame {
         std::uint32_t state = 0;
         std::uint32_t low = 0;
-        std::uint32_t first = 0;  // start of this frame in successors_; its end is the top of that stack
+        std::uint32_t first = 0;  // start of this frame in successors_; the frame ends at the top of successors_
         bool loops = false;       // true if the state has an edge to itself
     };
 

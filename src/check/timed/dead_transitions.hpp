@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dead transitions: transitions that are never cleared after the point of no return, that is, in the states that are
-// reachable from it.
+// Dead transitions. The point of no return is a state from which the states that a property requires are unreachable. A
+// transition is dead if it is never cleared in the states that are reachable from the point of no return.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,10 @@
 
 namespace grafverif::timed {
 
-/// Returns a note that lists the dead transitions. For each transition, the note names a conjunct of its condition that
-/// is constantly false, if this conjunct is a step, a variable or the negation of one. The note is empty if there are
-/// no dead transitions. Requires that every reachable state was expanded.
+/// Returns a note that lists the dead transitions; `from` is the point of no return. For each dead transition, the note
+/// names a conjunct of the transition condition that is always false. Only conjuncts that are a step, a variable, or
+/// the negation of a step or variable are named. The note is empty if there are no dead transitions. Requires that
+/// every reachable state was expanded.
 std::string dead_transitions_note(Graph& graph, std::uint32_t from, const Limits& limits);
 
 }  // namespace grafverif::timed

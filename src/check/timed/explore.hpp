@@ -22,7 +22,8 @@ public:
 
     ThreadPool& team() const { return team_; }
     std::uint32_t slice() const { return options_.slice; }
-    /// Returns the number of parts into which inexpensive work on `states` states is divided.
+    /// Returns the number of parts into which `share_states` divides work on `states` states: 1 if there are too few
+    /// states for parallel work.
     std::size_t parts(std::size_t states) const { return states < std::size_t{1024} * slice() ? 1 : team_.size(); }
     /// Calls `work(part)` for each part, in parallel.
     template <class Work>
@@ -45,14 +46,14 @@ public:
     double seconds() const;
     /// True if the user has stopped the check or the deadline has passed.
     bool stopped() const;
-    /// Thrown by loops over states outside the exploration, if the check must end.
+    /// Thrown by `poll` if the check must end. Loops over states outside the exploration call `poll`.
     struct Stop {};
     static constexpr std::size_t poll_interval = 65536;  ///< number of states between two polls
     void poll() const {
         if (++polls_ % poll_interval == 0 && stopped()) throw Stop{};
     }
-    /// Returns the reason that ends the search, or None. Reports progress periodically. `more` is the number of bytes
-    /// used in addition to the graph.
+    /// Returns the reason why the search must end, or None. Reports progress periodically. `more` is the number of
+    /// bytes used in addition to the graph.
     UnknownReason stop_reason(const Graph& graph, std::uint32_t state, std::size_t more);
     /// Computes a profile of the states found so far, if there are many states and a profile was requested. A profile
     /// is computed at most once.
@@ -77,8 +78,8 @@ private:
     mutable ThreadPool team_;
 };
 
-/// Fills `graph` from the initial state. Returns the reason of an early end, or None. States in which a bit of `races`
-/// is set are stored but not expanded.
+/// Adds all reachable states to `graph`, beginning with the initial state. Returns the reason why the search ended
+/// early, or None. States in which a bit of `races` is set are stored but not expanded.
 UnknownReason explore(Graph& graph, PropertyMonitor& monitor, const std::vector<Field>& races, Limits& limits);
 
 }  // namespace grafverif::timed

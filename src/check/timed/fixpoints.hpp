@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Fixpoints over the graph of a search: reachable states, unavoidable states, permanent timelocks.
+// Fixpoints over the state graph of a search. They determine from which states a set of states is reachable or
+// unavoidable.
 //
-// Each fixpoint is a least set of states that grows backwards along the edges. The computation does not need inverse
-// edges: it sweeps over the undecided states in alternating directions. Each sweep adds the states that are decided by
-// their successors. Most edges lead to later states, so a few sweeps suffice. A sweep reads only a bit set and,
-// sequentially, the links; this is much faster than a walk. If sweeps stall, `unavoidable` continues with a depth-first
-// walk, whose cost is linear.
+// Each fixpoint is a least set of states that grows backwards along the edges. The computation does not store inverse
+// edges. Instead, it sweeps over the undecided states, alternately in increasing and decreasing order. Each sweep adds
+// the states that are decided by their successors. Most edges lead to states with greater numbers, so a few sweeps
+// suffice. A sweep reads only a bit set and, sequentially, the links; this is much faster than a depth-first walk. If
+// sweeps add few states, `unavoidable` continues with a depth-first walk, whose cost is linear in the size of the
+// graph.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +20,29 @@
 
 namespace grafverif::timed {
 
-/// Types of transitions: all (edges and delays), edges, or urgent edges.
+/// Set of transitions: All (edges and delays), Actions (edges), or UrgentActions (urgent edges).
 enum class Transitions { All, Actions, UrgentActions };
 
-/// Returns the expanded states from which no state of `goal` is reachable by transitions of type `by`. Adds all other
-/// states to `goal`. The result is nullopt if the check was stopped.
+/// Returns the expanded states from which no state of `goal` is reachable by transitions of the set `by`. Adds all
+/// other states to `goal`. The result is nullopt if the check was stopped.
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits);
 
-/// Adds states to `met` from which every maximal run reaches `met`, as far as necessary to decide this for `roots`.
-/// Returns true if every maximal run from all roots reaches `met`; empty if the check was stopped.
+/// Returns true if every maximal run from each state of `roots` reaches `met`; nullopt if the check was stopped. Adds
+/// to `met` states from which every maximal run reaches `met`, as far as the result requires.
 std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots,
                                 const Limits& limits);
 
 /// A path of states from the initial state, with the index at which its loop begins.
 struct Lasso {
-    std::vector<std::uint32_t> path = {};  ///< if there is a loop, its first state is repeated at the end
+    /// If the path has a loop, the first state of the loop is repeated at the end.
+    std::vector<std::uint32_t> path = {};
     std::optional<std::size_t> loop = {};
 };
 
-/// Returns a short maximal run that avoids `met` after one of `roots`, which are in order of discovery. If `endless` is
-/// true, only infinite runs are considered. The path is empty if there is no such run.
+/// Returns a short maximal run that visits a state of `roots` and does not visit `met` from this state on. `roots` is
+/// in the order of discovery. If `endless` is true, only infinite runs are considered. The path is empty if there is no
+/// such run.
 Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless,
                const Limits& limits);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Graph: the states that a search has found and the transitions between them.
 //
-// The kind of a state is stored in one word together with a target. The kind states if time passes in the state; the
-// target is one of its successors. `links` contains the targets of edges. A target is encoded as the difference of its
-// number from the previous target, and the first target as the difference from the state. A difference is stored in
-// groups of seven bits, because most differences are small. If links use too many bytes per state, they are discarded.
-// Successors are then computed again on demand, which saves memory but costs time. The parents of states determine a
-// shortest run to each state.
+// The StateKind of a state and one of its successors, called the target, are stored in one 32-bit word. `links`
+// contains, for each state, the successors by edges. The number of a successor is encoded as the difference from the
+// previous successor of the list; the first successor is encoded as the difference from the state. A difference is
+// stored in groups of seven bits, because most differences are small. If links use too many bytes per state, they are
+// discarded. If the links have been discarded, successors are computed again on demand, which saves memory but costs
+// time. The parents of states determine a shortest run to each state.
 #pragma once
 
 #include <atomic>
@@ -24,21 +24,21 @@
 
 namespace grafverif::timed {
 
-/// Classification of a state: whether time can pass, and whether an edge (or an urgent edge) is enabled.
+/// Classification of a state: it states if time can pass, and if an edge or an urgent edge is enabled.
 enum class StateKind : std::uint32_t {
     Unknown,       ///< the state was not expanded
     Passes,        ///< time can pass, and no edge is enabled
     PassesOrActs,  ///< time can pass, and an edge is enabled
     Urgent,        ///< an urgent edge stops time; the target is the successor by this edge
     Stuck,         ///< an invariant stops time, and no edge is enabled
-    Acts,          ///< an invariant stops time, and an edge is enabled; the target is a successor
-    Open,          ///< a model error occurs in this state: its successors are not conclusive
+    Acts,          ///< an invariant stops time, and an edge is enabled; the target is a successor by an edge
+    Open,          ///< a model error occurs in this state, so that the list of its successors is incomplete
 };
 
 /// Compressed lists of target states, one list per state.
 class Links {
 public:
-    /// The lists of a few consecutive states, built in parallel with other chunks.
+    /// The lists of a few consecutive states. Several threads build different chunks in parallel.
     struct Chunk {
         static constexpr std::size_t most = 5;  ///< maximum number of bytes of one target in a list
         std::vector<std::uint8_t> bytes = {};
@@ -91,7 +91,7 @@ private:
     Column<std::uint32_t> ends_ = {};  // start of the list of each state
 };
 
-/// A set of states. Threads may add to it in parallel with `add_concurrently`, and read it at the same time.
+/// A set of states. Several threads may call `add_concurrently` and `has` at the same time.
 class StateSet {
 public:
     explicit StateSet(std::size_t states) : words_((states + 63) / 64) {}
@@ -100,7 +100,8 @@ public:
     void add_concurrently(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
     void remove(std::uint32_t state) { word(state).store(word(state).load(relaxed) & ~bit(state), relaxed); }
 
-    /// Returns the 64 states from 64 * `index` on, one for each bit.
+    /// Returns a word for the states 64 * `index` to 64 * `index` + 63: bit k is 1 if state 64 * `index` + k belongs to
+    /// the set.
     std::uint64_t bits(std::size_t index) const { return words_[index].load(relaxed); }
 
 private:
@@ -135,22 +136,24 @@ public:
     Column<std::uint32_t> kinds = {};  // kind and target of each state
     Links links = {};                  // lists of the expanded states
     bool linked = true;
-    /// Omits states that other states simulate; null if it is not used, or no longer used because it omits few states.
+    /// Omits states that other states simulate. Null if no states are omitted, or if the search stopped omitting states
+    /// because too few states could be omitted.
     std::unique_ptr<Covering> covering = {};
-    /// True if states may have been omitted. Targets may then be missing, so that only properties about single states
-    /// are decided.
+    /// True if states may have been omitted. If true, successors may be missing, so that only properties about single
+    /// states are decided.
     bool covered = false;
-    std::uint32_t explored = 0;              // number of expanded states; they have `kinds` and `links`
+    std::uint32_t explored = 0;  // number of expanded states; only expanded states have entries in `kinds` and `links`
     std::vector<std::uint32_t> levels = {};  // first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
-    std::vector<FaultAt> faults = {};        // at most one for each edge and variable
+    std::vector<FaultAt> faults = {};        // model errors; at most one for each edge and variable
     std::optional<std::uint32_t> race = {};  // the first state with a race
 
     std::size_t states() const { return store.size(); }
     StateKind kind(std::uint32_t state) const { return static_cast<StateKind>(kinds[state] >> kind_shift); }
-    /// Returns the stored successor: by a unit of time if time passes, otherwise by an edge.
+    /// Returns the stored successor of the state: the successor after one unit of time if time can pass, otherwise a
+    /// successor by an edge.
     std::uint32_t target(std::uint32_t state) const { return kinds[state] & target_mask; }
     bool passes(std::uint32_t state) const {
         return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs;
@@ -174,19 +177,20 @@ public:
         for (std::size_t i = 0; i < moves_.edges.size(); ++i)
             visit(store.find(moves_.words.data() + i * machine.layout().words, found_));
     }
-    /// Calls `visit(state)` for each successor by an edge or by time.
+    /// Calls `visit` for each successor of `state` by an edge, and for the successor after one unit of time if time can
+    /// pass.
     template <class Visit>
     void each(std::uint32_t state, const Visit& visit) {
         each_action(state, visit);
         if (passes(state)) visit(target(state));
     }
-    /// Stores the successors by urgent edges in `found`.
+    /// Stores the successors of `state` by urgent edges in `found`.
     void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
 
     /// Returns the move that leads from one state to its successor.
     Move move_between(std::uint32_t from, std::uint32_t to);
-    /// Returns the moves along a path of states. Consecutive delays are joined to one move, but not across the
-    /// beginning of the loop at index `loop`.
+    /// Returns the moves along a path of states. Consecutive delays are joined to one move, except for two delays
+    /// between which the loop begins (at index `loop`).
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
     /// Returns the states of a path, except the first, in the form of TimedResult::paths.
     std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);

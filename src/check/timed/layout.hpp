@@ -3,8 +3,9 @@
 //
 // A state is an array of 64-bit words. A field does not cross a word boundary. Therefore a field is read by a shift and
 // a mask, and a conjunction of Booleans in one word is tested by one comparison. A Boolean uses one bit; an integer
-// uses the bits of its range, and a clock the bits of its cap (ir/network_clocks.hpp). Scratch variables follow the
-// stored words. They are written before they are read, and therefore need not be cleared or compared.
+// uses the bits of its range, and a clock uses the bits of its largest cap (ir/network_clocks.hpp). Scratch variables
+// follow the stored words. Scratch variables are written before they are read, and therefore need not be cleared or
+// compared.
 #pragma once
 
 #include <bit>
@@ -19,11 +20,11 @@
 
 namespace grafverif::timed {
 
-/// The admitted values of a clock (ir/network_clocks.hpp).
+/// The values of a clock that its constraints admit (ir/network_clocks.hpp).
 using Interval = ClockInterval;
 
-/// Returns the first element for which integer time is inexact: a strict constraint, or an urgent edge that the passing
-/// of time may disable. Returns nullopt if integer time is exact.
+/// Returns a text that names the first element for which integer time may be inexact: a strict constraint, or an urgent
+/// edge that may become disabled as time passes. Returns nullopt if there is no such element.
 std::optional<std::string> inexact_place(const Network& network);
 
 using Word = std::uint64_t;
@@ -32,9 +33,9 @@ struct Field {
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
     std::uint8_t width = 0;  ///< number of bits; 0 if the value is always `low`
-    std::int64_t low = 0;    ///< value that is represented by raw bits that are all 0
+    std::int64_t low = 0;    ///< value that the field represents if all its bits are 0
 
-    /// Returns a mask of all bits of the field, without shift.
+    /// Returns a mask of `width` bits, not shifted to the position of the field.
     Word all() const { return width == 0 ? 0 : ~Word{0} >> (64U - width); }
     Word mask() const { return width == 0 ? 0 : all() << shift; }
     Word raw(const Word* words) const { return width == 0 ? 0 : (words[word] & mask()) >> shift; }
@@ -54,12 +55,14 @@ struct Layout {
     std::vector<Field> locations = {};            ///< one field per process
     std::vector<Field> variables = {};            ///< one field per variable
     std::vector<std::vector<Field>> clocks = {};  ///< one field per process and clock
-    /// For each choice: set of possible valuations; width 0 if the set is not stored.
+    /// For each input choice: the field of the set of possible valuations; the field has width 0 if the set is not
+    /// stored.
     std::vector<Field> choices = {};
-    std::size_t stored = 1;               ///< number of words of a state
-    std::size_t words = 1;                ///< number of words including scratch variables
-    std::size_t halves = 1;               ///< number of 32-bit units that contain all stored bits
-    std::vector<std::size_t> seams = {};  ///< units at which a subsystem begins, except the first subsystem
+    std::size_t stored = 1;  ///< number of words of a state
+    std::size_t words = 1;   ///< number of words including scratch variables
+    std::size_t halves = 1;  ///< number of 32-bit units that contain all stored bits
+    /// Indices of the 32-bit units at which the fields of a subsystem begin, except for the first subsystem.
+    std::vector<std::size_t> seams = {};
 };
 
 /// Computes the layout of `network`, which must be expanded.

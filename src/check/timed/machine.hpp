@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Machine: a network compiled for the search. It computes the moves of a packed state as packed states.
+// Machine: a network compiled for the search. For a packed state, the machine computes the successors as packed states.
 //
-// An edge is tested by one comparison of a word, then by the rest of its guard and its clock constraint. One program
-// applies its effect to a copy of the state: assignments, procedures, the new location, resets, caps, and the target's
-// invariant.
+// To test an edge, the machine first compares one masked word of the state with a constant, and then evaluates the
+// remaining conjuncts of the guard and the clock constraint. One program applies the effect of an edge to a copy of the
+// state: assignments, procedures, the new location, clock resets and clock caps. The program also tests the invariant
+// of the target location.
 //
 // While testing the edges of a state, the machine also determines if integer time is exact in this state
-// (docs/explanation/timed-engine.md, "Exactness"). An edge covers a bound `c <= d` in force if its data guard holds and
-// it is enabled at c == d for all values of the other clocks; see UncoveredBound.
+// (docs/explanation/timed-engine.md, "Exactness"). An edge covers a bound `c <= d` of its source location if its guard
+// holds and, at c == d, it is enabled for all values of the other clocks (see UncoveredBound).
 #pragma once
 
 #include <cstdint>
@@ -27,33 +28,38 @@ struct Fault {
     std::uint32_t variable = 0;  ///< variable, only for OutOfRange
 };
 
-/// A bound in force that no edge covers.
+/// A bound of the invariant of a current location. Moves::stuck_bound is a bound that no edge covers.
+/// Moves::locked_bound is a bound that no edge releases (EdgeTiming::frees), or that is less than one time unit.
 struct UncoveredBound {
     std::uint32_t process = 0;
     std::uint32_t bound = 0;  ///< index in the invariant of its location
 };
 
-/// The moves of one state; reused to avoid allocation.
+/// The moves of one state. Callers reuse the object to avoid allocation.
 struct Moves {
     std::vector<std::uint32_t> edges = {};  ///< the enabled edges, in the order of processes and edges
-    std::vector<Word> words = {};           ///< target states of the moves, at intervals of Machine::layout.words
+    std::vector<Word> words = {};  ///< successors by the moves; each successor has Machine::layout().words words
     std::vector<std::int64_t> registers = {};
     bool record_choices = false;
-    std::vector<Word> chosen = {};  ///< if recorded: the valuations that remain possible, per move and choice
-    bool cut = false;               ///< true if an edge has more than Machine::most_choices combinations of inputs
-    bool urgent = false;            ///< true if some urgent edge is enabled, so that time stops
+    /// If `record_choices`: per move and input choice, the valuations that remain possible.
+    std::vector<Word> chosen = {};
+    bool cut = false;     ///< true if an edge reads more than Machine::most_choices combinations of chosen inputs
+    bool urgent = false;  ///< true if some urgent edge is enabled, so that time cannot pass
     std::optional<Fault> fault = {};
-    std::optional<UncoveredBound> stuck_bound = {};   ///< a bound at which a run may end between the ticks
-    std::optional<UncoveredBound> locked_bound = {};  ///< a bound at which a timelock may occur between the ticks
+    /// A bound at which, in dense time, a run may end at a time that is not an integer.
+    std::optional<UncoveredBound> stuck_bound = {};
+    /// A bound at which, in dense time, a timelock may occur at a time that is not an integer.
+    std::optional<UncoveredBound> locked_bound = {};
 };
 
-/// A network as code. Threads may share it while nothing is compiled.
+/// A network as code. Several threads may use the machine at the same time, while none of them compiles code.
 class Machine {
 public:
     static constexpr std::size_t most_choices = std::size_t{1} << 14U;
 
-    /// Compiles `network`, which must be expanded and outlive the machine. An edge of a PLC that reads chosen inputs
-    /// represents one edge per combination of their values. Requires at most Choices::most_splits valuations in total.
+    /// Compiles `network`, which must be expanded and outlive the machine. An edge of a PLC that reads inputs of
+    /// `choices` represents one edge per combination of the values of these inputs. Requires at most
+    /// Choices::most_splits valuations in total.
     explicit Machine(const Network& network, std::vector<InputChoice> choices = {});
 
     const Network& network() const { return network_; }
@@ -64,9 +70,11 @@ public:
 
     /// Computes the moves by every edge that is enabled in `words` (layout().words words).
     void expand(const Word* words, Moves& moves) const;
-    /// Lets one unit of time pass, without regard to urgency. Returns false if an invariant forbids it.
+    /// Lets one unit of time pass in the state `words`; urgent edges are ignored. Returns false if an invariant forbids
+    /// the delay.
     bool delay(Word* words) const;
-    /// Evaluates a term over variables and locations. An undefined value is reported as NoValue.
+    /// Evaluates the compiled predicate that begins at instruction `predicate`. Returns NoValue if its value is
+    /// undefined.
     End holds(std::uint32_t predicate, const Word* words, std::vector<std::int64_t>& registers) const;
 
     Id<Network::Process> process_of(std::uint32_t edge) const { return {edges_[edge].process}; }
@@ -79,7 +87,7 @@ public:
 private:
     struct Edge {
         Word mask = 0, value = 0;            // first test: the masked word has this value
-        std::uint32_t guard = Program::yes;  // code of the rest of the guard
+        std::uint32_t guard = Program::yes;  // code of the remaining conjuncts of the guard
         std::uint32_t clocks = Program::yes;
         std::uint32_t effect = Program::yes;
         std::uint32_t process = 0, index = 0;
@@ -87,7 +95,7 @@ private:
         std::uint16_t word = 0;
         std::uint32_t first_set = 0, last_set = 0;  // range in sets_: the choices of its PLC
         bool urgent = false;
-        bool always = false;  // the edge is independent of clocks: it covers every bound of every process
+        bool always = false;  // true if the edge does not depend on clocks: it covers all bounds of all processes
     };
     struct Set {  // a set of valuations of a choice, in an edge
         std::uint32_t choice = 0;
@@ -96,7 +104,7 @@ private:
     };
     struct Tick {
         Word mask = 0;
-        Word greatest = 0;  // time passes below this clock value
+        Word greatest = 0;  // time can pass while the clock has a smaller value
         Word cap = 0;
         std::uint16_t word = 0;
         std::uint8_t shift = 0;
@@ -104,7 +112,7 @@ private:
     struct Row {                                      // one location of one process
         std::uint32_t first = 0, last = 0;            // range in edges_
         std::uint32_t first_tick = 0, last_tick = 0;  // range in ticks_
-        Word bounds = 0, late = 0;                    // mask of its bounds, and of bounds of at least one unit
+        Word bounds = 0, late = 0;                    // masks: its bounds; its bounds of at least one time unit
     };
     struct Place {
         Word mask = 0;
@@ -134,8 +142,8 @@ private:
     std::vector<Tick> ticks_ = {};
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
-    std::vector<Field> until_delay_ = {};  // possible valuations of choices; a delay makes all of them possible again
-    struct Rest {                          // a PLC waits and is stable: all valuations of the choice are possible again
+    std::vector<Field> until_delay_ = {};  // sets of valuations of choices; after a delay, all are possible
+    struct Rest {  // states in which a PLC waits and is stable: all valuations of the choice become possible again
         Field stable = {}, location = {};
         Word waiting = 0;
         bool is_reached(const Word* words) const { return stable.raw(words) != 0 && location.raw(words) == waiting; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Premises under which a part of a network can be omitted when other parts are checked
+// Premises under which a part (independent subsystem) of a network can be omitted when other parts are checked
 // (docs/explanation/decomposition.md, "Sub-loops"). The premises are determined from the graph of a complete search.
 #pragma once
 
@@ -8,7 +8,8 @@
 
 namespace grafverif::timed {
 
-/// Determines the premises. `quiescent` is the first instruction of the code for Network::settled, or Program::no.
+/// Determines the premises. `quiescent` is the index of the first instruction of the code for Network::settled, or
+/// Program::no if the network has no such condition.
 Premises premises_of(Graph& graph, std::uint32_t quiescent, const Limits& limits);
 
 }  // namespace grafverif::timed

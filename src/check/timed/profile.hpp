@@ -10,11 +10,11 @@
 namespace grafverif::timed {
 
 enum class Effort {
-    Brief,  ///< about a tenth of a second, because the user waits for the result
-    Full,   ///< a few seconds
+    Brief,  ///< computation takes about 0.1 s, because the user waits for the result
+    Full,   ///< computation takes a few seconds
 };
-/// Returns a profile of the states that were found first. The effort limits their number. `finest` is the duration that
-/// requires a fine time unit, if there is such a duration.
+/// Returns a profile of the states that were found first. `effort` limits the number of these states. `finest` is the
+/// duration that requires a fine time unit, if there is such a duration.
 StateProfile profile_of(Graph& graph, std::optional<StateProfile::Finest> finest, Effort effort = Effort::Full);
 
 }  // namespace grafverif::timed

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Program: guards, assignments and properties compiled once to a flat branching program over packed states.
+// Program: code for guards, assignments and properties. Each term is compiled once to instructions that read and write
+// packed states.
 //
-// Every instruction contains the indices of its successors, so that code has no fixed order and is generated backwards,
-// from its end. For a Boolean term, the compiler receives the instructions for the cases that the term is true and that
-// it is false, and returns the first instruction of the term. A conjunction of Booleans of one word is compiled to one
-// Test, and a comparison of a variable with a constant to one Within. All other arithmetic uses registers. If a term is
-// far larger as a tree than with shared subterms, each shared subterm is evaluated once, in a register (`eager`). Both
-// methods give the same value, including undefined values.
+// Every instruction contains the indices of the next instructions. Therefore code has no fixed order, and the compiler
+// generates it backwards, from the last instruction to the first. For a Boolean term, the compiler receives the
+// instruction that follows if the term is true and the instruction that follows if it is false. The compiler returns
+// the first instruction of the term. A conjunction of Boolean variables in one word is compiled to one Test
+// instruction, and a comparison of a variable with a constant to one Within instruction. All other arithmetic uses
+// registers. If a term has many shared subterms, so that its tree is far larger than its graph, each shared subterm is
+// evaluated once and stored in a register (`eager`). The eager code and the branching code compute the same values,
+// including undefined values.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +51,7 @@ enum class Opcode : std::uint8_t {
     Patch,        // word := (word & mask) | value
     Store,        // field := register a if it is in range; otherwise a model error
     Cap,          // raw field := minimum of the raw field and `value`
-    Choose,       // tests if the chosen valuation is one of those in `value` (see Choices)
+    Choose,       // tests if the chosen valuation belongs to the set `value` (see Choices)
 };
 
 struct Instruction {
@@ -63,16 +66,17 @@ struct Instruction {
     Opcode op = Opcode::Yes;
 };
 
-/// Returns a test that the bits of `field` are a number in low..high.
+/// Returns an instruction that tests if the raw value of `field` is in low..high.
 Instruction field_within(const Field& field, std::int64_t low, std::int64_t high, std::uint32_t yes, std::uint32_t no);
 
-/// Content of a register for an undefined term. No defined term over bounded variables has this value.
+/// Value of a register that represents an undefined term. No defined term over variables with bounded ranges has this
+/// value.
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
-/// Data in the registers before the first general register, for code that chooses the valuations of inputs when it
-/// reads them (ir/network_inputs.hpp). The set of valuations that are possible for a choice is a bit mask. If the
-/// condition of `Choose` is true for some of these valuations and false for others, the set is split. `path` has one
-/// bit per split; `depth` counts the splits of an execution.
+/// Special registers, which precede the general registers. They belong to code that chooses the valuations of inputs
+/// when it reads these inputs (ir/network_inputs.hpp). A bit mask represents the set of valuations that are possible
+/// for a choice. If the condition of `Choose` is true for some valuations of this set and false for others, the set is
+/// split. `path` has one bit per split; `depth` counts the splits of an execution.
 struct Choices {
     static constexpr std::uint32_t depth = 1, path = 2, path_text = 4, most_splits = 64 * path_text;
     static constexpr std::uint32_t set(std::size_t choice) {
@@ -84,18 +88,19 @@ struct Program {
     static constexpr std::uint32_t yes = 0, no = 1;  ///< the two final instructions
     std::vector<Instruction> code = {Instruction{}, Instruction{.op = Opcode::No}};
     std::size_t registers = 1;
-    std::size_t below = 0;  ///< number of registers before the first general register
+    std::size_t below = 0;  ///< number of special registers (see Choices), which precede the general registers
 };
 
 enum class End { Yes, No, OutOfRange, NoValue };
 
-/// Result of an execution from `start`. `place` is the final instruction, or the instruction that caused a model error.
+/// Result of an execution. `place` is the index of the final instruction, or of the instruction that caused a model
+/// error.
 struct ExecutionResult {
     End end = End::No;
     std::uint32_t place = 0;
 };
 ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers);
-/// Executes a condition, which does not write any word.
+/// Executes a condition. Requires that its code does not write any word.
 inline ExecutionResult test(const Program& program, std::uint32_t start, const Word* words, std::int64_t* registers) {
     return run(program, start, const_cast<Word*>(words), registers);
 }
@@ -105,21 +110,22 @@ class Compiler {
 public:
     Compiler(const Network& network, const Layout& layout, Program& program);
 
-    /// Compiles a Boolean term that continues at `yes` or `no`.
+    /// Compiles a Boolean term and returns its first instruction. If the term is true, execution continues at `yes`,
+    /// otherwise at `no`.
     std::uint32_t condition(Id<Expr> term, std::uint32_t yes, std::uint32_t no);
-    /// Compiles `target := value`, which continues at `next`.
+    /// Compiles `target := value` and returns its first instruction. Execution continues at `next`.
     std::uint32_t assignment(Id<Network::Variable> target, Id<Expr> value, std::uint32_t next);
     std::uint32_t emit(const Instruction& instruction);
 
-    /// A test of bits, (word & mask) == value, that is a complete term or an operand of a conjunction.
+    /// A test (word & mask) == value that represents a complete term or an operand of a conjunction.
     struct Literal {
         std::uint16_t word = 0;
         Word mask = 0, value = 0;
     };
     /// Returns the term as a single test of bits, or nullopt if this is impossible.
     std::optional<Literal> literal(Id<Expr> term) const;
-    /// After this call, generated code that reads the variables of `choice` chooses their valuation. `number` is the
-    /// argument of Choices::set for this choice.
+    /// After this call, generated code chooses a valuation of the variables of `choice` when it reads one of these
+    /// variables. `number` is the argument of Choices::set for this choice.
     void choose(const InputChoice& choice, std::size_t number);
     /// After this call, generated code does not choose valuations.
     void choose_nothing() { chosen_.clear(); }
@@ -128,9 +134,9 @@ public:
 private:
     /// Properties of a term that do not depend on its context.
     struct Facts {
-        std::uint32_t tree = 1;    // number of nodes of the term as a tree, saturating
+        std::uint32_t tree = 1;    // number of nodes of the term as a tree; saturates at the maximum value
         bool fallible = false;     // true if the term may be undefined
-        double low = 0, high = 1;  // bounds of its value
+        double low = 0, high = 1;  // bounds of the value of the term
     };
     Facts facts_of(Id<Expr> term) const;
     std::uint32_t boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base);

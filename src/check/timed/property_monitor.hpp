@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Property monitors: search for single states that decide properties, for all properties in one pass. A monitor ends
-// when it has found a state, so that decided properties cause no further cost.
+// Property monitor: searches for single states that decide properties. One pass over the states searches for all
+// properties. The search for a property ends when it has found a state, so that decided properties cause no further
+// cost.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +18,19 @@ public:
 
     /// Adds a search for a state in which `predicate` ends in Yes. Returns the index of the search.
     std::size_t add(std::uint32_t predicate);
-    /// Adds a search for a state in which the bit of a variable is set, and in which `quiescent` holds if it is not
-    /// Program::yes.
+    /// Adds a search for a state in which the bit of a variable is set. If `quiescent` is not Program::yes, the
+    /// predicate `quiescent` must also hold in the state.
     std::size_t add_bit(const Field& bit, std::uint32_t quiescent);
 
-    /// True if the new state ends some search, so that look() must be called. Thread-safe.
+    /// True if the new state may end a search, so that look() must be called. Thread-safe.
     bool needs(const Machine& machine, const Word* words, Registers& registers) const;
     /// Evaluates a new state for which needs() is true.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
     /// True if each search has found a state or an undefined predicate.
     bool is_over() const { return predicates_.empty() && bits_.empty(); }
-    /// Returns the first state that the search found, or `none`.
+    /// Returns the state that the search `search` found, or `none`.
     std::uint32_t found(std::size_t search) const { return results_[search].state; }
-    /// True if the predicate was undefined in some state.
+    /// True if the predicate of the search was undefined in some state.
     bool broken(std::size_t search) const { return results_[search].broken; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Property queries: compiles the properties of a network to code and monitors before the search (property_queries.cpp),
-// and computes their verdicts after it (verdicts.cpp).
+// Property queries. Before the search of the states, the properties of a network are compiled to code and to searches
+// of a PropertyMonitor (property_queries.cpp). After the search, their verdicts are computed (verdicts.cpp).
 #pragma once
 
 #include <optional>
@@ -13,12 +13,13 @@
 
 namespace grafverif::timed {
 
-/// Returns `no timelock` for models that do not declare it. Timed checks decide this property by default.
+/// Returns the property `no timelock` for a model that does not declare it. Timed checks decide this property by
+/// default.
 Property undeclared_timelock(const Network& network);
 /// True if `property` is `no timelock` without `at stable`.
 bool about_time(const Property& property);
 
-/// Reason: in an input abstraction, `no timelock` is unknown because of a cycle of urgent edges.
+/// Reason of an unknown verdict on `no timelock` in an input abstraction that has a cycle of urgent edges.
 inline constexpr const char* endless_instants = "in the abstraction, urgent edges may follow each other without end";
 /// True if `options` select `property`.
 bool is_selected(const TimedOptions& options, const Property& property);
@@ -29,8 +30,8 @@ public:
     PropertyQueries(const Network& network, Machine& machine, PropertyMonitor& monitor, bool abstracted = false);
 
     void add_query(Id<Property> about, const Property& property);
-    /// True if some selected property is `inevitable`, `leads to` or `always possible`; their verdicts depend on the
-    /// edges of the graph, not only on single states.
+    /// True if some selected property is `inevitable`, `leads to` or `always possible`; the verdicts on these
+    /// properties depend on the edges of the graph, not only on single states.
     bool follow_edges() const;
     /// True if the verdicts of all selected properties depend only on the reachable locations and variables.
     bool are_about_single_states() const;
@@ -53,7 +54,7 @@ private:
     struct PropertyQuery {
         Verdict verdict = {};
         const Property* property = nullptr;
-        std::size_t search = none;  // search of the monitor for a state that decides the property or its vacuity
+        std::size_t search = none;  // search of the monitor for a state that decides the property (or its vacuity)
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
         std::optional<std::uint32_t> dead_state = {};  // a state from which no required state is reachable
@@ -67,7 +68,7 @@ private:
 
     /// Data shared by all verdicts of one search.
     struct Outcomes {
-        // Reason why no property about all states can be decided as `holds`.
+        // Reason why no property about all states can be decided as `holds`; None if the search is complete.
         UnknownReason obstacle = UnknownReason::None;
         std::string reason = {};
     };

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Timed engine: explicit-state model checking of a Network in integer time.
 //
-// Semantics: ir/network.hpp. One breadth-first exploration decides all state properties. Liveness properties are then
-// decided on the state graph with UPPAAL semantics: a maximal run is infinite or ends in a state without successors;
-// staying in a state forever is a run; a state that satisfies p and q fulfils `p leads to q`.
+// Semantics: ir/network.hpp. One breadth-first exploration decides all properties about single states. Liveness
+// properties are then decided on the state graph with UPPAAL semantics: a maximal run is infinite or ends in a state
+// without successors; staying in a state forever is a run; in a state with p and q, `p leads to q` is fulfilled
+// immediately.
 //
 // Exactness (proof: docs/explanation/timed-engine.md, "Exactness"). With closed clock constraints, integer time reaches
-// the same discrete states as dense time; therefore `always`, `never` and `reachable` are exact. With a strict
-// constraint, only runs that are found in integer time are conclusive for these properties. An integer run can refute
-// `inevitable`, `leads to`, `no deadlock` and `no timelock`. These properties hold only if no timelock can occur
-// between two ticks; otherwise the verdict is unknown and its reason names the location.
+// the same discrete states as dense time; therefore `always`, `never` and `reachable` are exact. If the model has a
+// strict constraint, a run that is found in integer time still decides these properties, but the absence of a run does
+// not. An integer run can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`. The engine decides that
+// these properties hold only if no timelock can occur in dense time at a time that is not an integer. Otherwise, the
+// verdict is unknown, and its reason names the location.
 //
-// Counterexamples to state properties have the minimum number of moves; a delay of any length counts as one move.
+// Counterexamples to properties about single states have the minimum number of moves; a delay of any length counts as
+// one move.
 #pragma once
 
 #include <atomic>
@@ -30,7 +33,7 @@
 
 namespace grafverif {
 
-/// Number of states at which a state profile is computed.
+/// Number of found states from which on a search is large: then a state profile is computed.
 constexpr std::uint64_t many_states = std::uint64_t{1} << 20U;
 
 struct TimedProgress {
@@ -41,36 +44,38 @@ struct TimedProgress {
     double seconds = 0;
 };
 
-/// Premises of the covering (covering.hpp) that tests omit on purpose.
+/// Premises of the covering (covering.hpp). If a member is true, the premise is dropped, so that tests can show that
+/// the premise is necessary.
 struct CoveringAblations {
     bool lower = false;  ///< lower bounds of clocks are ignored
     bool upper = false;  ///< upper bounds of clocks are ignored
     bool depth = false;  ///< a state is omitted although the run to the state that simulates it may be longer
 };
 
-/// Determines which searches compute TimedResult::profile. IfLarge: those that a limit ended, and those that found
-/// `many_states` states.
+/// Determines which searches compute TimedResult::profile. IfLarge: searches that a limit ended, and searches that
+/// found at least `many_states` states.
 enum class ProfileFor : std::uint8_t { None, IfLarge, All };
 
 struct TimedOptions {
     std::vector<std::string> properties = {};  ///< names of the properties to check; all if empty. See `timelock`
     std::uint64_t max_states = 500'000'000;
-    std::uint64_t max_transitions = ~std::uint64_t{0};   ///< bound on the work; reported like `max_states`
+    /// Maximum number of transitions; a search that reaches it ends as if it had reached `max_states`.
+    std::uint64_t max_transitions = ~std::uint64_t{0};
     std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag: return the results so far
-    unsigned jobs = 1;    ///< number of threads; 0 selects one per core. The results do not depend on it
-    unsigned slice = 64;  ///< number of states in a unit of work of a thread
-    /// If false, the engine needs less memory, but several times more work for liveness. Links are stored only if a
-    /// property needs them.
+    const std::atomic<bool>* stop = nullptr;  ///< cancellation flag; if set, the check ends with the results so far
+    unsigned jobs = 1;    ///< number of threads; 0 selects one per core. The results do not depend on this number
+    unsigned slice = 64;  ///< maximum number of states in a slice, the unit of work of a thread
+    /// True: edges of the state graph (links) are stored if a property needs them. False: the engine needs less memory,
+    /// but several times more work for liveness properties.
     bool keep_links = true;
-    bool timelock = true;                   ///< if false, `no timelock` is decided only if a property requires it
+    bool timelock = true;                   ///< if false, `no timelock` is decided only if the model declares it
     bool premises = false;                  ///< compute TimedResult::premises
     std::vector<InputChoice> choices = {};  ///< choices of inputs, for an input abstraction
-    /// The network is an input abstraction, with or without choices: `no timelock` holds only if no sequence of urgent
-    /// edges is infinite.
+    /// True if the network is an input abstraction, with or without choices. Then `no timelock` holds only if no
+    /// sequence of urgent edges is infinite.
     bool abstracted = false;
-    /// Omit states that other states simulate (covering.hpp), if all properties are about single states.
+    /// True: if all properties are about single states, states that other states simulate are omitted (covering.hpp).
     bool covering = true;
     CoveringAblations covering_without = {};
     bool until_decided = false;  ///< end the search when each property is decided by a state
@@ -78,19 +83,19 @@ struct TimedOptions {
     std::function<void(const TimedProgress&)> progress = {};  ///< function that is called a few times per second
     ProfileFor profile = ProfileFor::IfLarge;
     std::function<void(const StateProfile&)> many = {};  ///< called once when the search has found `many_states`
-    /// Function that is called when a profile is computed.
+    /// Function that returns the duration that determines the time unit; called when a profile is computed.
     std::function<std::optional<StateProfile::Finest>()> finest = {};
 };
 
-/// Results of a complete search of a part, on which verdicts about other parts depend
-/// (docs/explanation/decomposition.md, "Sub-loops").
+/// Facts that a complete search of a part (independent subsystem) determines, and on which verdicts about other parts
+/// depend (docs/explanation/decomposition.md, "Sub-loops").
 struct Premises {
-    std::optional<Run> diverges = {};  ///< a lasso in which time diverges; empty if no such run exists
+    std::optional<Run> diverges = {};  ///< an infinite run in which time diverges; empty if no such run exists
     bool rests = false;                ///< true if no run continues forever within one instant
     bool settles = false;              ///< true if time passes only in quiescent states
 };
 
-/// A state of a run of an input abstraction, without clocks: the state after `move`.
+/// A state of a run of an input abstraction. `state` is the state after `move`, without clock values.
 struct AbstractState {
     Move move = {};
     NetworkState state = {};
@@ -100,7 +105,7 @@ struct AbstractState {
 };
 
 struct TimedResult {
-    /// Verdicts in the order of the properties; an undeclared `no timelock` is the last.
+    /// Verdicts in the order of the properties; the verdict on an undeclared `no timelock` is the last verdict.
     std::vector<Verdict> verdicts = {};
     std::vector<ModelError> errors = {};  ///< at most one error for each kind, edge and variable
     std::uint64_t states = 0;
@@ -110,8 +115,9 @@ struct TimedResult {
     double seconds = 0;
     bool complete = true;      ///< true if every reachable state was expanded
     bool time_passes = false;  ///< true if time passes in some reachable state
-    bool settles = true;       ///< false if a quiescent state was searched for and not found
-    /// State profile, if TimedOptions::profile selects the search. It is empty if there is not enough memory.
+    bool settles = true;       ///< false if the search looked for a quiescent state and found none
+    /// State profile, if TimedOptions::profile selects the search. The profile is empty if there is not enough memory
+    /// to compute it.
     std::optional<StateProfile> profile = {};
     std::optional<Premises> premises = {};
     /// For each verdict with a run to a single state: the states of this run after the initial state.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Symbolic execution of statements on memory cells that contain terms. A journal records all writes. After the
-// execution of the first branch of a statement, its writes are undone, and the second branch is executed. Then the
-// value of each cell that a branch has written is a conditional term.
+// execution of the first branch of a statement, its writes are undone, and the second branch is executed. After both
+// branches, the value of each cell that a branch has written is a conditional term.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,8 @@ class SymbolicExecution {
 public:
     SymbolicExecution(const Program& program, const ProgramLayout& layout, Exprs& exprs, Diagnostics& diagnostics);
 
-    /// Returns the terms of the memory cells. The last cells are internal.
+    /// Returns the terms of the memory cells. The last cells do not belong to variables of the program; the symbolic
+    /// execution uses them internally.
     std::vector<Id<Expr>>& memory() { return memory_; }
     void run_main();
     Id<Expr> value(Id<Program::Node> node, std::uint32_t frame);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes Equations as a controller in C99: a header and a source file without other dependencies than <stdbool.h> and
-// <stdint.h>. They contain the same statements as the function block in Structured Text (emit/controller).
+// <stdint.h>. The two files contain the same statements as the function block in Structured Text (emit/controller).
 //
 //   NAME_inputs   struct of the inputs
 //   NAME_state    struct of the outputs, the internal variables and the timers

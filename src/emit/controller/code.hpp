@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Code of a controller: statements that compute one PLC cycle of a chart, as the common source of Structured Text and C.
+// Code of a controller: statements that compute one PLC cycle of a chart. Structured Text and C are printed from this
+// code.
 //
 //   every-cycle mode:                         with stability search:
 //     sample the timers                         sample the timers
@@ -14,9 +15,10 @@
 // New values are computed from old values. If an assignment would change an operand of a later assignment, the new
 // value is stored in a temporary cell (N_...).
 //
-// A language prints the statements literally. It provides Booleans, integers of 16 and 32 bits, and two timers:
+// The printer of a target language prints the statements literally. A target language must provide Booleans, integers
+// of 16 and 32 bits, and two timers:
 //   TON   true once its input has been true for the preset time
-//   TOF   true while its input is true, and after that for the preset time
+//   TOF   true while its input is true, and for the preset time after its input has become false
 #pragma once
 
 #include <cstdint>
@@ -60,13 +62,13 @@ struct Statement {
     enum class Kind {
         Comment,  ///< `comment`
         Assign,   ///< target := value
-        Cases,    ///< target := value, which is a Conditional; one branch for each of its cases
+        Cases,    ///< target := value, where the value is a Conditional; one branch for each case of the Conditional
         Guard,    ///< if condition then target := value
         Stop,     ///< if condition then the call ends
         Call,     ///< executes `timer`
-        If,       ///< begins a block, which Else or End ends
-        While,    ///< begins a block, which End ends
-        Else,     ///< ends the block of an If, and begins the other one
+        If,       ///< begins a block, which Else or EndIf ends
+        While,    ///< begins a block, which EndWhile ends
+        Else,     ///< ends the block of an If, and begins the block for a false condition
         EndIf,
         EndWhile
     };
@@ -79,7 +81,7 @@ struct Statement {
 
 struct Code {
     std::string name = {};     ///< name of the block
-    std::string comment = {};  ///< several lines for the user of the block
+    std::string comment = {};  ///< comment for the user of the block; may have several lines
     Exprs exprs = {};          ///< terms whose leaves are cells
     Table<Cell> cells = {};
     Table<Timer> timers = {};
@@ -97,10 +99,11 @@ struct Options {
 Code code_of(const Equations& equations, const Options& options, Target target,
              std::span<const std::string_view> reserved = {});
 
-/// True if 32-bit integers and timers compute `equations` exactly. Otherwise reports each division by a divisor that is
-/// not constant, and each remainder of a division by -1. Also reports each value beyond 32 bits, and each duration
-/// beyond 31 bits of milliseconds. A division is reported even if a previous operand excludes a zero divisor, because
-/// `and` and `or` in Structured Text may evaluate all operands. `message` returns the error for a construct.
+/// True if 32-bit integers and timers compute `equations` exactly. If the result is false, reports each division by a
+/// divisor that is not constant, and each remainder of a division by -1. Also reports each value beyond 32 bits, and
+/// each duration beyond 31 bits of milliseconds. A division is reported even if a previous operand excludes a zero
+/// divisor, because `and` and `or` in Structured Text may evaluate all operands. `message` returns the error for a
+/// construct.
 bool expressible(const Equations& equations, Diagnostic (*message)(Span where, std::string_view what),
                  Diagnostics& diagnostics);
 

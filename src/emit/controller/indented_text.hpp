@@ -16,12 +16,12 @@ protected:
     void line(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
         text_ += std::string(4 * depth_, ' ') + fmt::format(text, std::forward<Arguments>(arguments)...) + '\n';
     }
-    /// Writes the first line of a statement that contains others.
+    /// Writes the first line of a statement that contains other statements.
     void begin(const std::string& head) {
         line("{}", head);
         ++depth_;
     }
-    /// Writes the line that ends such a statement, or one of its branches.
+    /// Writes the line that ends a statement with nested statements, or that ends one of its branches.
     void end(const char* word) {
         --depth_;
         line("{}", word);

@@ -12,8 +12,8 @@
 
 namespace grafverif::controller {
 
-/// The names that a tester and a controller share. These names are assigned first, so that no internal name conflicts
-/// with them.
+/// The names that a tester and a controller share. Interface names are assigned before internal names, so that no
+/// internal name conflicts with an interface name.
 struct InterfaceNames {
     std::string block = {};
     std::vector<std::string> variables = {};  ///< names of inputs, followed by names of outputs
@@ -32,8 +32,9 @@ struct TimerNames {
 struct Names {
     std::string block = {};
     std::vector<std::string> variables = {};  ///< name of each variable in the interface
-    std::vector<std::string> storage = {};    ///< name of its storage; outputs with stored actions have an image
-    std::vector<std::string> fresh = {};      ///< temporary variable for the new value of each variable, if needed
+    /// Name of the cell that stores each variable; for an output with stored actions, the name of its image.
+    std::vector<std::string> storage = {};
+    std::vector<std::string> fresh = {};  ///< temporary variable for the new value of each variable, if needed
     std::vector<TimerNames> timers = {};
     std::string started = {}, stable = {}, evolutions = {}, limit = {}, fault = {};
     std::vector<Renaming> changed = {};

@@ -27,8 +27,8 @@ struct Item {
 /// The height of the space above the rows of a node with incoming backward lines.
 inline constexpr int back_space = 14;
 
-/// An outgoing arrow of a node. All values are distances across: the space before and after its line, and the position
-/// of the line relative to Item::at.
+/// An outgoing arrow of a node. All values are distances in the direction `across`: the space before and after the line
+/// of the arrow, and the position of the line relative to Item::at.
 struct Row {
     std::size_t to = nothing;
     int before = 0, after = 0, at = 0;
@@ -37,10 +37,10 @@ struct Row {
 /// A point at which a line leaves or enters an item.
 struct Port {
     std::size_t item = 0;
-    std::size_t arrow = nothing;  ///< arrow whose row contains the port, if any
+    std::size_t arrow = nothing;  ///< arrow whose row contains the port; `nothing` if the port is not in a row
 };
 
-/// The lines to one node in one channel. These lines join on a track.
+/// The lines to one node in one channel. All lines of a net join on a track.
 struct Net {
     std::size_t target = 0;
     /// Ports in the layers before and after the channel; the port towards the target is first.

@@ -2,10 +2,10 @@
 // Drawings of location automata, Mealy machines (JESA13 Figs. 8, 10, 11) and components: Graphviz DOT, and SVG with a
 // built-in layout.
 //
-// A node represents a location. It shows the number and situation of the location, and below them the outputs that are
-// set. An arrow represents an evolution and shows its condition; a dashed arrow without target shows inputs for which
-// no stable situation is reached. In a Mealy machine, an arrow has a label `condition / outputs`. Arrows between the
-// same two states are merged; their labels are placed below each other. In the drawing of a component, nodes show
+// A node represents a location. The node shows the number and situation of the location and, below, the outputs that
+// are set. An arrow represents an evolution and shows its condition; a dashed arrow without target shows inputs for
+// which no stable situation is reached. In a Mealy machine, an arrow has a label `condition / outputs`. Arrows between
+// the same two states are merged; their labels are placed below each other. In the drawing of a component, nodes show
 // invariants. Each edge has an arrow, which is marked as immediate or timed and shows the guard and the effect.
 #pragma once
 

@@ -7,7 +7,7 @@
 // node. Labels are then placed sequentially. Each label is placed at the first of its candidate positions at which it
 // overlaps no other element and intersects no link. If there is no such position for a label, the drawing is enlarged
 // and the layout is repeated; the best attempt is used. A label that still has no position is placed below the drawing.
-// This does not occur for any chart in the samples.
+// No chart in the samples needs this placement.
 //
 // Guarantee: boxes of nodes and labels do not overlap. The result depends only on the graph.
 #pragma once

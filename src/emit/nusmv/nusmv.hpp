@@ -8,9 +8,9 @@
 //   choice       IVAR
 //   transitions, invariants, justice   TRANS, INVAR, JUSTICE
 //   always, never, exactly one of   INVARSPEC      at stable: `settled -> ...`
-//   reachable    INVARSPEC never_P := !p   at stable: `settled -> !p`; P holds if it is false
+//   reachable    INVARSPEC never_P := !p   at stable: `settled -> !p`; P holds if never_P is false
 //   inevitable   SPEC AF p         at stable: AF (settled & p)
-//   p leads to q SPEC AG (p -> AF q)   at stable: settled & on both sides
+//   p leads to q SPEC AG (p -> AF q)   at stable: `settled & ...` in both operands
 //   always possible  SPEC AG EF p  at stable: AG EF (settled & p)
 //   ctl, ltl     SPEC, LTLSPEC, as written
 // Every specification has the name of its property. The exception is `reachable`, which is negated and named

@@ -43,7 +43,8 @@ public:
         : system_(system), names_(names), exprs_(system.exprs) {}
 
     const Exprs& exprs() const { return exprs_; }
-    /// Returns `term` of `module` in printed form. `symbol` is the symbol that has this value, if any.
+    /// Returns `term` of `module` in printed form. `symbol` is the symbol that has this value; invalid if there is no
+    /// such symbol.
     Id<Expr> named(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol = {});
 
 private:

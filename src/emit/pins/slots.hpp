@@ -28,9 +28,11 @@ struct Slots {
     std::vector<ProcessClocks> caps;
     std::vector<std::string> names = {};  ///< unique name of each slot of a state, with letters, digits and `_`
     std::vector<std::int64_t> initial = {};
-    std::uint32_t scratch = 0;                        ///< number of additional slots for temporary values during a move
-    std::vector<std::optional<Slot>> locations = {};  ///< slot of each process; empty for a single location
-    std::vector<std::optional<Slot>> variables = {};  ///< slot of each variable; empty for a single value
+    std::uint32_t scratch = 0;  ///< number of additional slots for temporary values during a move
+    /// Slot of each process; empty if the process has a single location.
+    std::vector<std::optional<Slot>> locations = {};
+    /// Slot of each variable; empty if the variable has a single value.
+    std::vector<std::optional<Slot>> variables = {};
     /// Slot per process and clock; empty if the clock is never compared.
     std::vector<std::vector<std::optional<Slot>>> clocks = {};
 

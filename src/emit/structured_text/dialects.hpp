@@ -23,7 +23,8 @@ struct DialectRow {
     std::string_view attributes = {};                      ///< lines after the first line
     std::string_view begin = {};                           ///< line before the statements
     grafverif::Dialect spelling = structured_text_spelling;
-    std::span<const std::string_view> reserved = {};  ///< words, in addition to those of the standard, in capitals
+    /// Reserved words in addition to the reserved words of the standard, in capitals.
+    std::span<const std::string_view> reserved = {};
 };
 
 const DialectRow& row_of(Dialect dialect);

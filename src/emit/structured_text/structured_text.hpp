@@ -16,8 +16,8 @@
 // value is stored in a temporary variable (N_...). Names are converted to legal names once (syntax/print/legal_names);
 // changed names are listed in the header.
 //
-// A second function writes a TestSequence as a program. This program runs the test on an instance of such a block, or
-// of any other block with the same inputs and outputs. Each call performs one scan and compares the outputs.
+// A second function writes a TestSequence as a program. The program runs the test on an instance of the block of the
+// chart, or of any other block with the same inputs and outputs. Each call performs one scan and compares the outputs.
 #pragma once
 
 #include <cstdint>
@@ -43,9 +43,9 @@ struct Options {
     Dialect dialect = Dialect::Iec;
 };
 
-/// True if the block can compute `equations`. Otherwise reports each division by a divisor that is not constant, each
-/// value beyond 32 bits, and each duration beyond the range of TIME. A division is reported even if a previous operand
-/// excludes a zero divisor, because `and` and `or` in Structured Text may evaluate all operands.
+/// True if the block can compute `equations`. If the result is false, reports each division by a divisor that is not
+/// constant, each value beyond 32 bits, and each duration beyond the range of TIME. A division is reported even if a
+/// previous operand excludes a zero divisor, because `and` and `or` in Structured Text may evaluate all operands.
 bool expressible(const Equations& equations, Diagnostics& diagnostics);
 
 /// Writes the block. Requires verify(equations).empty() and that the equations are expressible.

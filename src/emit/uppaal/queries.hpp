@@ -14,7 +14,7 @@ namespace grafverif::uppaal {
 struct Query {
     Id<Property> property = {};
     std::string name = {};               ///< name of the property, or `S.X7` for one step of a property over all steps
-    std::string formula = {};            ///< empty if not expressible; then the comment states the reason
+    std::string formula = {};            ///< empty if the property is not expressible; `comment` then states the reason
     std::string comment = {};            ///< comment; it begins with the name of the property
     std::optional<bool> satisfied = {};  ///< expected result; empty if a single query has no expected result
     std::string reason = {};             ///< reason why the property is not expressible

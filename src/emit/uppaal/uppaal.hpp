@@ -5,10 +5,11 @@
 //
 // Mapping:
 //   variable, clock      `bool x;`, `int[lo,hi] n;`, `clock t;`; globals grouped by role, scratch variables `meta`
-//   Read, Written        `bool &x`, `int[lo,hi] &n`: UPPAAL binds no variable to a `const &` of a process
+//   Read, Written        `bool &x`, `int[lo,hi] &n`: UPPAAL cannot bind a variable to a parameter `const &` of a
+//                        process
 //   Constant             `const int D`, `const bool K`
 //   urgent edge          emits on one urgent broadcast channel, which needs no receiver (CEP13 section 5);
-//                        UPPAAL then lets no time pass while its guard holds
+//                        UPPAAL lets no time pass while the guard of the edge holds
 //   procedure            `void evolve() { ... }` of the template, one assignment per line; edges call it
 //   property             a query: formula, a comment that begins with the property's name, the expected outcome
 // A long guard becomes a Boolean function. Names are converted to legal names once (syntax/print/legal_names); the
@@ -27,15 +28,15 @@ namespace grafverif::uppaal {
 
 /// Returns an equivalent network in which each process starts in the initial location of its template. If the processes
 /// of a template start in several locations, the template is copied for each of them, and the copy is named after the
-/// location (`sensors`, `sensors_out`). Location indices, and therefore properties, are unchanged. A constant that
-/// exceeds UPPAAL's default integers gets the range of its arguments.
+/// location (`sensors`, `sensors_out`). Location indices, and therefore properties, are unchanged. A constant parameter
+/// that can exceed UPPAAL's default integers gets the range of its arguments.
 Network lower(Network network);
 
 /// Writes the project as `.xml`. Requires verify(network).empty() and a lowered network.
 void emit(const Network& network, std::ostream& out);
 
-/// Writes only the queries, as `.q`. The formulas are the same, with comments in `/* */`. The requirements are the same
-/// as for `emit`.
+/// Writes only the queries, as `.q`. The formulas are the same as in the project, with comments in `/* */`. Requires
+/// verify(network).empty() and a lowered network, as for `emit`.
 void emit_queries(const Network& network, std::ostream& out);
 
 /// A property that UPPAAL's query language cannot express. A comment replaces the property.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Choices: enumerates the free values that an edge of a localized network reads.
+// Choices: enumerates the values of the free variables that an edge of a localized network reads
+// (ir/network_fragments.hpp).
 #pragma once
 
 #include <cstddef>
@@ -14,30 +15,32 @@ namespace grafverif {
 
 class Choices {
 public:
-    /// Translates terms of `whole` to terms over choices in `to`.
+    /// `whole` is the complete network; the table `to` stores the terms of the localized network.
     Choices(const Network& whole, Exprs& to) : whole_(whole), to_(to) {}
 
     void clear() { choices_.clear(); }
-    /// Returns a Parameter leaf that represents the choice of the value of `terms`, connected by `op`. The writes of
-    /// the edge to omitted variables are numbered from 1; `writes` is the number of the last of them that changes a
-    /// variable read by `terms`, or 0 if there is none. A choice of the same terms before this write may have another
-    /// value. A number that no other choice has makes the choice independent of the others.
+    /// Returns a Parameter leaf that represents a choice: the value of `terms`, connected by `op`. The writes of the
+    /// edge to omitted variables are numbered from 1. `writes` is the number of the last write that changes a variable
+    /// read by `terms`, or 0 if no write changes such a variable. Calls with the same arguments return the same choice.
+    /// A choice of the same terms with another value of `writes` is a different choice, so the two choices may have
+    /// different values.
     Id<Expr> leaf(std::vector<Id<Expr>> terms, Op op, std::size_t writes);
-    /// True if the value combinations of all choices are few enough to enumerate.
+    /// True if the number of value combinations of all choices is small enough to enumerate.
     bool few() const;
 
-    /// `begin` selects the first combination of values; `next` selects the next one, or returns false after the last.
+    /// `begin` selects the first combination of values of all choices. `next` selects the next combination, or returns
+    /// false if there is none.
     void begin();
     bool next();
-    /// Substitutes the current values of the choices in a term.
+    /// Returns `term` with each choice replaced by its current value.
     Id<Expr> chosen(Id<Expr> term) const;
     using Values = std::map<Id<Network::Variable>, std::int64_t>;
-    /// True if some choice reads only `variables`, before the edge changes their values.
+    /// True if some choice reads only `variables` and represents their values before the edge changes them.
     bool report_of(const std::vector<Id<Network::Variable>>& variables) const;
     /// Returns all values that `variables` can have before the edge, given the current values of the choices. The
-    /// result is empty if the choices do not constrain the variables or there are too many values.
+    /// result is nullopt if the choices do not constrain the variables or there are too many values.
     std::optional<std::vector<Values>> possible_before(const std::vector<Id<Network::Variable>>& variables) const;
-    /// True if the current values of the choices are the values of their terms in the initial state.
+    /// True if the current value of each choice is the value of its terms in the initial state.
     bool as_at_first() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variables that a term of a network reads.
+// Functions that find the variables that a term of a network reads.
 #pragma once
 
 #include "grafverif/ir/network.hpp"

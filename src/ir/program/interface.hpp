@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// interface_of: the chart that represents a Program as a controller of a closed loop. The chart declares the names that
-// the loop can use; its behaviour is that of the program (derive/program/controller.hpp).
+// interface_of: the chart that represents a Program as a controller of a closed loop. The chart declares the variables
+// and steps that the loop can read or write. The behaviour of the controller is the behaviour of the program
+// (derive/program/controller.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,15 +13,17 @@
 
 namespace grafverif {
 
-/// Returns the cells of which a chart or the equations of a scan have a variable, in the order of these variables: all
-/// except constants and temporary variables.
+/// Returns the memory cells that are variables of the chart and of the equations of a scan, in the order of these
+/// variables. These are all cells except constants and temporary variables.
 std::vector<std::size_t> variable_cells(const ProgramLayout& layout);
-/// Returns the cells of which the chart has a step, in order.
+/// Returns the memory cells that represent a step of the chart, in the order of these steps.
 std::vector<std::size_t> step_cells(const ProgramLayout& layout);
-/// Returns the name of a step, such as `Filling`, or `Filling` of the instance `Tank`, for the cell `Tank.Filling.X`.
+/// Returns the name of the step that the cell `cell` represents. For the cell `Filling.X`, this is step `Filling`; for
+/// the cell `Tank.Filling.X`, this is step `Filling` of the partial chart `Tank`.
 StepName step_name(const std::string& cell);
 
-/// Returns the chart of `program`. Its variables and steps are those of `variable_cells` and `step_cells`.
+/// Returns the chart of `program`. `variable_cells` and `step_cells` return the cells that correspond to the variables
+/// and steps of the chart.
 Chart interface_of(ProgramReference program, std::string name, Span origin);
 
 /// For each transition of `drawn_chart`, in order: the statement that assigns true if the transition is cleared, and the

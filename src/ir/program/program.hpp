@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Program: a PLC program of IEC 61131-3 with resolved names and checked types, as statements over memory cells.
 //
-// Semantics of one scan, which `run/program` executes literally and `derive/program` as equations:
+// Semantics of one scan. `run/program` interprets the statements according to this semantics, and `derive/program`
+// translates them to equations with the same semantics:
 //   - the inputs take new values, the elapsed times of timers advance, and the body of `main` is executed once;
 //   - statements execute in order; function blocks and functions execute at each call; a function block keeps its cells
 //     between calls; the cells of a function and of the section VAR_TEMP have their initial values at the beginning of
@@ -9,12 +10,14 @@
 //   - integers wrap around within the range of their type; comparisons, quotients and remainders are computed on the
 //     operands as mathematical integers; the following are run-time faults, after which the behaviour of the program is
 //     unspecified: a division by zero, an index outside of its array, a duration or a value of a subrange outside of
-//     its type, and a Sequential Function Chart that activates an active step or executes an action with two durations;
-//   - AND and OR evaluate all operands; AND_THEN and OR_ELSE evaluate the second operand only if the first one does not
-//     determine the value.
+//     its type, a step of a Sequential Function Chart that is activated while it is active, and an action that is
+//     executed with two durations;
+//   - AND and OR evaluate all operands; AND_THEN and OR_ELSE evaluate the second operand only if the first operand does
+//     not determine the value.
 //
-// Every unit has a frame of cells. The frame of an instance of a function block is part of the frame of its owner.
-// Therefore, the cells of the program are the cells of `globals` followed by the cells of `main`.
+// Every unit (program, function block, function, globals, action or structure) has a frame of memory cells. The frame
+// of an instance of a function block is part of the frame of its owner. Therefore, the cells of the program are the
+// cells of `globals` followed by the cells of `main`.
 #pragma once
 
 #include <cstdint>
@@ -38,9 +41,9 @@ struct Program {
         Kind kind = Kind::Boolean;
         std::string name = {};
         std::int64_t low = 0, high = 1;        ///< range of values; for an array: first and last index
-        std::vector<std::string> values = {};  ///< names of the values of an enumeration, from 0
+        std::vector<std::string> values = {};  ///< for an enumeration: the names of the values 0, 1, ...
         Id<Unit> unit = {};                    ///< unit of a block or structure
-        Id<Type> element = {};                 ///< for an array: type of its elements; for a subrange: base type
+        Id<Type> element = {};  ///< for an array: type of its elements; for a subrange: type of which it is a subrange
         bool operator==(const Type&) const = default;
     };
 
@@ -52,8 +55,9 @@ struct Program {
         std::uint32_t stride = 1;
         bool operator==(const Index&) const = default;
     };
-    /// A cell, relative to the frame of the unit or to the frame of the globals. The frame of `main` follows the frame
-    /// of the globals. Therefore other units access the cells of `main` as global cells.
+    /// The address of a cell: an offset in the frame of the unit that contains the access or, if `global`, in the frame
+    /// of the globals. The frame of `main` follows the frame of the globals in memory. Therefore other units access the
+    /// cells of `main` as global cells.
     struct Place {
         bool global = false;
         std::uint32_t offset = 0;
@@ -67,13 +71,13 @@ struct Program {
         Not,
         And,
         Or,
-        Xor,  // Boolean or bit strings, any number of operands
+        Xor,  // Boolean or bit-string operators with any number of operands
         AndThen,
         OrElse,  // Boolean, two operands; the second is evaluated only if the first does not determine the value
         ShiftLeft,
         ShiftRight,
         RotateLeft,
-        RotateRight,  // bit string, constant number of places from 0 to the width
+        RotateRight,  // operands: a bit string, and a constant number of places from 0 to the width of the bit string
         Equal,
         NotEqual,
         Less,
@@ -92,7 +96,7 @@ struct Program {
         Limit,    // least value, value, greatest value
         Select,   // condition, value if false, value if true
         Convert,  // wraps a number to `type`; a Boolean is 0 or 1
-        Narrow,   // converts to a subrange; a value outside of it is a fault
+        Narrow,   // converts a number to a subrange; a number outside of the subrange is a run-time fault
         IsNonzero,
         Call,  // call of a function, with one operand for each input
     };
@@ -135,7 +139,7 @@ struct Program {
         Id<Node> last = {};     ///< last value of FOR, evaluated once
         std::int64_t step = 1;  ///< step of FOR
         Id<Unit> unit = {};
-        std::vector<Arm> arms = {};  ///< branches; for a loop, its body is the only branch
+        std::vector<Arm> arms = {};  ///< branches of IF and CASE; for a loop, the only branch is its body
         bool generated = false;  ///< true for a rule of a Sequential Function Chart, which the source does not contain
         Span origin = {};
         bool operator==(const Statement&) const = default;
@@ -147,7 +151,8 @@ struct Program {
         Section section = Section::Local;
         Id<Type> type = {};
         std::uint32_t offset = 0;
-        std::int64_t initial = 0;  ///< unused for a block; for an array: value of each element
+        /// Initial value; for an array: of each element; unused for a function block or a structure.
+        std::int64_t initial = 0;
         bool constant = false;
         bool input = false;        ///< true for a free input of the program: VAR_INPUT of the program, or `AT %I`
         bool output = false;       ///< true for VAR_OUTPUT of the program, or `AT %Q`
@@ -181,9 +186,10 @@ struct Program {
         std::vector<Variable> variables = {};
         std::uint32_t size = 0;  ///< size of the frame, including its instances
         Body body = {};
-        std::optional<std::uint32_t> result = {};  ///< cell of the return value of a function
-        std::vector<std::uint32_t> inputs = {};    ///< cells of VAR_INPUT, in order of declaration
-        /// For a timer: the cell that is true while the timer is running, and the cell of the elapsed time.
+        std::optional<std::uint32_t> result = {};  ///< for a function: offset of the cell of the return value
+        std::vector<std::uint32_t> inputs = {};    ///< offsets of the cells of VAR_INPUT, in order of declaration
+        /// For a timer: offsets of the cell that is true while the timer is running, and of the cell that stores the
+        /// elapsed time.
         std::optional<std::uint32_t> running = {}, elapsed = {};
         Id<Unit> owner = {};                   ///< for an action: the unit that owns its frame
         std::vector<Sequence> sequences = {};  ///< the charts in the bodies of the unit and of its actions
@@ -211,12 +217,13 @@ struct ProgramCell {
     Id<Program::Type> type = {};
     std::int64_t initial = 0;
     bool input = false, output = false, temporary = false, constant = false;
-    bool step = false;  ///< true while a step of a Sequential Function Chart is active, such as `Filling.X`
+    /// True for a cell that represents the activity of a step of a Sequential Function Chart, such as `Filling.X`.
+    bool step = false;
     Span origin = {};
 };
 struct ProgramTimer {
-    std::uint32_t running = 0, elapsed = 0;  ///< addresses of the two cells
-    std::int64_t longest = 0;                ///< value at which the elapsed time stops
+    std::uint32_t running = 0, elapsed = 0;  ///< addresses of the cells Unit::running and Unit::elapsed of the timer
+    std::int64_t longest = 0;  ///< maximum of the elapsed time in milliseconds; the elapsed time remains at this value
 };
 /// An instance of a function block, or `main`, whose name is empty.
 struct ProgramInstance {
@@ -228,12 +235,14 @@ struct ProgramLayout {
     std::vector<ProgramCell> cells = {};
     std::vector<ProgramInstance> instances = {};
     std::vector<ProgramTimer> timers = {};
-    std::uint32_t main = 0;    ///< address of the first cell of `main`
-    std::int64_t longest = 0;  ///< maximum over all timers; a longer time between two scans has the same effect
+    std::uint32_t main = 0;  ///< address of the first cell of `main`
+    /// Maximum of ProgramTimer::longest; a longer time between two scans has the same effect as this time.
+    std::int64_t longest = 0;
 };
 ProgramLayout layout_of(const Program& program);
 
-/// Returns a unique name for each cell: the name of the cell, after `GLOBAL.` if it is the name of a later cell.
+/// Returns a unique name for each cell. If a later cell has the same name, the name of the cell is preceded by
+/// `GLOBAL.`.
 std::vector<std::string> unique_names(const ProgramLayout& layout);
 /// Returns the type of the values of a cell. The elapsed time of a timer is at most its maximum preset time.
 Type type_of_cell(const Program& program, const ProgramLayout& layout, std::size_t cell);

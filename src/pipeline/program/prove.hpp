@@ -12,24 +12,27 @@
 
 namespace grafverif {
 
-/// Largest maximum number of evolutions that is tried if none is given.
+/// Largest value that is tried for the maximum number of evolutions if ProofOptions::max_evolutions is empty.
 inline constexpr std::uint32_t most_proved_evolutions = 128;
 
 struct ProofOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     structured_text::Form form = structured_text::Form::PlcopenXml;
     structured_text::Dialect dialect = structured_text::Dialect::Iec;  ///< Iec or Codesys, which can be read
-    /// Maximum number of evolutions per cycle. If it is empty, 8, 16, ..., most_proved_evolutions are tried, up to the
-    /// first number with which the program stops in no cycle that the chart completes.
+    /// Maximum number of evolutions per cycle. If this member is empty, the numbers 8, 16, ..., most_proved_evolutions
+    /// are tried. The search ends at the first number with which the program stops in no cycle that the chart
+    /// completes.
     std::optional<std::uint32_t> max_evolutions = {};
-    std::optional<std::int64_t> resolution_ms = {};  ///< time between scans is a multiple of this; 1 ms if empty
+    /// The time between scans is a multiple of this value; 1 ms if empty.
+    std::optional<std::int64_t> resolution_ms = {};
     Limits limits = {};
 };
 
 struct ProvedText {
     std::string text = {};
-    std::uint32_t max_evolutions = 0;  ///< the number that `text` contains
-    Comparison comparison = {};  ///< the chart (a) and the program (b); `text` is proved if and only if it is Equal
+    std::uint32_t max_evolutions = 0;  ///< the maximum number of evolutions in `text`
+    /// The chart (a) and the program (b); `text` is proved if and only if the comparison is Equal.
+    Comparison comparison = {};
 };
 
 /// Compares exactly the returned text with the rules of the chart. The program stops in the scan in which its output

@@ -16,7 +16,7 @@ namespace grafverif {
 struct ProgramReplay {
     std::string disagreement = {};  ///< difference from the run of the system; empty if the run is confirmed
     ChartRun trace = {};
-    std::optional<ProgramFault> fault = {};  ///< the fault that ends the run, if any
+    std::optional<ProgramFault> fault = {};  ///< the fault that ends the run; empty if no fault ends it
 };
 
 /// Replays `run`. The last scan must violate `property` or, for `reachable`, satisfy it. If `property` is null, the

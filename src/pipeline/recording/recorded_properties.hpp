@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Checks state properties of closed loops on recorded values. A property is violated if its condition is false for
-// recorded values that do not change for more than four times the jitter. Shorter combinations can result from the
-// delays of the recording and are not reported. The result assumes that no pulse of an output is missing in the
-// recording.
+// recorded values that do not change for more than four times the jitter. Combinations of values that last for a
+// shorter time can result from the delays of the recording and are not reported. The result assumes that no pulse of an
+// output is missing in the recording.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,8 @@ public:
 
     /// Sets a value of the sample at `time_us`. Times do not decrease.
     void set(std::size_t column, std::int64_t value, std::int64_t time_us, std::uint64_t line);
-    /// States that the values set so far are valid until `time_us`, and reports the properties that they violate.
+    /// Declares that the values set so far are valid until `time_us`, and reports the properties that these values
+    /// violate.
     void pass(std::int64_t time_us);
 
     const std::vector<RecordedProperty>& results() const { return results_; }
@@ -35,7 +36,7 @@ private:
         const ClosedLoop* loop = nullptr;
         Id<Property> property = {};
         std::vector<std::size_t> column_of = {};  ///< for each symbol of the loop: its column
-        std::vector<bool> reads = {};             ///< for each column
+        std::vector<bool> reads = {};             ///< for each column: true if the property reads it
         std::int64_t since_us = 0;                ///< time of the last change of a variable that the property reads
         std::uint64_t line = 0;
         bool pending = true;  ///< true if the values since `since_us` have not been evaluated

@@ -16,7 +16,8 @@ namespace grafverif {
 
 struct RecordingOptions {
     std::int64_t jitter_ms = 20;
-    /// Pairs of the name of a column and the name of an input or output. The default is the name of the column.
+    /// Pairs of the name of a column and the name of an input or output. A column without a pair records the input or
+    /// output with the name of the column.
     std::vector<std::pair<std::string, std::string>> map = {};
     /// True: end at the first deviation of a chart, violated property or invalid line; the report then concerns the
     /// samples before an invalid line. False: read the log until each chart has a verdict, and report the errors of all

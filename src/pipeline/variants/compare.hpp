@@ -16,9 +16,9 @@ struct CompareOperand {
     Id<Source> program = {};
 };
 
-/// Decides if both operands have equal outputs for all input sequences. The interval of a program's task is the time
-/// between two scans of both; otherwise, any multiple of the resolution can pass (1 ms by default). The result is empty
-/// after an error.
+/// Decides if both operands have equal outputs for all input sequences. If a program has a task with an interval, this
+/// interval is the time between two scans of both operands. If no program has such a task, the time between two scans
+/// is any multiple of the resolution (1 ms by default). The result is empty after an error.
 std::optional<Comparison> compare(const CompareOperand& a, const CompareOperand& b, const CompareOptions& options,
                                   const ProgramCompareOptions& of_programs, Sources& sources, Diagnostics& diagnostics);
 

@@ -33,7 +33,7 @@ struct CompareSide {
     std::optional<Equations> chart_equations = {};
     std::optional<ProgramText> text = {};  ///< of a program
     std::optional<Scan> scan = {};         ///< of a program
-    Id<Expr> stop = {};                    ///< of a program: term of ProductSide
+    Id<Expr> stop = {};                    ///< only for a program: term that ProductSide contains
     std::optional<std::size_t> stop_cell = {};
     std::vector<Plug> inputs = {}, outputs = {};
     std::vector<Plug> unsupported = {};  ///< outputs of a program whose types are not supported, such as REAL
@@ -42,7 +42,7 @@ struct CompareSide {
     const Program& program() const { return text->program(); }
     Equations& equations() { return scan ? scan->equations : *chart_equations; }
     const Equations& equations() const { return scan ? scan->equations : *chart_equations; }
-    /// Arguments of the product; this object must outlive the result.
+    /// Returns the arguments of the product. This object must outlive the result.
     ProductSide product() const { return {&equations(), scan ? &*scan : nullptr, stop}; }
 };
 
@@ -53,7 +53,7 @@ CompareSide side_of_chart(Chart chart, Equations equations);
 /// Reads a program; empty after an error.
 std::optional<CompareSide> side_of_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
-/// Returns the side for the replay; it must outlive the result. `sources` is required only for programs.
+/// Returns the side for the replay. `side` must outlive the result. `sources` is required only for programs.
 LockstepSide lockstep_side(const CompareSide& side, bool settles, const Sources* sources);
 
 }  // namespace grafverif

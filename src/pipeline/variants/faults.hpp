@@ -2,18 +2,18 @@
 // Fault analysis: decides which combinations of faults of a closed loop violate its properties.
 //
 // Each combination is checked in the model of pipeline/variants/fault_model.hpp, in which its faults may occur at any
-// time or never. A property `reachable` holds in this model if it holds without faults; therefore it is checked with
+// time or never. In this model, a property `reachable` holds if it holds without faults; therefore it is checked with
 // all faults of the combination from power-on. Combinations with two faults of one instance are not considered, because
-// only one of them can occur.
+// at most one fault of an instance can occur.
 //
 // A combination is minimal if it violates the property and none of its subsets does. If the verdict for a subset is
-// unknown, this is noted with the combination.
+// unknown, the result of the combination contains this information.
 //
 // Each fault may also never occur. Therefore every run with the faults F alone is a run of each superset of F. If F
 // violates a property about all runs, each superset violates it too, and is not checked. The model of the superset does
-// not always show this violation: a fault that can still occur can end a deadlock, for example. Therefore, a combination
-// satisfies such a property only if all its subsets satisfy it. Only `reachable` and `reachable all steps` can be
-// violated by a combination and satisfied by a superset.
+// not always show this violation: for example, a fault that can still occur can end a deadlock. Therefore, a
+// combination satisfies a property about all runs only if all its subsets satisfy the property. Only `reachable` and
+// `reachable all steps` can be violated by a combination and satisfied by a superset.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +44,9 @@ struct FaultsRequest {
 /// Returns the number of combinations of at most `order` faults, or more than most_combinations if there are too many.
 std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order);
 
-/// Analyses the faults of `loop`. Requires at most most_combinations. The result is empty after an error: a property
-/// does not exist, or the model with a fault is rejected. At a limit, combinations that were not checked are unknown.
+/// Analyses the faults of `loop`. Requires that combination_count is at most most_combinations. The result is empty
+/// after an error: a property does not exist, or the model with a fault is rejected. If a limit is reached, the
+/// verdicts for combinations that were not checked are unknown.
 std::optional<FaultAnalysis> analysed_faults(const Model& model, Id<ClosedLoop> loop, const FaultsRequest& request,
                                              Diagnostics& diagnostics);
 

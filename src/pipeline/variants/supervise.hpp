@@ -49,7 +49,7 @@ struct Supervised {
     std::vector<std::string> hidden = {}, traded = {};  ///< names of elements; see Supervisor
     std::vector<ChartCondition> conditions = {};
     /// Transitions that are never cleared and outputs that are never set because the conditions are never true. If
-    /// there are any, the conditions are valid but not useful.
+    /// there are such transitions or outputs, the conditions are valid but not useful.
     std::vector<std::string> disabled_transitions = {}, disabled_outputs = {};
     /// Variables of steps that are active in some reachable state without the conditions, but in no reachable state
     /// with the conditions.
@@ -68,7 +68,8 @@ struct Supervised {
     std::string text = {};             ///< text of that file with the conditions
     std::optional<ChartRun> run = {};  ///< if no conditions are sufficient: a run that cannot be prevented
     bool blocked = false;  ///< true if the last state of the run is not bad, but no marked state is reachable from it
-    std::vector<std::string> failures = {};  ///< internal failures; if there is one, all other results are invalid
+    /// Internal failures; if the list is not empty, all other results are invalid.
+    std::vector<std::string> failures = {};
 };
 
 /// Synthesizes the conditions. `main` is the source from which `model` was read; `sources` also contains its includes.

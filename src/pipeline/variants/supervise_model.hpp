@@ -49,7 +49,7 @@ Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const C
 std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseRequest& request,
                                               const std::string& marked, Diagnostics& diagnostics);
 
-/// Returns the states that violate the property, which must be a property of single states.
+/// Returns a term that is true in exactly the states that violate the property. Requires a property of single states.
 Id<Expr> violation(TransitionSystem& system, const Property& property);
 
 }  // namespace grafverif

@@ -12,8 +12,8 @@
 
 namespace grafverif {
 
-/// A term over names, which may be negated. If `all` is true, it is a conjunction of disjunctions; otherwise a
-/// disjunction of conjunctions.
+/// A term over names, each of which may be negated. If `all` is true, the term is a conjunction of disjunctions;
+/// otherwise, the term is a disjunction of conjunctions.
 struct NamedTerm {
     std::vector<std::vector<std::pair<std::string, bool>>> terms = {};
     bool all = false;

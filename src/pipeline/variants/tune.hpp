@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Tuning: decides for which values of constants of a closed loop its properties hold, exactly on a grid.
 //
-// A verdict at a point is the result of a check of the model with these values. Otherwise it follows from the check of
-// another model by one of these arguments (docs/explanation/parameters.md):
+// A verdict at a point of the grid is the result of a check of the model with the values of this point. If this model
+// is not checked, the verdict follows from the check of another model by one of these arguments
+// (docs/explanation/parameters.md):
 //
 //   equality    the models agree on the processes and on the property
 //   relaxation  the property holds for a network that has all runs of the models of several points
 //   retiming    the run that decides the property at one point is a run at another point, with other delays
 //
-// No verdict is transferred because of its neighbours: monotonicity is never assumed.
+// No verdict follows only from the verdicts at neighbouring points, because monotonicity is never assumed.
 #pragma once
 
 #include <string>
@@ -29,12 +30,12 @@ struct TuneRequest {
     ReadOptions read = {};  ///< options with which the model was read
     Limits limits = {};
     unsigned jobs = 0;         ///< threads; 0 selects one per core; the result does not depend on it
-    bool every_point = false;  ///< true: check each point, without any of the arguments
+    bool every_point = false;  ///< true: check each point, and do not derive verdicts from other checks
 };
 
 /// Decides the properties of `loop`. `main` is the source from which `model` was read; `sources` also contains its
 /// includes. The result is empty after an error: a property does not exist, or the model is rejected for some values.
-/// At a limit, the result contains all verdicts found so far; the others are unknown, with reason 0.
+/// If a limit is reached, the result contains all verdicts found so far; all other verdicts are unknown, with reason 0.
 std::optional<Tuning> tuned(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources,
                             const TuneRequest& request, Diagnostics& diagnostics);
 

@@ -2,9 +2,10 @@
 // Checks properties of variants of a closed loop. The results for the original loop determine the steps and the bounds
 // of these checks.
 //
-// A check that needs few states is repeated for each variant. Otherwise the variants are searched in passes with
-// increasing bounds, so that variants that need a small search are decided first. The first pass begins with the
-// abstraction that decided the property in the original, because most changes do not affect it.
+// A check that needs few states is repeated for each variant. If the check of the original needs more states, the
+// variants are searched in passes with increasing bounds, so that variants that need a small search are decided first.
+// The first pass begins with the abstraction that decided the property in the original, because most changes do not
+// affect it.
 #pragma once
 
 #include <atomic>
@@ -41,7 +42,7 @@ public:
     /// `report` is the result of checking the original loop with `options`. `options` must outlive the search.
     VariantSearch(const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});
 
-    /// The passes, in order. The last one uses the complete bounds.
+    /// Returns the passes, in order. The last pass uses the complete bounds.
     const std::vector<SearchEffort>& efforts() const { return efforts_; }
 
     /// Returns verdicts on the properties whose names are in `names`. A property that has an observer is decided in a
@@ -61,7 +62,8 @@ private:
 
     const CheckOptions& options_;
     std::vector<SearchEffort> efforts_ = {};
-    std::map<std::string, InputsAbstracted> known_ = {};  ///< by property
+    /// For each property: the abstraction that decided it in the original.
+    std::map<std::string, InputsAbstracted> known_ = {};
     std::uint64_t most_states_ = 0;
     std::atomic<std::size_t> searches_ = 0;
 };

@@ -13,7 +13,8 @@
 
 namespace grafverif {
 
-/// Reads the chart of `xml`; its name is `name` unless the document contains one. The file is `broken` after an error.
+/// Reads the chart of `xml`. The chart has the name `name` unless the document contains a name. The file is `broken`
+/// after an error.
 tree::File read_agrafe(const Xml& xml, std::string_view name, bool lossy, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -89,7 +89,8 @@ struct AgrafeReader {
 // -- terms.cpp
 /// Converts a term; the result is invalid after an error.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term);
-/// The times of a transition or an action. Only the type timeDependent has the form `t1/term/t2`.
+/// The times of a transition or an action. Only Kind::Dependent (type timeDependent in AGRAFE) has the form
+/// `t1/term/t2`.
 struct AgrafeTime {
     enum class Kind { None, Dependent, Delayed, Limited };
     Kind kind = Kind::None;

@@ -4,13 +4,13 @@
 // A network consists of elements that are connected with each other; connections through the power rails do not count.
 // Networks are evaluated from top to bottom, by the position of their uppermost element. Networks with equal positions
 // are ordered by their leftmost elements, and then by the order of the file. Within a network, a coil, an assignment or
-// a call follows the calls whose outputs it reads; otherwise the same order applies. If a call reads its own outputs,
-// it reads their values from the previous scan. A longer cycle of calls is rejected. If the elements have
-// `executionOrderId`s, these determine the order; if an element reads a later call, it reads values from the previous
-// scan.
+// a call follows the calls whose outputs it reads; elements without such a dependency are ordered by position, in the
+// same way as networks. If a call reads its own outputs, it reads their values from the previous scan. A longer cycle
+// of calls is rejected. If the elements have `executionOrderId`s, these ids determine the order; if an element reads an
+// output of a later call, it reads the value from the previous scan.
 //
-// If a network assigns a variable and reads it in a later statement, its order of evaluation is undefined. Such a
-// network is rejected, unless its elements have `executionOrderId`s.
+// If a network assigns a variable and reads it in a later statement, the order of evaluation of the network is
+// undefined. Such a network is rejected, unless its elements have `executionOrderId`s.
 #pragma once
 
 #include <string>

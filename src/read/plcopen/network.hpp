@@ -63,7 +63,7 @@ std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwo
 std::vector<st::Network> read_network(PlcopenReader& reader, const st::Unit& unit, pugi::xml_node body);
 
 // -- conditions.cpp
-/// Returns the condition of a transition, or an invalid id if it is omitted, or after an error.
+/// Returns the condition of a transition. The id is invalid if the condition is omitted, or after an error.
 Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit& unit, const PlcopenNetwork& network,
                           pugi::xml_node transition);
 

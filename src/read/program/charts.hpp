@@ -28,7 +28,7 @@ struct ChartAction {
     /// ... of `control`.
     std::vector<std::vector<Id<st::Word>>> durations = {};
     std::size_t control = 0;  ///< index of the ACTION_CONTROL of the action in the units of the file
-    bool controlled = true;   ///< true if `control` is valid; otherwise the action has only the qualifiers N, R and S
+    bool controlled = true;   ///< true if `control` is valid; false if the action has only the qualifiers N, R and S
     std::uint32_t cell = 0;   ///< first cell of the instance of `control`; set by the Reader
     /// In CODESYS: the cells of Q, of the last value of Q, of the memory of S, and of the condition of R.
     std::uint32_t value = 0, before = 0, stored = 0, resets = 0;
@@ -39,10 +39,10 @@ struct Chart {
     bool valid = false;                       ///< true if no error was reported
     std::vector<std::size_t> order = {};      ///< the transitions by priority, then position
     std::vector<ChartAction> actions = {};    ///< in the order of their first action blocks
-    std::uint32_t started = 0;                ///< cell that is true if the body was executed before
+    std::uint32_t started = 0;                ///< cell that is true if the body was executed in an earlier scan
     std::vector<std::uint32_t> cleared = {};  ///< cell per transition: true if the transition is cleared
-    /// Per transition and per action: true if the structure does not exclude a fault. Each execution then tests for the
-    /// fault.
+    /// Per transition and per action: true if the structure of the chart does not exclude a fault of this element. Each
+    /// execution then tests for the fault.
     std::vector<bool> checked = {}, checked_actions = {};
     std::vector<std::uint32_t> steps = {};      ///< in CODESYS: cell per step
     std::vector<std::uint32_t> before = {};     ///< in CODESYS: cell per step, true if active in the last execution

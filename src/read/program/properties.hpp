@@ -13,12 +13,12 @@ namespace grafverif {
 /// A property of the values at the end of every scan. The inputs are unconstrained.
 struct ProgramProperty {
     enum class Kind { Invariant, MutualExclusion, Absence, Reachability, Reachable, Assertion, Termination };
-    enum class Error { Overflow, DivisionByZero, ArrayBounds };  ///< error whose absence the property states
+    enum class Error { Overflow, DivisionByZero, ArrayBounds };  ///< for Absence: the error that must not occur
     std::string name = {};
     std::string text = {};
     Kind kind = Kind::Invariant;
     Error error = Error::Overflow;
-    /// MutualExclusion has at least two conditions; every other kind has at most one.
+    /// MutualExclusion has at least two conditions; every other kind has at most one condition.
     std::vector<Id<Program::Node>> conditions = {};
     Span origin = {};
 

@@ -76,8 +76,8 @@ private:
         std::unordered_map<std::uint32_t, Span> externals = {};
         std::unordered_map<std::uint32_t, Id<Unit>> actions = {};       ///< actions that statements can call
         std::map<std::string, std::uint32_t, std::less<>> stored = {};  ///< cells of S in charts of CODESYS
-        /// Step or action, and member -> index in the variables. This table is separate, because a variable may have
-        /// the name of a step.
+        /// Step or action, and member -> index in the variables. This table is separate from `variables`, because a
+        /// variable may have the name of a step.
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> members = {};
     };
     enum class State { New, Open, Done };
@@ -226,7 +226,7 @@ private:
     const std::vector<std::pair<Id<st::Word>, std::uint32_t>>* transitions_ = nullptr;
     std::vector<UnitCharts> charts_;                  ///< per unit of the file
     std::array<Id<Type>, 2> step_types_ = {};         ///< type of steps, type of initial steps
-    std::array<Id<Type>, 2> codesys_steps_ = {};      ///< the same for charts of CODESYS
+    std::array<Id<Type>, 2> codesys_steps_ = {};      ///< type of steps and type of initial steps in charts of CODESYS
     std::set<std::string, std::less<>> warned_ = {};  ///< warnings that are reported only once
     std::optional<std::size_t> main_block_ = {};      ///< the function block that is executed as a program
     std::set<std::uint32_t> chart_units_ = {};        ///< units of steps and action controls

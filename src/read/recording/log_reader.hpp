@@ -32,8 +32,8 @@ using LogBlocks = std::function<bool(std::string& block)>;
 /// Latest time of a sample in microseconds: 285 years.
 inline constexpr std::int64_t latest_log_us = 9'000'000'000'000'000;
 
-/// Reads lines, and creates positions in them. The source of the positions contains only the lines that have been
-/// shown; the other lines are empty.
+/// Reads lines, and creates positions in them. The source of the positions contains only the lines for which a position
+/// was created; all other lines are empty.
 class LogLines {
 public:
     LogLines(LogBlocks blocks, std::string name, Sources& sources);
@@ -74,7 +74,7 @@ struct LogValue {
 
 struct LogRow {
     std::int64_t time_us = 0;
-    std::uint64_t line = 0;  ///< its first line
+    std::uint64_t line = 0;  ///< number of the first line of the row
     std::vector<LogValue> values = {};
 };
 
@@ -90,7 +90,7 @@ public:
 
     /// Skips the values of a column, which may be of any type.
     void ignore(std::size_t column) { use_of(column).ignored = true; }
-    /// Rejects values of a column outside `low` .. `high`, in addition to earlier ranges.
+    /// Rejects values of a column outside `low` .. `high`. Ranges from earlier calls remain valid.
     void restrict(std::size_t column, std::int64_t low, std::int64_t high);
     /// Ends the log at the first error. The default is to report the errors of all rows.
     void stop_at_error() { stop_at_error_ = true; }
@@ -142,7 +142,7 @@ private:
     std::optional<std::int64_t> last_time_ = {};
     char separator_ = ',';                                          ///< CSV
     std::map<std::string, std::size_t, std::less<>> by_name_ = {};  ///< JSON lines: column by name
-    bool pending_ = false;                                          ///< JSON lines: the current line is the first row
+    bool pending_ = false;  ///< JSON lines: true if the current line is the first row
 
     struct Wire {
         std::size_t column = 0;
@@ -151,7 +151,7 @@ private:
     };
     std::map<std::string, std::vector<Wire>, std::less<>> wires_ = {};  ///< VCD: variables by code
     std::vector<std::string> scopes_ = {};
-    std::string_view rest_ = {};     ///< unread part of the current line
+    std::string_view rest_ = {};     ///< unread remainder of the current line
     std::string words_ = {};         ///< contents of the last declaration
     std::int64_t ticks_per_us_ = 1;  ///< 1 for units of 1 us and more
     std::int64_t us_per_tick_ = 1;

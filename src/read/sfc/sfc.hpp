@@ -4,10 +4,11 @@
 //
 // - If several transitions after one step are enabled, SFC clears only the one with the highest priority. Therefore the
 //   conditions are made mutually exclusive.
-// - A Boolean variable with the qualifier N is true while its step is active; with D, only after the delay; with L,
-//   only until the limit. These qualifiers become continuous actions. S and R set and reset a variable when their step
-//   becomes active; these become stored actions. For P, SD, SL and DS, a new variable is added, from which a partial
-//   chart with one permanently active step computes the output.
+// - A Boolean variable with the qualifier N is true while its step is active; with the qualifier D, only after the
+//   delay; with the qualifier L, only until the time limit. The qualifiers N, D and L become continuous actions. The
+//   qualifiers S and R, which set and reset a variable when their step becomes active, become stored actions. For P,
+//   SD, SL and DS, a new variable is added, from which a partial chart with one permanently active step computes the
+//   output.
 // - Assignments with the qualifiers P1 and P0 become stored actions on activation and deactivation. Assignments with
 //   the qualifier N are executed in every scan. Constants are therefore stored once on activation, and Boolean terms on
 //   activation and whenever their value changes.
@@ -56,8 +57,8 @@ struct SfcVariable {
     bool used = false;
 };
 
-/// The assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer). The terms are over
-/// the values before the body.
+/// The assignment of a body to a variable: `set || keep && variable` (Boolean) or `value` (Integer). The terms refer to
+/// the values before the execution of the body.
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };

@@ -2,7 +2,7 @@
 // Writes a comparison as text and as JSON.
 //
 // The text contains the verdict and its assumptions. If the charts differ, the distinguishing scans with the behaviour
-// of both charts follow. It ends with the differences of the two texts.
+// of both charts follow. The text ends with the differences between the source texts of the two charts.
 //
 // JSON: missing values are null.
 //
@@ -25,7 +25,7 @@ void print_result(const Comparison& comparison, Colour colour, std::ostream& out
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out);
 std::string comparison_json(const Comparison& comparison);
 
-/// Prints the changes of a text: one line for each, or two lines for a changed element.
+/// Prints the changes of a text: two lines for a changed element, and one line for any other change.
 void print_changes(const std::vector<ChartChange>& changes, std::ostream& out);
 
 }  // namespace grafverif

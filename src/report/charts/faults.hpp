@@ -3,7 +3,7 @@
 //
 // The text contains a table of the minimal combinations for each property, the effects of each fault (FMEA), and runs.
 //
-// JSON: missing values are null. `trace` is that of report/json.hpp.
+// JSON: missing values are null. `trace` has the format of report/json.hpp.
 //
 //   {"model", "engine", "mode", "grain", "time_unit", "order", "combinations", "checks", "faults":[FAULT],
 //   "properties":[PROPERTY], "errors":[{"faults", "code", "message", "trace"}]}
@@ -22,11 +22,12 @@
 
 namespace grafverif {
 
-/// If `all_runs`, prints a run for each minimal combination, otherwise only for the first one of each property.
+/// If `all_runs` is true, prints a run for each minimal combination, otherwise only for the first minimal combination
+/// of each property.
 void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out);
 std::string faults_json(const FaultAnalysis& analysis, const Sources& sources);
-/// Returns a fault tree with a gate per property: the disjunction of its minimal combinations. Its names are changed if
-/// the format does not allow them; labels contain the original names. Comments state what the tree omits.
+/// Returns a fault tree with a gate per property: the disjunction of its minimal combinations. A name in the tree is
+/// changed if the format does not allow it; labels contain the original names. Comments state what the tree omits.
 std::string open_psa_of(const FaultAnalysis& analysis);
 
 }  // namespace grafverif

@@ -2,8 +2,8 @@
 // Writes results of mutation testing as text and as JSON.
 //
 // The text contains the number of mutants with each result, the scores of the specification and of the tests, and the
-// number of mutants that each property detects. It then lists each mutant that no property detects, as a change of the
-// text, and the mutants with unknown result.
+// number of mutants that each property detects. The text then lists each mutant that no property detects, as a change
+// of the source text, and the mutants with unknown result.
 //
 // JSON: missing values are null.
 //

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Writes results of tuning as text and as JSON.
 //
-// The text contains, for each property, the verdict if it is the same at all points; otherwise a table of intervals
-// (one constant), a map with one character per point (two constants), or a table of boxes. The margins follow: how far
-// each constant can change from its current value, while the others keep theirs, before the verdict changes.
+// For each property, the text contains the verdict if it is the same at all points. If the verdict differs between
+// points, the text contains a table of intervals (one constant), a map with one character per point (two constants), or
+// a table of boxes. Then the text lists the margins. A margin is the smallest change of one
+// constant from its current value that changes the verdict, while all other constants keep their current values.
 //
 // JSON: missing values are null.
 //
@@ -34,7 +35,8 @@ std::string point_text(const Tuning& tuning, std::size_t point);
 /// first points.
 std::vector<GridBox> boxes_of(const Tuning& tuning, const Tuning::Row& row);
 
-/// The nearest value of a constant at which the verdict differs from the one for the current values.
+/// The value of a constant that is nearest to its current value and at which the verdict differs from the verdict for
+/// the current values.
 struct Margin {
     std::size_t constant = 0;
     bool up = true;

@@ -22,7 +22,8 @@ public:
     /// All arguments must outlive the object.
     ProgramControllerReplay(const ChartRun& run, const ChartRun::Controller& controller, const Program& program);
 
-    /// Lets time pass. Returns an error if the task cycle does not allow this.
+    /// Lets `milliseconds` pass. Returns an error message if the task cycle does not allow this delay; otherwise an
+    /// empty string.
     std::string pass(std::int64_t milliseconds);
     /// Executes an act. Returns the differences between the run and the program, or an empty string if they agree.
     std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ProgramRun: executes a Program directly on its memory cells, one scan at a time. This implementation of the semantics
-// does not depend on the equations. Every run is replayed on it before the run is displayed.
+// does not depend on the equations. Before a run of a program is displayed, ProgramRun replays it.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,8 @@ public:
         Span where = {};
         ProgramFault kind = ProgramFault::DivisionByZero;
     };
-    /// Returns the fault that ended the run, if any. The last scan of such a run is incomplete.
+    /// Returns the fault that ended the run, or nothing if no fault has occurred. The last scan of such a run is
+    /// incomplete.
     const std::optional<Fault>& fault() const { return fault_; }
     /// True if a result in the last scan was outside the range of its type and was wrapped around.
     bool overflowed() const { return overflowed_; }

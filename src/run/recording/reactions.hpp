@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reactions: the reactions of a chart to its inputs and to elapsed times, without the times themselves. The interpreter
-// executes them on a copy of the chart in which each duration is 2: the state of a running time is 1, and that of an
-// elapsed time is its duration. A caller that knows the real times decides which of them have elapsed.
+// executes the reactions on a copy of the chart in which each duration is 2 ms. In this copy, the elapsed time of a
+// running delay is 1 ms, and that of an expired delay is 2 ms. The caller knows the real times and decides which delays
+// have expired.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@ struct Reaction {
     std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< cleared transitions per evolution
     /// For each timed element: true if its t1 or its t2 starts in this cycle.
     std::vector<bool> rise_starts = {}, fall_starts = {};
-    std::string problem = {};  ///< reason why the cycle has no result; empty if there is none
+    std::string problem = {};  ///< reason why the cycle has no result; empty if the cycle has a result
 };
 
 class Reactions {
@@ -35,13 +36,14 @@ public:
     /// Requires a chart that `derive` accepts. The tables are cleared when their approximate size exceeds `most_bytes`.
     Reactions(const Chart& chart, std::size_t most_bytes);
 
-    /// Returns the executed copy of the chart; its durations are not those of the chart.
+    /// Returns the executed copy of the chart. The durations of the copy differ from those of the original.
     const Chart& chart() const { return chart_; }
 
     StatePointer initial() { return unique(power_on(chart_)); }
 
-    /// Executes a cycle. `inputs` contains the value of each variable of the chart that is an input; `rise_over` and
-    /// `fall_over` contain, for each timed element, true if its running t1 or t2 has elapsed since the previous cycle.
+    /// Executes a cycle. `inputs` contains the value of each variable of the chart that is an input; `rise_over`
+    /// contains, for each timed element, true if its running t1 has elapsed since the previous cycle; `fall_over`
+    /// contains the same for t2.
     std::shared_ptr<const Reaction> react(const StatePointer& before, const std::vector<std::int64_t>& inputs,
                                           const std::vector<bool>& rise_over, const std::vector<bool>& fall_over);
 

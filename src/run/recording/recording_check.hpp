@@ -5,22 +5,26 @@
 // tick between them, such that:
 //   power-on   the first instant is at most J before or after the first sample, which has the first values of inputs
 //   inputs     each recorded change of an input at time t is observed by an instant in [t - J, t + J]. The changes of
-//              one input are observed in their order. If an instant observes several of them, it reads the last value.
+//              one input are observed in their order. If an instant observes several changes of one input, it reads the
+//              last value.
 //              Changes of different inputs may be observed in any order
 //   times      an instant observes that a time T of the chart, which started at instant s, has elapsed if and only if
-//              it is not before s + T; at least one instant is in [s + T, s + T + J], unless the time has been stopped
+//              the instant is at or after s + T; at least one instant is in [s + T, s + T + J], unless the time has
+//              been stopped
 //   outputs    each change of an output by an instant e is recorded at a time in [e - J, e + J]. The changes of one
-//              output are recorded in their order. If several are recorded at the same time, only the last value is
-//              visible. The resulting values are the recorded output. Before the first sample, it has its initial value
-// An instant reads the inputs once. If it has a model error (total instability, race, value out of range), the timing
-// ends there; if no other timing is admissible, the verdict is unknown.
-// Each instant observes a change of an input, or that a time has elapsed. The recording deviates if it has no
-// admissible timing, independently of its continuation after the last sample.
+//              output are recorded in their order. If several changes are recorded at the same time, only the last
+//              value is visible. The resulting values are the recorded values of the output. Before the first sample,
+//              the output has its initial value
+// An instant reads the inputs once. If an instant has a model error (total instability, race, value out of range), the
+// timing ends at this instant; if no other timing is admissible, the verdict is unknown. Each instant observes a change
+// of an input, or that a time has elapsed. The recording deviates if it has no admissible timing, independently of its
+// continuation after the last sample.
 //
 // Method: a hypothesis is a state of the chart with a zone of the instants that matter for its future. All hypotheses
-// together represent all admissible timings up to the current time. Each hypothesis is expanded when the recording is
-// known up to J after its next instant. A change of an output is recorded at the next recorded change if possible;
-// this loses no timing, because later changes can replace the earlier one.
+// together represent all admissible timings up to the current time. Each hypothesis is expanded as soon as the
+// recording is known up to J after the next instant of the hypothesis. A change of an output is assigned to the next
+// recorded change of this output if possible. This rule excludes no admissible timing, because later changes can
+// replace the earlier one.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +48,7 @@ struct RecordingSettings {
     Ticks ticks_per_ms = 1'000;
     std::size_t most_hypotheses = 10'000;
     std::size_t table_bytes = std::size_t{64} << 20U;  ///< approximate size of the tables of reactions
-    std::function<bool()> stopped = {};                ///< true: end the check; may be empty
+    std::function<bool()> stopped = {};                ///< returns true if the check must end; may be empty
 };
 
 struct RecordedValue {
@@ -53,7 +57,7 @@ struct RecordedValue {
     std::uint64_t line = 0;
 };
 
-/// Values of variables of the chart that are recorded at the same time. Times do not decrease.
+/// Values of chart variables that are recorded at the same time. Times do not decrease.
 struct RecordedSample {
     Ticks time = 0;
     std::uint64_t line = 0;
@@ -68,8 +72,8 @@ public:
     /// Adds a sample; the first has a value for each input and each recorded output. Returns false if the verdict is
     /// final.
     bool add(const RecordedSample& sample);
-    /// States that all samples before `time` have been added, and decides what they determine. Requires a sample.
-    /// Returns false if the verdict is final.
+    /// Declares that all samples before `time` have been added, and continues the check as far as these samples
+    /// determine it. Requires that at least one sample has been added. Returns false if the verdict is final.
     bool pass(Ticks time);
 
     /// Returns the verdict for the samples so far.
@@ -81,7 +85,8 @@ private:
         std::int64_t value = 0;
         std::uint64_t line = 0;
     };
-    /// The changes of a variable that not every hypothesis has used. Position 0 is the first change of the recording.
+    /// The recorded changes of a variable that at least one hypothesis has not used. Position 0 is the first change of
+    /// the recording.
     struct Signal {
         Id<Chart::Variable> variable = {};
         bool input = false;
@@ -105,11 +110,12 @@ private:
         StatePointer state = {};
         std::vector<std::int64_t> inputs = {};   ///< for each variable: last value of an input that was read
         std::vector<std::uint64_t> used = {};    ///< for each signal: number of observed or explained changes
-        std::vector<std::int64_t> visible = {};  ///< for each signal: an output's recorded value after these changes
+        std::vector<std::int64_t> visible = {};  ///< for each output signal: the recorded value after the used changes
         Zone zone = {};                          ///< variable 1 is the last instant
-        std::vector<std::size_t> rise = {},
-                                 fall = {};  ///< for each timed element: instant at which t1, t2 started, or 0
-        /// For each signal: the first instant whose change of the output is not recorded yet, or 0.
+        /// For each timed element: zone variable of the instant at which t1 (t2) started, or 0 if it is not running.
+        std::vector<std::size_t> rise = {}, fall = {};
+        /// For each output signal: zone variable of the first instant whose change of the output is not recorded yet,
+        /// or 0 if there is no such instant.
         std::vector<std::size_t> hidden = {};
         std::vector<Ticks> typical = {};  ///< for each variable of the zone: a typical time, to be printed
         std::shared_ptr<Instant> history = {};
@@ -122,7 +128,8 @@ private:
         Hypothesis hypothesis = {};
         Change change = {};
     };
-    /// The limit that ended the check: of hypotheses, of reactions between two samples, or of the caller.
+    /// The limit that ended the check: number of hypotheses, number of reactions between two samples, or a stop by the
+    /// caller.
     enum class Limit : std::uint8_t { None, Orders, Reactions, Stopped };
     class Expansion;
 
@@ -142,7 +149,8 @@ private:
     Reactions reactions_;
     std::vector<TimedElement> elements_;
     std::vector<Signal> signals_ = {};
-    std::vector<std::size_t> signal_of_ = {};  ///< for each variable: index in signals_ + 1, or 0
+    /// For each variable: index in signals_ + 1, or 0 if the variable has no signal.
+    std::vector<std::size_t> signal_of_ = {};
     std::vector<Hypothesis> hypotheses_ = {};
     std::deque<std::pair<Ticks, std::uint64_t>> lines_ = {};  ///< last samples: time and line
     bool begun_ = false;

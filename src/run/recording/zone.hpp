@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Zone: a set of values of instants, given by closed bounds of their differences (difference bound matrix). Times are
-// integers, so that every non-empty zone contains integer times.
+// Zone: a set of values of instants, given by closed bounds of their differences (difference bound matrix). The bounds
+// are integers; therefore, every non-empty zone contains integer times.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace grafverif {
 
-/// A time of a recording in ticks; the unit is a property of the check (microseconds in the program).
+/// A time of a recording in ticks. The caller of the check chooses the duration of a tick; the command-line program
+/// uses one microsecond.
 using Ticks = std::int64_t;
 
 /// Variable 0 is the constant 0. The bounds are always the tightest ones, and the zone is never empty.
@@ -31,7 +32,7 @@ public:
 
     /// Returns the projection to `variables`, in this order; the first is variable 0.
     Zone projection(std::span<const std::size_t> variables) const;
-    /// True if each element of `other` is an element of this zone. Both have the same variables.
+    /// True if each element of `other` is an element of this zone. Requires that both zones have the same variables.
     bool includes(const Zone& other) const;
 
 private:

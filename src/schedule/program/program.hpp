@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // schedule_program: translates a Scan to a TransitionSystem. A state consists of the stored variables before a scan and
 // of the inputs of this scan, which are free. One step is one scan. A property concerns the values at the end of the
-// scan, but is a term over the state before the scan, so that inputs need not be copied. Only stored variables on which
-// properties depend are variables of the system.
+// scan. It is expressed as a term over the state before the scan, so that inputs need not be copied. The system omits
+// stored variables on which no property depends.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,8 @@ struct ScanProperty {
     Pattern pattern = Pattern::Always;  ///< Always, Never or Reachable
     Id<Expr> condition = {};            ///< term over the variables of the equations of the scan
     Span origin = {};
-    /// True: the condition concerns the scan with the first fault; false: the scans before it.
+    /// True: the condition concerns the scans up to and including the scan with the first fault. False, or
+    /// Pattern::Always: the condition concerns only the scans before the first fault.
     bool about_fault = false;
 };
 
@@ -29,8 +30,7 @@ struct ProgramSystem {
     TransitionSystem system = {};
     /// Symbol of each variable of the equations; invalid if no property depends on it.
     std::vector<Id<TransitionSystem::Symbol>> symbols = {};
-    /// The property that no scan has a fault; invalid if faults are impossible. The other properties, except those with
-    /// `about_fault`, concern the scans before the first fault.
+    /// The property that no scan has a fault; invalid if faults are impossible.
     Id<Property> no_fault = {};
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // scan_module: translates a Scan to a module of the TransitionSystem, for the product with another controller. In a
-// step in which its parameter `turn` is true, the module executes one scan; otherwise no variable changes. It contains
-// the variables on which outputs and faults depend.
+// step in which its parameter `turn` is true, the module executes one scan. In all other steps, no variable of the
+// module changes. The module contains only the variables on which outputs and faults depend.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace grafverif::schedule {
 
-/// Returns the module. `race` is set after a run-time fault, and `out_of_range` after a scan in which `stop` was true;
-/// both are permanent. A fault in a scan after `out_of_range` was set does not set `race`. `stop` is a term over the
-/// values before the scan, or invalid. `settled` (one more scan with the same inputs would change no variable) and
-/// `faulting` are defined only if `settles` is true.
+/// Returns the module. Its flag `race` is set after a run-time fault, and its flag `out_of_range` after a scan in which
+/// `stop` was true; both flags are permanent. A fault in a scan after `out_of_range` was set does not set `race`.
+/// `stop` is a term over the values before the scan, or invalid. The symbols `settled` and `faulting` exist only if
+/// `settles` is true. `settled` is true if one more scan with the same inputs would change no variable.
 ControllerModule scan_module(const Scan& scan, Id<Expr> stop, bool settles, Exprs& exprs);
 
 /// For each variable of the equations: true if an output, a fault or `stop` depends on it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builder: semantic actions of the grammar. Adds expressions to the table of the file and declarations to its list, and
-// records whether the current declaration contains a syntax error.
+// Builder: semantic actions of the grammar. The builder adds expressions to the table of the file and declarations to
+// the list of the file. It also records if the current declaration contains a syntax error.
 #pragma once
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 // Layout: one declaration per line, blocks indented by four spaces, one spelling of each operator. Brackets appear only
 // where precedence requires them, or where `&&` and `||` are mixed. Comments are kept. A comment on a separate line
 // stays before the following element, and an end-of-line comment stays on its line. A comment inside a declaration is
-// moved before it. Single blank lines are kept; top-level declarations are separated by blank lines. The function is
-// idempotent: format(parse(format(t))) == format(t).
+// moved before the declaration. Single blank lines are kept; top-level declarations are separated by blank lines. The
+// function is idempotent: format(parse(format(t))) == format(t).
 #pragma once
 
 #include <iosfwd>

@@ -35,7 +35,7 @@ Lines item_lines(const tree::File& file, const tree::Accept& written, std::size_
 /// Returns `initial step 0`, without actions.
 std::string step_head(const tree::File& file, const tree::Step& step);
 /// Returns a step such as `step 1 { A; B; }` if the line is short and the step has at most two actions or only plain
-/// actions. Otherwise the result is empty.
+/// actions. For any other step, the result is empty.
 std::optional<std::string> step_in_one_line(const tree::File& file, const tree::Step& step, std::size_t column);
 /// Returns `component NAME(...)`, on several lines if one line would be too long.
 std::string component_head(const tree::File& file, const tree::Component& component);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// tree: abstract syntax of a file before name resolution. The parser passes it to name resolution, and `fmt` prints it;
-// later stages do not use it.
+// tree: abstract syntax of a file before name resolution. The parser passes the tree to name resolution, and `fmt`
+// prints the tree; later stages do not use it.
 //
 // Names are interned: two names in one file are equal if and only if their word ids are equal. Expressions are stored
 // in one flat table and operands are linked as siblings, so that a term of any width needs no separate allocation.
@@ -244,7 +244,8 @@ struct Component {
 
 // -- closed loops -----------------------------------------------------------------------------------------------------
 
-/// Task cycle of a controller. `most` is invalid if the cycle is not a range; both are invalid if there is none.
+/// Task cycle of a controller. `most` is invalid if the cycle is not a range; both ids are invalid if the controller
+/// has no task cycle.
 struct TaskCycle {
     Id<Expr> least = {}, most = {};
     Span where = {};

@@ -2,9 +2,9 @@
 // Prints location automata, Mealy machines and test sequences as plain text and JSON. test_csv.hpp prints sequences as
 // CSV.
 //
-// AutomatonCounts contains the numbers of elements, including INIT and its outgoing evolutions. `unstable` is the
-// number of pairs of a location and an input combination from which no stable situation is reached. Pairs with INIT are
-// counted separately.
+// AutomatonCounts contains the numbers of locations and evolutions, including the location INIT and its outgoing
+// evolutions. `unstable` is the number of pairs of a location and an input combination from which no stable situation
+// is reached. Pairs with INIT are counted separately.
 #pragma once
 
 #include <iosfwd>

@@ -28,8 +28,8 @@ std::string prefix_of(const Network& network, const Network::Controller& control
 /// Returns the condition of the timer with index `timer` in `controller.timers`, or an empty string if the timer
 /// observes a term without a name.
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer);
-/// Returns the displayed name of each process of the network. For a timer whose observed term has a name, this is the
-/// condition of the timer; otherwise it is the name of the process.
+/// Returns the displayed name of each process of the network. For a timer whose observed term has a name, the displayed
+/// name is the condition of the timer; for any other process, it is the name of the process.
 std::vector<std::string> display_names(const Network& network);
 /// Returns the text of a time condition that a property reads.
 std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);

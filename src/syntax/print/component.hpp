@@ -10,7 +10,7 @@
 namespace grafverif {
 
 std::string term_text(const Component& component, Id<Expr> term);
-/// Returns clock constraints as text such as `t <= STEP && u < 3s`, or an empty string if there are none.
+/// Returns clock constraints as text such as `t <= STEP && u < 3s`, or an empty string if there are no constraints.
 std::string clocks_text(const Component& component, const std::vector<Component::ClockConstraint>& constraints);
 /// Returns the guard of the edge, including clock constraints, or an empty string if it is always true.
 std::string guard_text(const Component& component, const Component::Edge& edge);

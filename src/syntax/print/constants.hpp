@@ -15,7 +15,7 @@ namespace grafverif {
 std::string value_text(const NamedConstant& constant);
 /// Parses a value such as `4`, `true` or `3s`. The result is empty if the text is not a value of this type.
 std::optional<std::int64_t> value_of(NamedConstant::Kind kind, const std::string& text);
-/// Returns a list of all constants, with a mark for constants that the user has set; empty if there are none.
+/// Returns a list of all constants, with a mark for constants that the user has set; empty if there are no constants.
 std::string constants_text(const std::vector<NamedConstant>& constants);
 
 }  // namespace grafverif

@@ -4,7 +4,7 @@
 // an expanded property `P.X7`). Emitters print the mapped names unchanged.
 //
 // The map is injective over the names of one scope and deterministic: it depends only on the order of the names. Legal
-// names are unchanged, independently of the other names. If a name occurs several times, its first occurrence is
+// names are unchanged, independently of the other names. If a legal name occurs several times, its first occurrence is
 // unchanged.
 #pragma once
 
@@ -16,9 +16,10 @@
 
 namespace grafverif {
 
-/// UppaalLocal: names that cannot occur in queries, such as parameters of a template. Such names can be keywords of
-/// queries. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or trailing `_`.
-/// C: identifiers without double or trailing `_` that are not keywords of C or C++, for members of structs.
+/// UppaalLocal: names that cannot occur in queries, such as parameters of a template. A UppaalLocal name can be a
+/// keyword of queries. StructuredText: identifiers of IEC 61131-3, which are case-insensitive and have no double or
+/// trailing `_`. C: identifiers without double or trailing `_` that are not keywords of C or C++, for members of
+/// structs.
 enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText, C };
 
 /// True if `name` has another meaning in the target: a keyword, a built-in, or an operator of its properties.

@@ -5,7 +5,7 @@
 //
 //   1,0,0,1,1       printed format: 0 and 1 for Booleans, decimal numbers for integers, separated by commas
 //   TRUE 0 12       also accepted: true and false in upper or lower case, spaces
-//   wait 5s         time passes before the next scan (ms, s, min); it is not a scan and has no response
+//   wait 5s         time passes before the next scan (ms, s, min); this line does not cause a scan and has no response
 #pragma once
 
 #include <cstdint>

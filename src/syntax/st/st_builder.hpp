@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// st::Builder: semantic actions of grammars/st.yy. Adds expressions and statements to the tables of the file and units
-// to its list.
+// st::Builder: semantic actions of grammars/st.yy. The builder adds expressions and statements to the tables of the
+// file, and units to the list of the file.
 #pragma once
 
 #include <array>

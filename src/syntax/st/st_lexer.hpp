@@ -48,7 +48,7 @@ public:
     void advance(std::size_t length);
     void comment(std::string_view match);
     Token sign(Kind kind);
-    /// Returns the token of a C operator, such as `&&`. Such operators are allowed only in properties.
+    /// Returns the token of a C operator, such as `&&`. Operators of C are allowed only in properties.
     Token c_sign(Kind kind, std::string_view match);
     Token type_word(Kind kind, std::string_view match);
     Token configuration_word(Kind kind, std::string_view match);

@@ -132,7 +132,7 @@ struct TypeDeclaration {
     Id<Expr> initial = {};
     bool structure = false;
     Span where = {};
-    std::vector<Variable> members = {};  ///< of a structure
+    std::vector<Variable> members = {};  ///< members of a structure; otherwise empty
 };
 
 struct Task {
@@ -167,8 +167,8 @@ struct Step {
     std::vector<Association> actions = {};
     std::string comment = {};
     Span where = {};
-    /// In CODESYS: the actions on activation, while the step is active, and on deactivation. They can be actions of
-    /// instances.
+    /// In CODESYS: the actions on activation, while the step is active, and on deactivation. These actions can be
+    /// actions of instances.
     Id<Expr> entry = {}, active = {}, exit = {};
 };
 

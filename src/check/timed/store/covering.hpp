@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Covering: finds stored states that simulate a new state because only their clocks differ.
 //
-// Let L and U be the greatest constants with which a clock x can be compared from below and from above before its next
-// reset (ir/network_clocks.hpp). A state s' simulates a state s if they have the same locations and variables, and for
-// each clock one of these conditions holds: x has the same value in both; L <= s'(x) < s(x); or U < s(x) < s'(x)
-// (Behrmann, Bouyer, Larsen, Pelanek: Lower and upper bounds in zone-based abstractions of timed automata, 2006; here
-// for integer values and closed constraints). Every run from s is then also a run from s', because urgent edges have no
-// clock constraints and keep the invariants of their targets. Therefore, a search for single states need not store s,
-// unless the run to s' is longer than the run to s.
+// For each clock x, let L and U be the greatest constants in lower bounds `x >= L` and upper bounds `x <= U`. Only
+// comparisons that are possible before the next reset of x count (ir/network_clocks.hpp). A state s' simulates a state
+// s if both have the same locations and variables, and each clock x satisfies one of these conditions: s'(x) = s(x); L
+// <= s'(x) < s(x); or U < s(x) < s'(x) (Behrmann, Bouyer, Larsen, Pelanek: Lower and upper bounds in zone-based
+// abstractions of timed automata, 2006; here for integer values and closed constraints). If s' simulates s, every run
+// from s is also a run from s', because urgent edges have no clock constraints and keep the invariants of their
+// targets. Therefore, a search for single states need not store s. To find shortest runs, s is stored if the run to s'
+// is longer than the run to s.
 //
-// For a clock with U < L, the values up to U are exact, and greater ones simulate smaller ones. For the other clocks,
-// the values below L are exact, and smaller ones simulate greater ones. So the state in which all inexact values are
-// replaced by the least of them is a key: a state can only simulate states with the same key.
+// For a clock with U < L, values up to U are exact, and a greater value above U simulates a smaller value above U. For
+// all other clocks, values below L are exact, and a smaller value from L on simulates a greater value. The key of a
+// state is the state in which each inexact clock value is replaced by the least inexact value of this clock. A state
+// can only simulate states with the same key.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +34,8 @@ public:
 
     /// True if some value of a clock simulates another value.
     bool applies() const { return !zones_.empty(); }
-    /// Returns an added state that simulates the state in `words` and that `accepts(state)` permits, or Store::none.
+    /// Returns an added state that simulates the state in `words` and for which `accepts(state)` is true, or
+    /// Store::none if there is none.
     template <class Accepts>
     std::uint32_t find(const Word* words, const Accepts& accepts) {
         select(words);
@@ -46,9 +49,9 @@ public:
         }
         return Store::none;
     }
-    /// Adds a state. Requires that `find` was last called for it.
+    /// Adds a state. Requires that the last call of `find` was for this state.
     void add(std::uint32_t state);
-    /// False if so few states are covered that the covering costs more than it saves.
+    /// False if the covering has omitted so few states that it costs more than it saves.
     bool is_useful() const { return searched_ < (1U << 16U) || covered_ >= searched_ / 16; }
     std::size_t bytes() const;
 
@@ -66,7 +69,7 @@ private:
     struct Entry {
         std::uint32_t state = 0;
         std::uint32_t next = none;
-        std::size_t values = 0;  // index of the first of its values in stored_
+        std::size_t values = 0;  // index in stored_ of the first clock value of the state
     };
 
     void select(const Word* words);
@@ -81,7 +84,8 @@ private:
     Column<std::uint32_t> lists_ = {};  // first entry of each key
     Column<Entry> entries_ = {};
     Column<std::uint16_t> stored_ = {};
-    // The state for which `find` was last called. A smaller value simulates a greater one.
+    // The state for which `find` was last called. In `values_`, a smaller number represents a clock value that
+    // simulates the clock values of greater numbers.
     std::vector<Word> words_ = {};
     Unfolded folded_ = {};
     std::vector<std::uint16_t> values_ = {};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Pairs: a table of pairs of 32-bit numbers, in which each pair has a unique number, in the order of insertion. Each
-// inner node of the tree in which states are stored (see Store) is such a table.
+// Pairs: a table of pairs of 32-bit numbers. The pairs are numbered in the order of insertion; equal pairs have the
+// same number. Each inner node of the tree in which states are stored (see Store) is such a table.
 //
-// The pairs are stored in chunks, in the order of their numbers. A full chunk is packed: each of its pairs uses the
-// number of bytes that the largest numbers of the chunk need. The index is split into shards by hash. When a shard is
-// four fifths full, only this shard is doubled, so that the additional memory is small. A slot of 32 bits contains the
-// number of a pair. The remaining bits contain bits of the hash (a print), which distinguish most other pairs without
-// an access to them.
+// The pairs are stored in chunks, in the order of their numbers. A full chunk is packed: each pair of the chunk uses as
+// many bytes as the largest numbers of the chunk need. The index is split into shards by hash. When a shard is four
+// fifths full, only the size of this shard is doubled, so that the additional memory is small. A slot of the index has
+// 32 bits. It contains the number of a pair and, in the remaining bits, bits of the hash of the pair (a print). The
+// print distinguishes the pair from most other pairs without an access to the stored pairs.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace grafverif::timed {
 class Pairs {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
-    /// Maximum number of pairs; above it, `intern` throws bad_alloc.
+    /// Maximum number of pairs; if a further pair is added, `intern` throws std::bad_alloc.
     static constexpr std::uint32_t most = (1U << 30U) - 2;
 
     explicit Pairs(unsigned shard_bits);
@@ -35,24 +35,26 @@ public:
         std::uint32_t number = none;
         bool fresh = false;
     };
-    /// Returns the number of the pair. A new pair is added. If memory is exhausted, nothing is changed.
+    /// Returns the number of the pair, and adds the pair if the table does not contain it. If memory is exhausted, the
+    /// function throws and does not change the table.
     Interned intern(Word pair);
     /// Adds a pair that is not in the table, and returns its number. `find` does not find the pair before `index` is
     /// called.
     std::uint32_t append(Word pair);
-    // The following functions may run in several threads, each of which accesses only the shards of its Share.
+    // The following functions may run in several threads at the same time, if each thread accesses only the shards of
+    // its Share.
     struct Share {
         unsigned member = 0, members = 1;
     };
-    /// Reserves memory for further pairs. The memory may be insufficient if unusually many of these pairs belong to one
-    /// shard.
+    /// Reserves memory for `more` further pairs. The memory may be insufficient if unusually many of these pairs belong
+    /// to one shard.
     void free_memory(std::size_t more, Share share);
     /// Returns the shard of the pair. Shard s belongs to the thread `s % members` (see Share).
     std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
     /// Adds an appended pair to the index, so that `find` finds it.
     void index(Word pair, std::uint32_t number);
 
-    /// Returns the number of the pair, or none.
+    /// Returns the number of the pair, or `none` if the table does not contain the pair.
     std::uint32_t find(Word pair) const;
     /// `prefetch` prefetches the first slot of the pair; `prefetch_met` prefetches the pair to which this slot refers.
     void prefetch(Word pair) const;
@@ -81,8 +83,8 @@ private:
         std::uint8_t low_bits = 0, each = 0;
     };
     struct Shard {
-        std::vector<std::uint32_t> slots = {};  // a slot contains a print and number + 1, or 0 if it is free
-        std::size_t used = 0;                   // number of used slots, including those of appended pairs
+        std::vector<std::uint32_t> slots = {};  // a slot contains a print and number + 1; 0 if the slot is free
+        std::size_t used = 0;                   // number of used slots, including slots of appended pairs
         unsigned number_bits = 0;
     };
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// State store: contains the states, numbered in the order of discovery, each as a tree of pairs.
+// State store: contains the states, numbered in the order of discovery. Each state is represented by a tree of pairs.
 //
-// The 32-bit halves of a state are the leaves of a binary tree. An inner node has a table of all pairs of numbers that
-// its children have had; the number of the node is the number of the pair in this table. The pairs in the table of the
-// root represent the states (Laarman, van de Pol, Weber: Parallel recursive state space compression for free, 2011).
-// Adjacent parts of a state are under one node (see Layout), so that nearly all tables except that of the root stay
-// small. The compression is exact: different states have different root pairs.
+// The 32-bit halves of a state are the leaves of a binary tree. Each inner node of the tree has a table with all pairs
+// of numbers that its two children have in some state. For a given state, the number of the node is the number of its
+// pair in this table. The pairs in the table of the root represent the states (Laarman, van de Pol, Weber: Parallel
+// recursive state space compression for free, 2011). Fields of the same subsystem are leaves of the same subtree (see
+// Layout::seams), so that nearly all tables except the table of the root stay small. The compression is exact:
+// different states have different root pairs.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,8 @@
 
 namespace grafverif::timed {
 
-/// A state with the numbers of its tree: first the leaves, then the inner nodes except the root, children first.
+/// A state with the numbers of the nodes of its tree: first the leaves, then the inner nodes except the root. Children
+/// precede their parents.
 struct Unfolded {
     std::vector<Word> words = {};  ///< the layout.words words that represent the state
     std::vector<std::uint32_t> numbers = {};
@@ -31,21 +33,22 @@ public:
     explicit Store(const Layout& layout);
 
     /// Adds the pairs of all nodes of the state in `words` and returns its root pair. Stores the numbers of the nodes
-    /// in `now`. The numbers of subtrees that are equal to those of the unfolded state `before` are copied.
+    /// in `now`. If a subtree is equal to the subtree of the unfolded state `before`, its number is copied.
     Word fold(const Word* words, const Unfolded& before, Unfolded& now);
-    /// Returns the root pair if all subtrees are known; otherwise the state is not in the store, and the result is
-    /// empty.
+    /// Returns the root pair of the state in `words` if the store contains all subtrees of the state. Otherwise, the
+    /// store does not contain the state, and the result is nullopt.
     std::optional<Word> root_of(const Word* words, const Unfolded& before, Unfolded& now) const;
     /// Returns the table of the root pairs of all states. An appended state is found only after it is indexed (see
     /// Pairs).
     const Pairs& roots() const { return root_; }
     Pairs& roots() { return root_; }
-    /// Returns the number of the state in `words`, or none.
+    /// Returns the number of the state in `words`, or `none` if the store does not contain the state.
     std::uint32_t find(const Word* words, Unfolded& now) const {
         const std::optional<Word> root = root_of(words, {}, now);
         return root ? root_.find(*root) : none;
     }
-    /// Unfolds `state` into `unfolded`. Subtrees of `unfolded` that have the same numbers are reused.
+    /// Unfolds `state` into `unfolded`. Subtrees of the previous content of `unfolded` that have the same numbers are
+    /// reused.
     void load(std::uint32_t state, Unfolded& unfolded) const;
 
     std::size_t size() const { return root_.size(); }
