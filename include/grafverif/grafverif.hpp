@@ -9,7 +9,8 @@
 //   transition_system_of      ClosedLoop or Chart -> TransitionSystem, untimed or with discrete time
 //   uppaal_project, nusmv_model, structured_text_of   Network, TransitionSystem or Equations -> text for other tools
 //   check, check_untimed      ClosedLoop -> Report: a Verdict per property, and the run that shows it
-//   compare                   Chart, Chart -> Comparison: equal for all inputs, or a distinguishing sequence
+//   compare                   Chart, Chart -> Comparison: the outputs are equal for all inputs, or a sequence
+//                             distinguishes the charts
 //   analysis_of               Chart -> Analysis: possible faults of the chart, and its elements that are never used
 //   drawing_of, svg_of        Chart -> Drawing, and Drawing -> SVG text
 //   automaton_of, mealy_of, test_of                 Chart -> LocationAutomaton, MealyMachine, TestSequence
@@ -134,7 +135,7 @@ struct Progress {
 /// verdicts are unknown, and the report states the reason.
 struct Limits {
     std::optional<std::uint64_t> states = {};  ///< maximum number of states; empty selects the default of the engine
-    std::optional<std::uint64_t> memory = {};  ///< bytes; empty selects the default of the engine
+    std::optional<std::uint64_t> memory = {};  ///< maximum memory in bytes; empty selects the default of the engine
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     /// Cancellation flag; any thread, and the function `progress`, may set it.
     const std::atomic<bool>* stop = nullptr;
@@ -149,9 +150,9 @@ struct CheckOptions {
     bool every_move = false;  ///< also return a row for each internal move of the translation
     Limits limits = {};
     bool profile = false;  ///< timed engine: compute a state profile even if the search finds few states
-    /// Called once by each search of the timed engine, when the search has found one million states.
+    /// Called once by each search of the timed engine, when the search has found 2^20 states.
     std::function<void(const StateProfile&)> many = {};
-    bool whole = false;  ///< true: independent subsystems are explored together, not separately
+    bool whole = false;  ///< true: independent subsystems of a loop are explored as one system; false: separately
     /// Number of threads; 0 selects one per core (untimed: at most two); the verdicts do not depend on this number.
     unsigned jobs = 0;
 };
@@ -183,7 +184,8 @@ struct CompareOptions {
     /// Initial situations of the two charts, which replace their initial steps. Either both situations are given, or
     /// both are empty.
     std::array<std::vector<Id<Chart::Step>>, 2> from = {};
-    bool shortest = true;  ///< true: search for a shortest distinguishing sequence
+    /// True: search for a shortest distinguishing sequence; false: any distinguishing sequence is sufficient.
+    bool shortest = true;
     Limits limits = {};
 };
 /// Decides if two charts, possibly of different models, have equal outputs for all input sequences (see Comparison).
@@ -196,7 +198,8 @@ std::string svg_of(const Drawing& drawing);
 
 struct ConformOptions {
     std::optional<ExecutionMode> mode = {};
-    bool partial = false;   ///< automaton_of: at a limit, return an incomplete automaton (`complete` is false)
+    /// Only for automaton_of: at a limit, return an incomplete automaton (`complete` is false) instead of an error.
+    bool partial = false;
     bool minimise = false;  ///< true: equivalent states of a Mealy machine are merged
     TestCover cover = TestCover::Transitions;
     bool one_cycle_each = false;  ///< true: each step of a test is applied for one cycle, not for two
@@ -252,7 +255,8 @@ public:
     /// Executes one command, such as `START = true`, `wait 3s`, `do Gate open` or `back`, and then all moves that the
     /// simulator executes automatically. Returns an error message or an empty string.
     std::string execute(std::string_view command);
-    /// Returns the error message of the last command, or of the initialization.
+    /// Returns the error message of the last command or, before the first command, of the initialization; empty without
+    /// an error.
     const std::string& problem() const;
     /// Returns the choices that are possible in the current state.
     std::vector<Choice> choices() const;

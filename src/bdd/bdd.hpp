@@ -122,8 +122,8 @@ public:
     std::size_t variables() const;
     Bdd variable(std::uint32_t index) const;
 
-    std::uint64_t nodes() const;  ///< nodes in use, including garbage
-    std::uint64_t bytes() const;  ///< memory allocated for nodes, tables and cache
+    std::uint64_t nodes() const;  ///< number of nodes in use, including garbage
+    std::uint64_t bytes() const;  ///< memory allocated for nodes, tables and cache, in bytes
     /// Returns the number of operation steps so far: a measure of work that does not depend on the speed of the
     /// processor.
     std::uint64_t work() const;

@@ -59,7 +59,7 @@ public:
 
     Block<std::uint32_t> level_of, variable_at;
     Block<std::uint32_t> group_of;  ///< for each variable: the first variable of its group; a group is contiguous
-    std::uint64_t version = 0;      ///< number that is increased by every change of the order
+    std::uint64_t version = 0;      ///< version number of the order; every change of the order increases it
 
 private:
     std::uint32_t size_ = 0;

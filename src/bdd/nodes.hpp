@@ -112,9 +112,10 @@ public:
     std::uint32_t capacity = 0;    ///< number of usable nodes; the blocks may be larger
     std::uint32_t used = 0;        ///< index of the first node that was never used
     std::uint32_t in_use = 0;      ///< number of nodes in use, including garbage
-    std::uint32_t free = 0;        ///< list of unused nodes below `used`
-    bool stale = false;            ///< true if the chains and the free list must be rebuilt
-    bool sweeping = false;         ///< true if the rebuild must also free unmarked nodes
+    /// First node of the list of unused nodes with an index below `used`; 0 if the list is empty.
+    std::uint32_t free = 0;
+    bool stale = false;     ///< true if the chains and the free list must be rebuilt
+    bool sweeping = false;  ///< true if the rebuild must also free unmarked nodes
 };
 
 }  // namespace grafverif::bdd

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Runs a portfolio of engines on one system. The symbolic engine runs in one thread, decomposed into subsystems. A
-// second thread starts after PortfolioOptions::alone operations of this engine, at the latest after a quarter of the
-// time limit. The second thread runs localization, and then alternates PDR and BMC. The first engine that decides a
-// property provides its verdict, and a note names the engine. When all properties are decided, all engines stop.
-// Results are validated as in a single-engine run, so verdicts do not depend on which engine finishes first.
-// Counterexamples may depend on which engine finishes first.
+// Runs a portfolio of engines on one system. The symbolic engine runs in one thread, decomposed into subsystems. If
+// this engine has not finished, a second thread starts after PortfolioOptions::alone operations of the engine, at the
+// latest after a quarter of the time limit. The second thread runs localization, and then alternates PDR and BMC. The
+// first engine that decides a property provides its verdict, and a note names the engine. When all properties are
+// decided, all engines stop. Results are validated as in a single-engine run, so verdicts do not depend on which engine
+// finishes first. Counterexamples may depend on which engine finishes first.
 //
 // If `jobs` is 1 or no thread can be started, the engines run sequentially: first each engine for a bounded time, and
 // then each engine up to the deadline.
@@ -38,7 +38,7 @@ struct PortfolioOptions {
     /// Number of steps of decision-diagram operations after which the other engines start. They start at the latest
     /// after a quarter of the time limit. If `alone` is 0, they start immediately.
     std::uint64_t alone = 0;
-    unsigned jobs = 0;  ///< number of threads; 1 means that no threads are started
+    unsigned jobs = 0;  ///< number of threads; 1: the calling thread runs all engines
     /// Function that tries inexpensive proofs before the solvers start. It returns verdicts without runs for the
     /// properties that it decides, and ends early when `stop` is set.
     std::function<std::vector<Verdict>(const std::atomic<bool>* stop)> first = {};

@@ -18,7 +18,8 @@ namespace grafverif::conform {
 struct Dependencies {
     using Numbers = std::vector<std::uint32_t>;
 
-    /// Equations that an evolution evaluates: always (`always`), or only if a specific transition fires (`by_firing`).
+    /// Equations that every evolution evaluates (`always`), and, per transition, equations that an evolution evaluates
+    /// only if this transition fires (`by_firing`).
     struct Computed {
         std::vector<Numbers> by_firing = {};
         Numbers always = {};

@@ -30,7 +30,7 @@ struct StateMove {
     bool stable = false;
 };
 
-/// Thrown if an evolution has no result: a race, or a value that is undefined or out of range.
+/// Thrown if an evolution has no result, because of a race or of a value that is undefined or out of range.
 struct NoResult {
     Diagnostic why;
 };

@@ -3,10 +3,10 @@
 // a cover of transitions or evolutions, the length of the tour is minimal.
 //
 // The transitions or evolutions to cover are arcs of a graph whose nodes are the states. A tour that traverses each of
-// these arcs at least once is a directed rural postman tour. Every state is reachable through arcs to cover. Therefore,
-// a minimum-cost flow that balances incoming and outgoing arcs of each state has the minimal number of repeated arcs
-// (Edmonds and Johnson 1973). An Eulerian circuit of the balanced graph traverses all arcs. The flow is a lower bound
-// of the length, and the circuit attains this bound.
+// these arcs at least once is a directed rural postman tour. Every state is reachable from the initial state by arcs
+// that the tour must cover. Therefore, a minimum-cost flow that balances incoming and outgoing arcs of each state has
+// the minimal number of repeated arcs (Edmonds and Johnson 1973). An Eulerian circuit of the balanced graph traverses
+// all arcs. The flow is a lower bound of the length, and the circuit attains this bound.
 //
 // A test step of two cycles also traverses a second, stable transition, which stays in the reached state. A stable
 // transition needs no separate step if the tour arrives in its state with the inputs of this transition. If the graph

@@ -3,8 +3,8 @@
 // `product` are exact, because a result has more bits than its operands if necessary.
 //
 // Requirements on Bit, a Boolean function: `Bit()` is the constant false; `Bit::constant`, `is_false`, `==`, `~ & | ^`
-// and `ite(condition, then, otherwise)`, which is found by argument-dependent lookup. `==` may return false for equal
-// functions.
+// and `ite(condition, then, otherwise)`, which is found by argument-dependent lookup. If `==` returns true, the
+// functions are equal; `==` may return false for equal functions.
 #pragma once
 
 #include <algorithm>

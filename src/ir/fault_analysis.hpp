@@ -12,17 +12,20 @@
 
 namespace grafverif {
 
-/// A combination: increasing indices in FaultAnalysis::faults.
+/// A combination of faults: indices in FaultAnalysis::faults, in increasing order.
 using FaultSet = std::vector<std::size_t>;
 
 struct FaultAnalysis {
     /// Names of the visible elements (steps and Boolean outputs of controllers) that a fault affects.
     struct Visible {
-        /// Elements that are true in some state if the fault may occur, and in no state without faults.
+        /// Elements that are true in some reachable state if the fault may occur, but in no reachable state without
+        /// faults.
         std::vector<std::string> newly_true = {};
-        /// Elements that are true in some state without faults, and in no state if the fault is present from power-on.
+        /// Elements that are true in some reachable state without faults, but in no reachable state if the fault is
+        /// present from power-on.
         std::vector<std::string> never_true = {};
-        /// Result of `inevitable` for the elements `newly_true`, if the fault is present from power-on.
+        /// If the fault is present from power-on: the outcome of the property that it is inevitable that an element of
+        /// `newly_true` becomes true.
         Outcome always_shown = Outcome::Unknown;
         bool decided = false;  ///< false: the search was stopped, and the lists are incomplete
         bool operator==(const Visible&) const = default;
@@ -76,8 +79,8 @@ struct FaultAnalysis {
     std::vector<Fault> faults = {};
     std::vector<Row> rows = {};
     std::vector<Error> errors = {};
-    std::size_t combinations = 0;            ///< number of combinations of at most `order` faults
-    std::size_t checks = 0;                  ///< number of checks of a model, including the loop without faults
+    std::size_t combinations = 0;  ///< number of combinations of at most `order` faults
+    std::size_t checks = 0;        ///< number of checks of models of the loop, including the check without faults
     std::vector<std::string> failures = {};  ///< internal errors
 };
 

@@ -20,7 +20,7 @@ namespace grafverif {
 
 struct FlatSystem {
     struct Variable {
-        std::string name = {};  ///< `START`; `station.X_2` for a variable of an instance
+        std::string name = {};  ///< name such as `START`; for a variable of an instance, such as `station.X_2`
         Type type = {};
         bool choice = false;  ///< true if the value is chosen freely in each step and is not part of the state
         std::optional<Id<Expr>> initial = {};

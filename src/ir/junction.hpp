@@ -16,8 +16,8 @@ inline std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op o
     return {operands.begin(), operands.end()};
 }
 
-/// True if the term contains a quotient or a remainder, which may be undefined. `seen` marks the visited subterms, by
-/// index; subterms that are already marked are not searched again.
+/// True if the term contains a quotient or a remainder, so that its value may be undefined. `seen` marks the visited
+/// subterms, by index; subterms that are already marked are not searched again.
 inline bool may_divide(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen) {
     if (seen[root.index]) return false;
     seen[root.index] = true;

@@ -53,8 +53,9 @@ struct Mutation {
     std::vector<Mutant> mutants = {};  ///< the selected mutants
     /// Result of each mutant; empty if the run was stopped before the mutant was checked.
     std::vector<std::optional<MutantResult>> results = {};
-    std::vector<std::string> properties = {};  ///< properties with the expected verdict for the original
-    std::vector<std::string> vacuous = {};     ///< properties that hold vacuously for the original
+    /// Properties with the expected verdict for the original; these properties are checked for the mutants.
+    std::vector<std::string> properties = {};
+    std::vector<std::string> vacuous = {};  ///< properties that hold vacuously for the original
     /// Properties whose verdict for the original is unknown; these properties are not checked for the mutants.
     std::vector<std::string> undecided = {};
     std::optional<std::size_t> test_steps = {};  ///< length of the test sequence

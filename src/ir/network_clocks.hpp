@@ -41,9 +41,10 @@ std::vector<ClockInterval> admitted(const Network& network, const std::vector<Ne
 
 struct ProcessClocks {
     static constexpr std::int64_t dead = -1;
-    std::vector<std::vector<std::int64_t>> cap = {};  ///< cap per location and clock; a `dead` clock is kept at 0
-    std::vector<std::vector<bool>> bounded = {};      ///< true if the clock is bounded, per location and clock
-    std::vector<std::int64_t> greatest = {};          ///< maximum cap per clock over all locations
+    /// Cap per location and clock; the value `dead` represents a dead clock.
+    std::vector<std::vector<std::int64_t>> cap = {};
+    std::vector<std::vector<bool>> bounded = {};  ///< true if the clock is bounded, per location and clock
+    std::vector<std::int64_t> greatest = {};      ///< maximum cap per clock over all locations
     /// Greatest constant d of a comparison `clock >= d` before the next reset, per location and clock; 0 if there is no
     /// such comparison. `clock == d` counts for `lower` and for `upper`.
     std::vector<std::vector<std::int64_t>> lower = {};

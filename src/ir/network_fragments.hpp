@@ -70,8 +70,8 @@ struct LocalNetwork {
 
 /// Builds the over-approximation. Requires that `network` is expanded and that each of its terms has a value in every
 /// state. `chosen` contains the kept fragments in increasing order. `properties` read only these fragments (see
-/// `cells_read`). `invariants` hold in each state of the complete network. Choices of values that violate an invariant
-/// are excluded.
+/// `cells_read`). `invariants` must hold in each reachable state of the complete network. Values of free variables that
+/// violate an invariant are excluded.
 LocalNetwork localized(const Network& network, const NetworkFragments& cells, const std::vector<std::uint32_t>& chosen,
                        const std::vector<Property>& properties, const std::vector<Id<Expr>>& invariants = {},
                        const LocalAblations& ablations = {});

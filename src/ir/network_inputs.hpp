@@ -30,7 +30,8 @@
 //     process reads is also stored). The clock constraints of the edge in A permit every delay that they permit in N.
 //     An urgent edge has no clock constraint and keeps the invariant of its target (see verify). Therefore an urgent
 //     edge is enabled in A only if it is enabled in N, and time can pass in A whenever it can pass in N.
-//   - if N is quiescent, A is quiescent: the condition for A omits only the conjuncts that read a Chosen instance.
+//   - if N is quiescent, A is quiescent: the condition of quiescence of A omits only the conjuncts that read a Chosen
+//     instance.
 // Therefore, if an `always`, `never` or `exactly one of` property holds in A, the property holds in N. A `reachable`
 // property that is violated in A is violated in N. Both statements are also true with `at stable`. A run of A is not
 // necessarily a run of N.
@@ -70,7 +71,7 @@ struct InputAblations {
     bool need_not_return = false;   ///< instances of the panel need not be able to return
     bool need_not_diverge = false;  ///< time need not diverge
     // Premises of prove_response (check/inputs/response.hpp):
-    bool need_not_take_time = false;  ///< infinitely many moves may be possible in bounded time
+    bool need_not_take_time = false;  ///< runs with infinitely many moves in bounded time are permitted
     bool round_inward = false;  ///< clock bounds of observers are rounded to stronger bounds instead of weaker bounds
 };
 
@@ -114,8 +115,9 @@ struct InputChoice {
     Id<Network::Process> plc = {};
     std::vector<Id<Network::Variable>> variables = {};
     std::vector<std::vector<std::int64_t>> valuations = {};
-    bool kept = false;         ///< true if the set of possible valuations is part of the state
-    bool until_delay = false;  ///< true if cycles do not change the set (see ChoiceLifetime)
+    bool kept = false;  ///< true if the set of possible valuations is part of the state
+    /// True if the set remains unchanged between cycles until time passes (see ChoiceLifetime).
+    bool until_delay = false;
     /// If valid: all valuations become possible again when this flag of the PLC becomes true.
     Id<Network::Variable> stable = {};
     Id<Network::Location> waiting = {};           ///< location of the PLC in which `stable` is read

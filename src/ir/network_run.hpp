@@ -47,7 +47,7 @@ struct Step {
     Id<Network::Variable> variable = {};
 };
 
-/// Performs `move` on `state`; if the result is not Done, the state is unchanged.
+/// Performs `move` on `state`; if the result is not Done, `state` is unchanged.
 Step perform(const Network& network, NetworkState& state, const Move& move);
 
 /// Returns all enabled edges, in the order of processes and edges. The result includes edges that cause a model error

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replacement of the terms of a template.
+// Function that replaces the terms of a template.
 #pragma once
 
 #include "grafverif/ir/network.hpp"

@@ -16,7 +16,8 @@ namespace grafverif {
 /// Evidence that a recording has no admissible timing: a timing for which the chart agrees with the recording for the
 /// longest time, and the output that differs afterwards.
 struct Deviation {
-    std::int64_t time_us = 0;   ///< time of the recorded change, or of the change of the chart
+    /// Time, in microseconds, of the change of the recorded output or, if `missing_change`, of the output of the chart.
+    std::int64_t time_us = 0;
     std::uint64_t line = 0;     ///< line of the recorded value in the log
     std::string output = {};    ///< name in the chart
     std::int64_t recorded = 0;  ///< recorded value
@@ -26,7 +27,7 @@ struct Deviation {
     bool missing_change = false;
     std::string situation = {};   ///< active steps, such as `{2, 5}`
     ChartRun run = {};            ///< end of the run of the chart with this timing
-    bool run_is_complete = true;  ///< false if the run does not begin at power-on
+    bool run_is_complete = true;  ///< true if `run` begins at power-on; false if `run` contains only the last instants
 
     bool operator==(const Deviation&) const = default;
 };

@@ -19,7 +19,8 @@ struct TunedConstant {
     std::string name = {};
     NamedConstant::Kind kind = NamedConstant::Kind::Integer;  ///< Integer or Duration
     std::int64_t low = 0, high = 0, step = 1;
-    std::int64_t current = 0;  ///< the value in the model, or the value of `--set`
+    /// The value that the option `--set` selects; without this option, the value in the model.
+    std::int64_t current = 0;
 
     std::size_t size() const { return static_cast<std::size_t>((high - low) / step) + 1; }
     std::int64_t value(std::size_t index) const { return low + static_cast<std::int64_t>(index) * step; }

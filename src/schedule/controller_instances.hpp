@@ -47,7 +47,7 @@ struct ControllerInstances {
         return main.system.instances[instances[controller]].arguments;
     }
 
-    /// Adds the outputs of every controller to the shared variables of the loop.
+    /// Sets the entries of `shared` for the outputs of every controller to the symbols of these outputs.
     void share_outputs(const ClosedLoop& loop, std::vector<Id<Symbol>>& shared) const;
     /// Sets the first arguments of every instance to the symbols of the inputs of its controller.
     void wire_inputs(const ClosedLoop& loop, const std::vector<Id<Symbol>>& shared) const;

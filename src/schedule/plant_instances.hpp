@@ -52,7 +52,7 @@ struct PlantInstances {
     /// controllers neither read nor write.
     TransitionSystem::Component component(std::size_t process) const;
 
-    /// Passes the arguments to each instance.
+    /// Sets the arguments of each instance: the variables that its module reads, and the conditions in `signals`.
     void wire(const Signals& signals) const;
     /// Sets the next values of the variables of main that processes write.
     void set_effects() const;

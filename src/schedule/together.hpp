@@ -6,9 +6,9 @@
 // edge. All of them read the same values, which are the values before the step. An automaton stays in its location only
 // if none of its urgent edges is enabled.
 //
-// sequenced (WODES06 III.E; Algorithm 2 and Figs. 4, 5 are reconstructed). A general sequencer lets the controllers and
-// the plant run alternately. The plant sequencer has the four states PIR, PTR, POU and PTE of the paper. One variable
-// of main represents both sequencers:
+// sequenced (WODES06 III.E; Algorithm 2 and Figs. 4, 5 of the paper are reconstructed). A general sequencer lets the
+// controllers and the plant run alternately. The plant sequencer has the four states PIR, PTR, POU and PTE of the
+// paper. One variable of main represents both sequencers:
 //
 //   controllers  the controllers execute cycles until they are quiescent; if they write outputs in every cycle, they
 //                execute only one cycle

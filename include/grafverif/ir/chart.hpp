@@ -81,8 +81,8 @@ struct Chart {
         bool operator==(const Transition&) const = default;
     };
 
-    /// `t1/v/t2` (IEC 60848, time-dependent conditions): the condition becomes true `rise_ms` after v rises, and false
-    /// `fall_ms` after v falls.
+    /// `t1/v/t2` (IEC 60848, time-dependent conditions): the condition becomes true `rise_ms` milliseconds after v
+    /// (`watched`) becomes true, and false `fall_ms` milliseconds after v becomes false.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
         Id<Expr> watched = {};  ///< a Boolean term
@@ -116,7 +116,7 @@ struct Chart {
         bool operator==(const StoredAction&) const = default;
     };
 
-    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< {} {*} {INIT} {steps} (clause 7)
+    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< forced situation: {} {*} {INIT} {steps} (clause 7)
     struct ForcingOrder {
         Id<Step> step = {};
         Id<PartialChart> forced = {};

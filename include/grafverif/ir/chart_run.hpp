@@ -76,7 +76,8 @@ struct ChartRun {
         std::vector<Id<Step>> steps = {};
         std::vector<Id<Transition>> transitions = {};
         std::vector<Id<Signal>> inputs = {}, outputs = {}, internals = {};
-        std::vector<Id<Signal>> images = {};  ///< image of each output; invalid if the output has no visible image
+        /// For each output: its signal with the role Image; invalid if the output has no visible image.
+        std::vector<Id<Signal>> images = {};
         std::vector<Id<Timer>> timers = {};
         /// For each time condition of the chart: index of its timer in `timers`; empty if the condition is not read.
         std::vector<std::optional<std::size_t>> conditions = {};
@@ -98,16 +99,17 @@ struct ChartRun {
         /// True if a scan of a controller with a task cycle begins. False for the scan at power-on, for which `starts`
         /// is true.
         bool scans = false;
-        bool starts = false;         ///< true for the first evolution after power-on, in which all timers are false
-        bool samples = false;        ///< true if inputs and timer outputs are sampled
-        bool evolves = false;        ///< true if the act contains one evolution
-        Writes writes = Writes::No;  ///< states if the act writes the outputs
+        bool starts = false;   ///< true for the first evolution after power-on, in which all timer outputs are false
+        bool samples = false;  ///< true if inputs and timer outputs are sampled
+        bool evolves = false;  ///< true if the act contains one evolution
+        Writes writes = Writes::No;             ///< states if the act writes the outputs
         std::vector<std::int64_t> inputs = {};  ///< sampled values of the inputs
         std::vector<bool> timers = {};          ///< sampled values of the timer outputs
         /// For an evolution: true for each timer whose t1 had elapsed when the situation changed. If empty, `timers`
         /// has the same values.
         std::vector<bool> done = {};
-        /// Cleared transitions; if the act only samples: transitions to be cleared.
+        /// If `evolves`: the transitions that the evolution clears. If the act only samples: the transitions that the
+        /// next evolution clears.
         std::vector<Id<Transition>> fired = {};
         /// Values of the flags `stable` and `race` after the evolution; empty if the model does not have these flags.
         std::optional<bool> stable = {}, race = {};
@@ -153,7 +155,8 @@ struct ChartRun {
         Id<Timer> timer = {};
         std::size_t location = 0;
         std::int64_t value = 0;
-        std::size_t first = 0, last = 0;  ///< the value is a cause after each of the events `first` to `last`
+        /// Indices of events; the value is a cause in the states after the events `first` to `last`.
+        std::size_t first = 0, last = 0;
         bool operator==(const Cause&) const = default;
     };
 
@@ -182,9 +185,10 @@ struct ChartRun {
     /// later moves. Empty if all moves are possible.
     std::optional<std::size_t> broken_at = {};
     std::vector<Row> rows = {};
-    std::optional<std::size_t> loop_from = {};  ///< index of the first row of `loop`
-    std::vector<Cause> causes = {};             ///< causes of the violation, ordered by their first event
-    bool causes_exact = true;                   ///< false: causes may be missing or incorrect
+    /// Index of the first row of the repeated events; empty if the run is finite.
+    std::optional<std::size_t> loop_from = {};
+    std::vector<Cause> causes = {};  ///< causes of the violation, ordered by their first event
+    bool causes_exact = true;        ///< false: causes may be missing or incorrect
     /// Event indices of a smallest set of free moves without which the violation does not occur
     /// (explain/counterfactual.hpp); empty if not determined.
     std::vector<std::size_t> left_out = {};

@@ -55,8 +55,9 @@ struct ClosedLoop {
 
     struct Instance {
         std::string name = {};
-        Id<Component> component = {};          ///< in Model::components
-        std::vector<Argument> arguments = {};  ///< value of each parameter, after defaults are inserted
+        Id<Component> component = {};  ///< in Model::components
+        /// Value of each parameter; missing arguments have been replaced by the defaults of the component.
+        std::vector<Argument> arguments = {};
         Id<Component::Location> initial = {};
         bool environment = false;
         Span origin = {};
@@ -84,8 +85,8 @@ struct ClosedLoop {
         bool operator==(const ObserverEdge&) const = default;
     };
     /// A monitoring automaton (DESDES06 section 4, Fig. 6): in each step of an untimed model, the automaton takes the
-    /// first edge of its location whose guard holds; if no guard holds, the automaton stays in the location. Guards are
-    /// expressions of the loop.
+    /// first edge of its location whose guard holds; if no guard holds, the automaton stays in the location. The guards
+    /// of an observer are stored in ClosedLoop::exprs.
     struct Observer {
         std::string name = {};
         Table<ObserverLocation> locations = {};
@@ -99,7 +100,7 @@ struct ClosedLoop {
     /// to prove if there are plant automata. The condition is declared in the loop, in the chart of a controller, or in
     /// a component; a component constrains only its outputs.
     struct Constraint {
-        std::string name = {};  ///< `constraint_1`, `H_Cyl_constraint_1`
+        std::string name = {};  ///< generated name, such as `constraint_1` or `H_Cyl_constraint_1`
         Id<Expr> condition = {};
         Id<Controller> controller = {};  ///< controller with the chart that declares the constraint, if any
         Id<Instance> instance = {};      ///< instance of the component that declares the constraint, if any
@@ -140,7 +141,8 @@ struct ClosedLoop {
         /// Time condition of the chart; invalid for a timer of the actions of `step`.
         Id<Chart::TimeCondition> condition = {};
         Id<Chart::Step> step = {};
-        std::int64_t rise_ms = 0;  ///< for a timer of `step`: delay of an action, or sum of delay and time limit
+        /// For a timer of `step`: the delay of an action, or the sum of its delay and its time limit, in milliseconds.
+        std::int64_t rise_ms = 0;
         bool operator==(const TimeSymbol&) const = default;
     };
     /// A symbol that is true if an observer is in a location.
@@ -166,7 +168,8 @@ struct ClosedLoop {
     Table<Property> properties = {};
     Table<Constraint> constraints = {};
     Table<Observer> observers = {};
-    std::optional<Schedule> schedule = {};  ///< declared schedule; interleaved if empty
+    /// Declared schedule of untimed models; if empty, the schedule is interleaved.
+    std::optional<Schedule> schedule = {};
     Span time_unit_origin = {};
     Span origin = {};
 

@@ -27,7 +27,8 @@ namespace grafverif {
 struct ChartChange {
     enum class Kind { Added, Removed, Changed, Renamed };
     Kind kind = Kind::Changed;
-    std::string subject = {};  ///< `step 2`, `transition t3`, `input START`, `action of step 2`
+    /// The changed element, such as `step 2`, `transition t3`, `input START` or `action of step 2`.
+    std::string subject = {};
     /// Text in the first and in the second chart; the first is empty for an addition, the second for a removal.
     std::string before = {}, after = {};
     bool operator==(const ChartChange&) const = default;
@@ -67,10 +68,10 @@ struct Comparison {
     std::array<std::string, 2> from = {};
     /// The time between scans is a multiple of this value; 0 if no output depends on time.
     std::int64_t resolution_ms = 0;
-    std::array<bool, 2> programs = {};             ///< true for a PLC program in place of a chart
+    std::array<bool, 2> programs = {};  ///< for each side: true if it is a PLC program, false if it is a chart
     std::optional<std::int64_t> interval_ms = {};  ///< fixed time between two scans; empty if this time is arbitrary
-    /// `ignored`: outputs that are not compared. `restricted`: inputs of a program that are given only the values in
-    /// the range of the chart's input with the same name.
+    /// `ignored`: outputs that are not compared. `restricted`: inputs of a program to which only the values in the
+    /// range of the corresponding input of the chart are applied.
     std::vector<std::string> ignored = {}, restricted = {};
     /// For each program: name of the output that reports a stop by a value other than 0; empty if there is no such
     /// output.

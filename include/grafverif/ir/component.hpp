@@ -85,14 +85,15 @@ struct Component {
         bool urgent = false;
         Id<Expr> guard = {};
         std::vector<ClockConstraint> constraint = {};  ///< conjunction of clock constraints
-        /// Executed in order; each assignment reads the results of the previous assignments.
+        /// The assignments of the edge. They are executed in order; each assignment reads the results of the previous
+        /// assignments.
         std::vector<Assignment> assignments = {};
         std::vector<Id<Clock>> resets = {};
         Span origin = {};
         bool operator==(const Edge&) const = default;
     };
 
-    /// A condition on the outputs that holds for all input values.
+    /// A condition on the outputs of the component, which must hold for all values of the inputs.
     struct Constraint {
         Id<Expr> condition = {};
         Span origin = {};

@@ -31,7 +31,8 @@ struct ControllerWords {
     };
     struct Timer {
         Id<Variable> end = {};
-        std::optional<std::size_t> step = {};   ///< observed step, index in `steps`; empty for another term
+        /// Index in `steps` of the observed step; empty if another term is observed.
+        std::optional<std::size_t> step = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
         /// Name of the observed step variable or variable, such as `X2` or `a`; empty if another term is observed.
         std::string watched = {};

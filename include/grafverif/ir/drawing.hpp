@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drawing: boxes, lines and texts with positions; the result of layout. Every shape belongs to an element of the
-// drawing: a step, a transition, a link.
+// Drawing: boxes, lines and texts with positions, which the layout of a chart computes. Every shape belongs to an
+// element of the drawing: a step, a transition, a link.
 //
 // Each element of a chart has an id and classes. Ids and classes belong to the stable interface (docs/how-to/draw.md):
 // `step-3` or `step-G1-3` with the classes `step`, `initial`, `macro`, ...; `transition-T4`, `condition-T4`,
@@ -51,7 +51,7 @@ struct Drawing {
         Anchor anchor = Anchor::Start;
         int size = 12;          ///< font size in pixels
         int width = 0;          ///< upper bound of the text's width in every font of `font_family`
-        std::string kind = {};  ///< class: `name`, `label`, `reference`
+        std::string kind = {};  ///< class of the text: `name`, `label` or `reference`
         bool operator==(const Text&) const = default;
     };
     struct Element {

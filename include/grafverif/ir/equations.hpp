@@ -112,15 +112,16 @@ struct Equations {
     /// The value, in the previous cycle, of a term whose edges are read.
     struct Previous {
         Id<Variable> variable = {};  ///< P_e
-        Id<Expr> value = {};  ///< term e, over values before the cycle; in the first evolution, over initial values
+        /// Term e, which reads values before the cycle; in the first evolution, it reads initial values.
+        Id<Expr> value = {};
         Span origin = {};
         bool operator==(const Previous&) const = default;
     };
 
-    /// The level of a term that a timer observes.
+    /// The level (value after the previous cycle) of a term that a timer observes.
     struct ObservedTerm {
         Id<Variable> variable = {};  ///< V_e
-        Id<Expr> value = {};         ///< term e, over values after the cycle
+        Id<Expr> value = {};         ///< term e, which reads values after the cycle
         Span origin = {};
         bool operator==(const ObservedTerm&) const = default;
     };
@@ -154,7 +155,8 @@ struct Equations {
     std::vector<Previous> previous = {};
     std::vector<ObservedTerm> watches = {};
     std::vector<Timer> timers = {};
-    std::vector<Id<Timer>> conditions = {};  ///< timer of each time condition; invalid if the condition is not read
+    /// For each time condition of the chart: its timer; invalid if the condition is not read.
+    std::vector<Id<Timer>> conditions = {};
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
     /// True if one more cycle with the same inputs would change nothing: no firing condition holds, no stored variable

@@ -12,7 +12,7 @@
 //   synchronous   in each step, every controller executes one cycle and every automaton takes one edge (DESDES06)
 //   sequenced     plant and controllers alternate; the controllers run only when the plant is quiescent (WODES06)
 // Time, only with plant automata and the interleaved schedule:
-//   abstract      timed edges may be taken at any time
+//   abstract      clocks are ignored: edges with clock constraints may be taken at any time
 //   discrete      clocks count time units; the model has the same states as the timed engine
 #pragma once
 

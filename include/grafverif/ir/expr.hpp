@@ -13,7 +13,7 @@
 //   Timed      Chart::time_conditions; only in Chart
 //   Parameter  the parameters of the enclosing Component or Network template
 //   At         Network: true if a process is in a location; only in properties and in Network::settled
-//   Integer    a number; Duration: milliseconds (only in Component)
+//   Integer    the value itself instead of an index; Duration: a value in milliseconds (only in Component)
 //
 // Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports the overflow. Divide
 // truncates towards zero and Modulo has the sign of the dividend, as in C. UPPAAL and NuSMV compute the same values for
@@ -119,8 +119,8 @@ std::uint32_t at_process(const Expr& node);
 std::uint32_t at_location(const Expr& node);
 
 /// Returns the value of `root`, with Booleans as 0 and 1. `leaf` returns the value of a leaf or of an edge (Rise,
-/// Fall). The result is empty if an operation is undefined: division by zero, or a result outside 64 bits. The depth of
-/// the recursion is the depth of the term. The reader of the input language limits this depth (error `too-deep`).
+/// Fall). The result is nullopt if an operation is undefined: division by zero, or a result outside 64 bits. The depth
+/// of the recursion is the depth of the term. The reader of the input language limits this depth (error `too-deep`).
 std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf);
 

@@ -3,13 +3,13 @@
 // assumptions.
 //
 // A finding states that an event is possible, with a shortest run to the event as evidence, or that an event is
-// impossible. In the second case the evidence, if any, is a run that comes as close to the event as possible. A run is
-// shorter than another run if it has fewer input changes. If both have the same number of input changes, the run with
-// fewer evolutions is shorter. The search for possible events takes into account only the order in which timer outputs
-// change, not the times of these changes. Afterwards, concrete times are computed for the run, and Timing states if
-// such times exist. Therefore, an event that the search finds impossible is impossible for all times. A finding that
-// elements are never used again is also valid for all times; its evidence is a shortest run to a situation after which
-// these elements are never used.
+// impossible. For an impossible event, the evidence, if any, is a run that comes as close to the event as possible. A
+// run is shorter than another run if it has fewer input changes. If both have the same number of input changes, the run
+// with fewer evolutions is shorter. The search for possible events takes into account only the order in which timer
+// outputs change, not the times of these changes. Afterwards, concrete times are computed for the run, and Timing
+// states if such times exist. Therefore, an event that the search finds impossible is impossible for all times. A
+// finding that elements are never used again is also valid for all times; its evidence is a shortest run to a situation
+// after which these elements are never used.
 //
 // Invariants (see verify): every code is one of finding_kinds(); an accepted finding has a reason.
 #pragma once
@@ -51,9 +51,10 @@ struct Finding {
     std::vector<Related> related = {};
     std::vector<std::string> lost = {};  ///< steps, transitions and variables that are never used again, in this order
     std::optional<ChartRun> evidence = {};
-    std::string evidence_shows = {};  ///< event at the end of the evidence
+    std::string evidence_shows = {};  ///< description of the event at the end of the run `evidence`
     Timing timing = Timing::Untimed;
-    std::optional<std::string> accepted = {};  ///< reason given in the source; empty if the finding is not accepted
+    /// Reason that `accept` gives for accepting the finding; empty if the finding is not accepted.
+    std::optional<std::string> accepted = {};
 
     bool operator==(const Finding&) const = default;
 };
@@ -106,7 +107,7 @@ struct FindingKind {
 /// Returns all codes, in the order of reports.
 std::span<const FindingKind> finding_kinds();
 
-/// True if the code concerns elements that are never used again. The absence of such a finding is proved only if all
+/// True if the code concerns elements that are never used again. A query for such a finding is decided only if all
 /// reachable situations are known.
 bool is_trap(std::string_view code);
 

@@ -81,7 +81,8 @@ struct LocationAutomaton {
     /// An output that can be different from 0 in a location.
     struct Emission {
         Id<Output> output = {};
-        Id<Expr> value = {};  ///< a constant or, for a conditional action, a condition on the inputs
+        /// Value of the output: a constant or, for a conditional action, a condition on the inputs.
+        Id<Expr> value = {};
         bool operator==(const Emission&) const = default;
     };
     struct Location {
@@ -139,7 +140,7 @@ bool level(const LocationAutomaton::Location& location, const LocationAutomaton:
 /// Returns the term that the timer observes: `step 2`, `V_a`.
 std::string watched_text(const LocationAutomaton& automaton, const LocationAutomaton::Input& timer);
 
-/// Returns the evolutions, or instabilities, that leave `location`.
+/// Return the evolutions from `location`, or the instabilities in `location`.
 std::span<const LocationAutomaton::Evolution> evolutions_from(const LocationAutomaton& automaton,
                                                               Id<LocationAutomaton::Location> location);
 std::span<const LocationAutomaton::Instability> instabilities_of(const LocationAutomaton& automaton,

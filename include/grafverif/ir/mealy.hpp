@@ -77,7 +77,7 @@ struct MealyMachine {
     Id<State> initial = {};
     std::vector<Transition> transitions = {};
     std::vector<Unstable> unstable = {};
-    std::vector<Activation> activation = {};  ///< empty if the first cycle is a transition
+    std::vector<Activation> activation = {};  ///< empty if transitions of the machine represent the first cycle
     Id<Expr> assumed = {};
     /// Number of input combinations that satisfy `assumed`; empty if it exceeds 64 bits.
     std::optional<std::uint64_t> combinations = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Network: timed automata with discrete data that share variables (CEP13 2.4): the closed loop for engines and
-// emitters. Templates have parameters, and processes instantiate templates. `expand` gives each process a separate
-// template.
+// Network: timed automata with discrete data that share variables (CEP13 2.4). It represents the closed loop for the
+// engines and for the generation of models for other tools. Templates have parameters, and processes instantiate
+// templates. `expand` gives each process a separate template.
 //
 // Semantics (CEP13 section 2; urgency as in ETFA12 section 2). Processes take edges one at a time. An edge can be taken
 // if its guard and its clock constraint hold and the invariant of its target location holds after its clock resets.
@@ -120,7 +120,7 @@ struct Network {
         Table<Parameter> parameters = {};
         Table<Clock> clocks = {};
         Table<Location> locations = {};
-        Id<Location> initial = {};  ///< default initial location of processes
+        Id<Location> initial = {};  ///< initial location of processes that do not override it
         Table<Procedure> procedures = {};
         Table<Edge> edges = {};
         Span origin = {};
@@ -169,7 +169,8 @@ struct Network {
     std::string name = {};
     Grain grain = Grain::Phased;
     std::int64_t time_unit_ms = 1000;
-    std::vector<NamedConstant> constants = {};  ///< constants of the loop, for file headers
+    /// Named constants of the loop, which the headers of generated files list.
+    std::vector<NamedConstant> constants = {};
     Exprs exprs = {};
     Table<Variable> variables = {};
     Table<Template> templates = {};

@@ -60,7 +60,7 @@ struct Sentence {
 
 struct Property {
     std::string name = {};
-    std::string text = {};  ///< text of the property in quotation marks; may be empty
+    std::string text = {};  ///< description that the model gives in quotation marks; may be empty
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};

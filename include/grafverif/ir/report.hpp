@@ -44,7 +44,7 @@ struct PropertyResult {
 
 /// A model error and the run that leads to it.
 struct ModelErrorTrace {
-    std::string code = {};  ///< `out-of-range`, `action-race`, `no-value`
+    std::string code = {};  ///< code of the error: `out-of-range`, `action-race` or `no-value`
     std::string message = {};
     ChartRun trace = {};
 

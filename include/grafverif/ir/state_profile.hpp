@@ -31,14 +31,14 @@ struct StateProfile {
         std::uint64_t combinations = 0;
         Factor factor = {};
         Span origin = {};
-        std::string place = {};  ///< `file:line`, if the sources are available
+        std::string place = {};  ///< `file:line` of the declaration, if the sources are available
         bool operator==(const Component&) const = default;
     };
     struct Clock {
         std::string process = {};
         std::string name = {};
         std::int64_t greatest = 0;  ///< the largest constant with which the clock is compared, in time units
-        std::uint64_t values = 0;   ///< number of distinct values in the sample
+        std::uint64_t values = 0;   ///< number of distinct values of the clock in the sample
         Factor factor = {};
         Span origin = {};        ///< position of the constant `greatest`
         std::string place = {};  ///< `file:line` of the constant `greatest`, if the sources are available

@@ -10,8 +10,8 @@
 // A variable without `next` is free: in each state, it has any value of its type. A variable without `initial` starts
 // with any value. `next` reads only current values and choices. A choice, such as the process that moves, is a symbol
 // that has any value of its type in each step and does not belong to the state. A step consists of current values,
-// choices that satisfy all `transitions`, and the resulting next values; states that violate an invariant do not exist.
-// The system is total: every reachable state has a successor.
+// choices that satisfy all `transitions`, and the resulting next values. Only assignments that satisfy all invariants
+// are states. The system is total: every reachable state has a successor.
 //
 // Invariants (see verify): ids are in their tables; definitions do not depend on themselves; the instance and the
 // symbol of each MemberSymbol exist; types agree; initial values, invariants, justice conditions and properties do not
@@ -82,7 +82,8 @@ struct TransitionSystem {
         std::vector<Id<Expr>> invariants = {};
         /// Conditions that every step satisfies; they restrict the values of the choices of a step.
         std::vector<Id<Expr>> transitions = {};
-        std::vector<Id<Expr>> justice = {};  ///< justice conditions, each of which holds infinitely often
+        /// Justice conditions: only runs in which each of them holds infinitely often are considered.
+        std::vector<Id<Expr>> justice = {};
         bool operator==(const Module&) const = default;
     };
 
@@ -154,7 +155,8 @@ struct TransitionSystem {
     };
 
     std::string name = {};
-    std::vector<NamedConstant> constants = {};  ///< constants of the loop, for file headers
+    /// Named constants of the loop, which the headers of generated files list.
+    std::vector<NamedConstant> constants = {};
     std::string scope = {};  ///< what the verdicts imply for the timed plant, as one paragraph for file headers
     Exprs exprs = {};
     Table<Module> modules = {};

@@ -29,7 +29,7 @@ struct ProofExplanation {
     /// A model element, and the result of removing only this element (explain/ablation.hpp).
     struct ModelElement {
         Kind kind = Kind::Transition;
-        std::string name = {};  ///< `t3`, `5`, `!a`, `shut -> opening`
+        std::string name = {};  ///< text of the element, such as `t3`, `5`, `!a` or `shut -> opening`
         std::string of = {};    ///< the owner of a term, or the instance of an edge
         std::size_t nth = 1;    ///< number of this element among the elements with the same name, counted from 1
         std::vector<std::string> needed_by = {};  ///< properties that fail without the element
@@ -38,7 +38,7 @@ struct ProofExplanation {
     };
 
     std::vector<ProofCore> grounds = {};
-    std::vector<ModelElement> things = {};  ///< elements by kind, each kind in the order of the model
+    std::vector<ModelElement> things = {};  ///< examined elements, ordered by `kind` and then in the order of the model
     /// Instances and timers that are not necessary for any property in `grounds`. Instances and timers with an unknown
     /// result are not included.
     std::vector<std::string> unneeded_parts = {};

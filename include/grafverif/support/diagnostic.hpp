@@ -26,7 +26,8 @@ struct Diagnostic {
     std::string code = {};  ///< stable kebab-case code, printed in brackets
     /// Position of the problem; if `where.source` is invalid, the diagnostic concerns the complete input.
     Span where = {};
-    /// The problem, then `; ` and the remedy; in lower case, with names in backticks and without a full stop.
+    /// The problem, followed by `; ` and the remedy. The text is in lower case, with names in backticks and without a
+    /// full stop.
     std::string message = {};
     std::vector<Diagnostic> notes = {};
     std::optional<Fix> fix = {};  ///< present if the remedy is unambiguous
@@ -64,7 +65,7 @@ private:
 enum class Colour { Plain, Ansi };
 
 /// Renders each diagnostic as `file:line:col: error: message [code]` with its source line and a caret, sorted by source
-/// and position. The source line is clipped at 100 columns around the caret.
+/// and position. A source line with more than 100 columns is shortened to the 100 columns around the caret.
 void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::ostream& out);
 
 /// Renders diagnostics as a JSON array of

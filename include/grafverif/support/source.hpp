@@ -37,7 +37,7 @@ struct Place {
 /// Returns the position of byte `offset` of `text`.
 Place place(std::string_view text, std::uint32_t offset);
 
-/// Returns `file:12`, or an empty string if `where` is invalid.
+/// Returns the file and the line of `where`, such as `file:12`, or an empty string if `where` is invalid.
 std::string file_and_line(const Sources& sources, const Span& where);
 
 /// Returns the line of `text` that contains byte `offset`, without its line end.

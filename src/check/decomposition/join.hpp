@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Joins runs of subsystems that share only time to one run of the complete network. In each instant of the joined run,
-// each subsystem makes the same moves as in its separate run. Time passes only when all subsystems wait.
+// each subsystem makes the same moves as in its separate run. In the joined run, time passes only when all subsystems
+// wait.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +17,9 @@ constexpr std::size_t most_moves = 100'000;
 
 /// Required states of the subsystems in `others` at the end of `shown` (see `joined`).
 enum class Ending {
-    Anywhere,  ///< any state: a subsystem has only made the moves that were necessary before time could pass
-    Waiting,   ///< a state in which the subsystem has made all moves of the last instant; required for `at stable`
+    /// Any state; in the last instant, a subsystem has made only the moves without which time could not pass before.
+    Anywhere,
+    Waiting,  ///< a state in which the subsystem has made all moves of the last instant; required for `at stable`
 };
 
 /// Returns the run of the complete network that combines `shown` with `others`, which are infinite runs in which time

@@ -15,7 +15,8 @@ namespace grafverif {
 
 /// A step of the complete system, in which one part moves or all parts wait together.
 struct SubsystemStep {
-    enum class Kind { Moves, Waits, Ends };  ///< Ends: no event is possible, and the state is repeated
+    /// Ends: no move is possible and time cannot pass, so that the state is repeated.
+    enum class Kind { Moves, Waits, Ends };
     Kind kind = Kind::Moves;
     /// Index and value of each choice in the complete system; all other choices are 0.
     std::vector<std::pair<std::uint32_t, std::int64_t>> choices = {};

@@ -48,7 +48,8 @@ public:
     /// property is decided for each part.
     bool about_each(const Property& property) const;
 
-    /// Returns the search of the parts `chosen`. The search is created on first use and stored.
+    /// Returns the search of the parts `chosen`. The first call for `chosen` creates the search; later calls return the
+    /// stored search.
     SubsystemResult& search(const PartList& chosen);
     symbolic::InterleavingPremises& interleaving(SubsystemResult& search);
     /// Returns the facts about `part` on which the preservation of a verdict about other parts depends.

@@ -31,9 +31,9 @@ Circuit with_numbers(Circuit circuit);
 /// run. The result is empty if there is no witness, or if the witness does not match the circuit.
 std::optional<std::vector<std::vector<bool>>> read_witness(const Circuit& circuit, const Numbering& numbering,
                                                            std::string_view text);
-/// Converts ABC's counterexample (`write_cex -a`) to a witness for read_witness. The counterexample has no result line.
-/// If the text does not contain the line `# DONE`, which marks the end of a complete counterexample, the result is
-/// empty.
+/// Converts ABC's counterexample (`write_cex -a`) to a witness for read_witness. The counterexample of ABC has no
+/// result line; the function adds the result line `1`. If the text does not contain the line `# DONE`, which marks the
+/// end of a complete counterexample, the result is empty.
 std::string witness_of_abc(std::string_view text);
 /// Returns the result in the first result line of a text: true for `1` or `sat` (the bad state is reachable), false for
 /// `0` or `unsat` (the bad state is unreachable), and nullopt without a result line.

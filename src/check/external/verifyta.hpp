@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interface to verifyta, the model checker of UPPAAL, which runs on the exported project. The caller provides functions
-// that run the program on the model.
+// Interface to verifyta, the model checker of UPPAAL. verifyta checks the UPPAAL project that grafverif exports. The
+// caller provides functions that run the program on the model.
 //
 // Each formula is checked by a separate call, so that a result cannot be assigned to the wrong query. Only the
 // documented lines `-- Formula is satisfied.`, `-- Formula is NOT satisfied.` and `-- Formula MAY [NOT] be satisfied.`

@@ -66,8 +66,9 @@ public:
     }
 
 private:
-    /// SingleStates: properties about single states. Evolution, Passing: `no timelock` and `no deadlock`, with the
-    /// choices of an evolution or an instant. Possible: `always possible`. Response: `leads to` and `inevitable`.
+    /// SingleStates: properties about single states. Evolution, Passing: `no timelock` and `no deadlock`, with
+    /// ChoiceLifetime::Evolution or ChoiceLifetime::Instant. Possible: `always possible`. Response: `leads to` and
+    /// `inevitable`.
     enum class Kind : std::uint8_t { SingleStates, Evolution, Passing, Possible, Response };
 
     /// Properties to decide on one abstraction, as indices of verdicts.

@@ -18,7 +18,7 @@
 namespace grafverif {
 
 /// Returns the fields of a signature: steps and internal variables, and the locations and variables of the instances of
-/// the plant. `omitted` is true for each process whose fields are not included.
+/// the plant. `omitted` has one entry per process, which is true if the fields of the process are not included.
 std::vector<timed::Field> signature_fields(const Network& network, const timed::Layout& layout,
                                            const std::vector<bool>& omitted);
 std::uint64_t signature_of(const std::vector<timed::Field>& fields, const timed::Word* words);

@@ -16,13 +16,13 @@
 //      and that is enabled for all large clock values (EdgeTiming::at_last) leads to a good state. This is sufficient
 //      because time passes until all clocks are large.
 //
-// Not all states need to be good. The *panel* consists of the autonomous instances that need not move and can always
-// return to their initial state by edges whose clock constraints are only lower bounds. Assume that `no timelock` has
-// been proved for runs in which such instances do not move (ir/network_inputs.hpp, check/inputs/resting.hpp). Then,
-// from any state of the loop, time can diverge while the panel returns to its initial state, and the PLCs end their
-// cycles. Therefore it is sufficient that all states are good in which the panel is in its initial state and each PLC
-// waits. These states are found in an abstraction in which the panel is Chosen and all other processes are Untimed. The
-// flag that the panel sets, EVOL_PL, may have either value.
+// The property holds although some states are not good, as follows. The *panel* consists of the autonomous instances
+// that need not move and can always return to their initial state by edges whose clock constraints are only lower
+// bounds. Assume that `no timelock` has been proved for runs in which such instances do not move
+// (ir/network_inputs.hpp, check/inputs/resting.hpp). Then, from any state of the loop, time can diverge while the panel
+// returns to its initial state, and the PLCs end their cycles. Therefore it is sufficient that all states are good in
+// which the panel is in its initial state and each PLC waits. These states are found in an abstraction in which the
+// panel is Chosen and all other processes are Untimed. The flag that the panel sets, EVOL_PL, may have either value.
 #pragma once
 
 #include <memory>

@@ -8,8 +8,8 @@
 // fragments. The fragments whose values the abstraction reads are added. The last iteration explores the complete
 // network.
 //
-// A verdict is reported only if no model error is possible anywhere in the complete network. Therefore each reported
-// verdict is also the verdict on the complete network.
+// A verdict is reported only if the search has shown that no model error is possible in the complete network. Therefore
+// each reported verdict is also the verdict on the complete network.
 #pragma once
 
 #include <cstdint>

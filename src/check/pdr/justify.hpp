@@ -22,9 +22,9 @@ public:
     struct Justification {
         Sources latches = {}, inputs = {};  ///< literals that are true, in increasing order
     };
-    /// Returns values of latches and inputs that are sufficient to make `targets` true. `value` returns the value of
-    /// every literal in the cone of `targets`. Requires that all targets are true. A greedy pass over the gates keeps
-    /// the number of latches small, but not necessarily minimal.
+    /// Returns values of latches and inputs that are sufficient to make `targets` true. `value` must return the value
+    /// of every literal in the cone of `targets`. Requires that all targets are true. A greedy pass over the gates
+    /// keeps the number of latches small, but not necessarily minimal.
     Justification part(const std::vector<Gates::Literal>& targets, const std::function<bool(Gates::Literal)>& value);
 
 private:

@@ -3,11 +3,11 @@
 // true. Sources: Bradley 2011: "SAT-based model checking without unrolling"; Eén, Mishchenko and Brayton 2011:
 // "Efficient implementation of property directed reachability".
 //
-// Frame i is a set of cubes that no run of at most i steps reaches. States from which a bad state is reachable are
-// generalized to cubes and excluded, frame by frame. From the source state of a step, literals on which the step does
-// not depend are removed (justification along the gates). From an unreachable cube, literals that the solver did not
-// use are removed. If two adjacent frames are equal, the set of states outside of all cubes of the frame is an
-// inductive invariant.
+// Frame i is a set of cubes; no run of at most i steps reaches a state in one of these cubes. States from which a bad
+// state is reachable are generalized to cubes and excluded, frame by frame. From the source state of a step, literals
+// on which the step does not depend are removed (justification along the gates). From an unreachable cube, literals
+// that the solver did not use are removed. If two adjacent frames are equal, the set of states outside of all cubes of
+// the frame is an inductive invariant.
 #pragma once
 
 #include <cstdint>

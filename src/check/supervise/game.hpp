@@ -69,7 +69,8 @@ public:
     /// Returns the states of `pairs`, without the permissions.
     Bdd states(const Bdd& pairs) const { return exists(pairs, all_may_); }
 
-    /// Returns all losing states for the bad states `bad`. `losing` contains the losing states that are already known.
+    /// Returns all losing states, given the bad states `bad` and the marked states `marked`. `losing` contains the
+    /// losing states that are already known.
     LosingRegion solve(const Bdd& bad, const Bdd& marked, LosingRegion losing = {}) const;
     /// Returns the pairs of a winning state and permissions under which an evolution of the player leads to a winning
     /// state.

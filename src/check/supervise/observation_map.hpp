@@ -21,7 +21,7 @@ public:
     Bdd sights(const Bdd& states) const { return and_exists(states, link_, unseen_); }
     Bdd states(const Bdd& sights) const { return and_exists(sights, link_, own_); }
 
-    /// Returns the variable of each observation, with the value of the variable for which the observed function is
+    /// Returns a literal for each observation: its variable, and the value that this variable has if the observation is
     /// true.
     const std::vector<BddLiteral>& literals() const { return literals_; }
 

@@ -70,7 +70,7 @@ public:
     /// to `next` satisfies `condition`.
     std::vector<std::int64_t> values(const State& state, const State* next, const Bdd& condition) const;
 
-    /// Returns the bits of a state, increasing.
+    /// Returns the variables that represent bits of a state, in increasing order.
     const std::vector<std::uint32_t>& state_bits() const { return state_bits_; }
     std::size_t size() const { return space_.variables(); }
 

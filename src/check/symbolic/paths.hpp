@@ -29,7 +29,8 @@ bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const B
 /// Returns a shortest path through `rings` to a state of `goal`, or an empty list if no ring contains such a state.
 std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal);
 
-/// Returns the states of `within` from which a path in `within`, possibly of length 0, leads to a state of `goal`.
+/// Returns the states of `within` from which a path inside `within` leads to a state of `goal`; the path may have
+/// length 0.
 Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal);
 /// Returns the states of `within` from which some infinite path stays in `within` and visits each set of `justice`
 /// infinitely often (Emerson and Lei 1986).

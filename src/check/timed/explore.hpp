@@ -53,7 +53,7 @@ public:
         if (++polls_ % poll_interval == 0 && stopped()) throw Stop{};
     }
     /// Returns the reason why the search must end, or None. Reports progress periodically. `more` is the number of
-    /// bytes used in addition to the graph.
+    /// bytes that the search uses in addition to the memory of the graph.
     UnknownReason stop_reason(const Graph& graph, std::uint32_t state, std::size_t more);
     /// Computes a profile of the states found so far, if there are many states and a profile was requested. A profile
     /// is computed at most once.
@@ -65,7 +65,7 @@ public:
     bool until_decided() const { return options_.until_decided; }
     bool ignores_depth() const { return options_.covering_without.depth; }
     std::uint64_t max_memory() const { return options_.max_memory; }
-    /// True if the search ended at the memory limit, false if an allocation failed.
+    /// For a search that ended because of memory: true if the memory limit was reached, false if an allocation failed.
     bool allowed_used() const { return allowed_used_; }
 
 private:

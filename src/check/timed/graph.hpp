@@ -123,7 +123,7 @@ struct FaultAt {
     Fault fault = {};
 };
 
-/// The states and transitions of a search. Const functions are thread-safe.
+/// The states and transitions of a search. Several threads may call const functions at the same time.
 class Graph {
 public:
     explicit Graph(Machine& compiled) : machine(compiled), store(compiled.layout()) {}

@@ -48,7 +48,7 @@ struct Field {
 };
 
 struct Layout {
-    /// Maximum number of words that a field can address; with more words, `fits` is false.
+    /// Maximum number of words of a state that fields can address; if a state needs more words, `fits` returns false.
     static constexpr std::size_t most_text = std::size_t{1} << 16U;
     bool fits() const { return words <= most_text; }
 

@@ -24,7 +24,7 @@ public:
 
     /// True if the new state may end a search, so that look() must be called. Thread-safe.
     bool needs(const Machine& machine, const Word* words, Registers& registers) const;
-    /// Evaluates a new state for which needs() is true.
+    /// Evaluates a new state for which needs() returned true, and ends the searches that the state decides.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
     /// True if each search has found a state or an undefined predicate.
     bool is_over() const { return predicates_.empty() && bits_.empty(); }

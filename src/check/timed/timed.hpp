@@ -9,9 +9,9 @@
 // Exactness (proof: docs/explanation/timed-engine.md, "Exactness"). With closed clock constraints, integer time reaches
 // the same discrete states as dense time; therefore `always`, `never` and `reachable` are exact. If the model has a
 // strict constraint, a run that is found in integer time still decides these properties, but the absence of a run does
-// not. An integer run can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`. The engine decides that
-// these properties hold only if no timelock can occur in dense time at a time that is not an integer. Otherwise, the
-// verdict is unknown, and its reason names the location.
+// not. A run in integer time can refute `inevitable`, `leads to`, `no deadlock` and `no timelock`. The engine decides
+// that these properties hold only if no timelock can occur in dense time at a time that is not an integer. Otherwise,
+// the verdict is unknown, and its reason names the location.
 //
 // Counterexamples to properties about single states have the minimum number of moves; a delay of any length counts as
 // one move.
@@ -47,9 +47,9 @@ struct TimedProgress {
 /// Premises of the covering (covering.hpp). If a member is true, the premise is dropped, so that tests can show that
 /// the premise is necessary.
 struct CoveringAblations {
-    bool lower = false;  ///< lower bounds of clocks are ignored
-    bool upper = false;  ///< upper bounds of clocks are ignored
-    bool depth = false;  ///< a state is omitted although the run to the state that simulates it may be longer
+    bool lower = false;  ///< true: lower bounds of clocks are ignored
+    bool upper = false;  ///< true: upper bounds of clocks are ignored
+    bool depth = false;  ///< true: a state is omitted even if the run to the simulating state is longer
 };
 
 /// Determines which searches compute TimedResult::profile. IfLarge: searches that a limit ended, and searches that
@@ -78,7 +78,7 @@ struct TimedOptions {
     /// True: if all properties are about single states, states that other states simulate are omitted (covering.hpp).
     bool covering = true;
     CoveringAblations covering_without = {};
-    bool until_decided = false;  ///< end the search when each property is decided by a state
+    bool until_decided = false;  ///< true: the search ends when each property has been decided by a state
     bool paths = false;          ///< report TimedResult::paths
     std::function<void(const TimedProgress&)> progress = {};  ///< function that is called a few times per second
     ProfileFor profile = ProfileFor::IfLarge;

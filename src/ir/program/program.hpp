@@ -3,7 +3,7 @@
 //
 // Semantics of one scan. `run/program` interprets the statements according to this semantics, and `derive/program`
 // translates them to equations with the same semantics:
-//   - the inputs take new values, the elapsed times of timers advance, and the body of `main` is executed once;
+//   - the inputs get new values, the elapsed times of running timers increase, and the body of `main` is executed once;
 //   - statements execute in order; function blocks and functions execute at each call; a function block keeps its cells
 //     between calls; the cells of a function and of the section VAR_TEMP have their initial values at the beginning of
 //     each call;
@@ -15,9 +15,9 @@
 //   - AND and OR evaluate all operands; AND_THEN and OR_ELSE evaluate the second operand only if the first operand does
 //     not determine the value.
 //
-// Every unit (program, function block, function, globals, action or structure) has a frame of memory cells. The frame
-// of an instance of a function block is part of the frame of its owner. Therefore, the cells of the program are the
-// cells of `globals` followed by the cells of `main`.
+// Every unit has a frame of memory cells; an action uses the frame of its owner. The frame of an instance of a function
+// block is part of the frame of its owner. Therefore, the cells of the program are the cells of `globals` followed by
+// the cells of `main`.
 #pragma once
 
 #include <cstdint>
@@ -93,9 +93,9 @@ struct Program {
         Absolute,
         Minimum,
         Maximum,  // any number of operands
-        Limit,    // least value, value, greatest value
-        Select,   // condition, value if false, value if true
-        Convert,  // wraps a number to `type`; a Boolean is 0 or 1
+        Limit,    // operands: least value, value, greatest value
+        Select,   // operands: condition, value if false, value if true
+        Convert,  // wraps a number to the range of `type`; a Boolean operand is 0 or 1
         Narrow,   // converts a number to a subrange; a number outside of the subrange is a run-time fault
         IsNonzero,
         Call,  // call of a function, with one operand for each input
@@ -130,7 +130,7 @@ struct Program {
             Repeat,
             Exit,
             Return,
-            Check,  // causes a fault of a chart if `value` is true
+            Check,  // causes the run-time fault ProgramFault::Chart if `value` is true
         };
         Kind kind = Kind::Return;
         Place place = {};

@@ -72,7 +72,7 @@ public:
     std::size_t size() const { return size_; }
     std::size_t bytes() const { return chunk_bytes_ + index_bytes(); }
     std::size_t index_bytes() const;
-    /// Frees the index; afterwards no pair can be found.
+    /// Frees the index; after this call, `find` does not find any pair.
     void drop_index();
 
 private:

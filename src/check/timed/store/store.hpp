@@ -56,7 +56,7 @@ public:
     std::size_t state_bytes() const { return halves_ * 4; }
     std::size_t bytes() const;
     std::size_t index_bytes() const { return root_.index_bytes(); }
-    /// Frees the index; afterwards `find` does not find any state.
+    /// Frees the index; after this call, `find` does not find any state.
     void drop_index() { root_.drop_index(); }
 
 private:
