@@ -43,13 +43,13 @@ void expect_line(const std::string& text, const std::string& line) {
     EXPECT_NE(text.find("\n" + line + "\n"), std::string::npos) << "no line `" << line << "` in:\n" << text;
 }
 
-constexpr const char* free_switch =
+const std::string free_switch =
     "component toggle(output OUT) { initial location l; timed l -> l do OUT := !OUT; }\n"
     "component lamp(input IN; output N: int 0..3) { initial location off; location on; urgent off -> on when IN do N "
     ":= 3; }\n";
 
 std::string press(const std::string& properties) {
-    return std::string(free_switch) +
+    return free_switch +
            "grafcet press { input a; output LAMP; internal n: int 0..3 = 0; initial step 0; step 1 { LAMP; n := 1 on "
            "activation; }"
            "  partial G { initial step 5; }"
@@ -123,7 +123,7 @@ TEST(ScheduleControllers, UsesTheModeOfTheLoopByDefault) {
 }
 
 std::string two(const std::string& properties) {
-    return std::string(free_switch) +
+    return free_switch +
            "grafcet one { input a, b; output LAMP; initial step 0; step 1 { LAMP; } transition t0: 0 -> 1 when a; "
            "transition t1: 1 -> 0 when b; }\n"
            "grafcet two { input LAMP, b; output P; initial step 0; step 1 { P; } transition t0: 0 -> 1 when LAMP && "
