@@ -14,6 +14,14 @@ namespace grafverif {
 
 using timed::Word;
 
+namespace {
+
+constexpr std::size_t most_members = 4;  // maximum number of processes that are executed jointly
+// Maximum number of states of a single process, and of a group.
+constexpr std::size_t most_states_alone = std::size_t{1} << 17U, most_states_jointly = std::size_t{1} << 14U;
+
+}  // namespace
+
 std::vector<std::vector<std::size_t>> joint_groups(const std::vector<AbstractableProcess>& instances,
                                                    const std::vector<InputLevel>& levels) {
     std::vector<std::vector<std::size_t>> groups;
@@ -29,14 +37,14 @@ std::vector<std::vector<std::size_t>> joint_groups(const std::vector<Abstractabl
                     instances[writer].readers.end())
                     group.push_back(writer);
             }
-        if (group.size() > 1) groups.push_back(std::move(group));
+        std::ranges::sort(group);
+        const bool is_new = std::ranges::find(groups, group) == groups.end();
+        if (group.size() > 1 && group.size() <= most_members && is_new) groups.push_back(std::move(group));
     }
     return groups;
 }
 
 namespace {
-
-constexpr std::size_t most_states = std::size_t{1} << 14U;  // maximum number of states of a group
 
 /// Some processes of the network with given values of the variables of other processes, represented by the set of their
 /// possible states.
@@ -49,8 +57,11 @@ public:
 
     /// `known` contains the variables of other processes whose values are given.
     ProcessGroup(const Network& complete, const std::vector<Member>& members, std::int64_t unit,
-                 const std::set<Id<Network::Variable>>& known)
-        : network_(only(complete, members, unit, known)), machine_(network_) {
+                 const std::set<Id<Network::Variable>>& known, const FollowLimits& limits)
+        : network_(only(complete, members, unit, known)),
+          machine_(network_),
+          limits_(limits),
+          most_states_(members.size() == 1 ? most_states_alone : most_states_jointly) {
         for (const Member& member : members) {
             members_.push_back(&member.process);
             for (const Id<Network::Variable> variable : Slots(network_, member.process.process).read())
@@ -59,10 +70,30 @@ public:
         states_ = {timed::packed_initial(network_, machine_.layout())};
     }
 
-    /// Continues in the states of `other`, a group of the same members.
+    /// Continues in the states of `other`, a group of the same members with other guards and therefore possibly with
+    /// another layout.
     void continue_in(const ProcessGroup& other) {
-        states_ = other.states_;
-        is_too_large_ = other.is_too_large_;
+        const timed::Layout &from = other.machine_.layout(), &to = machine_.layout();
+        const std::vector<Word> initial = timed::packed_initial(network_, to);
+        const auto copy = [](const timed::Field& source, const Word* words, const timed::Field& target, Word* made) {
+            const std::int64_t greatest = target.low + static_cast<std::int64_t>(target.all());
+            target.set(made, std::clamp(source.get(words), target.low, greatest));
+        };
+        states_.clear();
+        for (const std::vector<Word>& words : other.states_) {
+            std::vector<Word> made = initial;
+            for (const AbstractableProcess* const member : members_) {
+                const std::size_t process = member->process.index;
+                copy(from.locations[process], words.data(), to.locations[process], made.data());
+                for (std::size_t clock = 0; clock < to.clocks[process].size(); ++clock)
+                    copy(from.clocks[process][clock], words.data(), to.clocks[process][clock], made.data());
+                for (const Id<Network::Variable> variable : Slots(network_, member->process).written())
+                    if (!network_.variables[variable].scratch)
+                        copy(from.variables[variable.index], words.data(), to.variables[variable.index], made.data());
+            }
+            states_.insert(std::move(made));
+        }
+        is_incomplete_ = other.is_incomplete_;
     }
 
     /// Sets the values of the variables of other processes.
@@ -80,6 +111,7 @@ public:
     void pass_time(std::int64_t units) {
         for (; units > 0 && !states_.empty(); --units) {
             move();
+            if (is_incomplete_) return;
             States later;
             for (std::vector<Word> words : states_)
                 if (delay(words)) later.insert(std::move(words));
@@ -124,8 +156,8 @@ public:
     }
 
     bool is_nowhere() const { return states_.empty(); }
-    /// True if the states are incomplete, because there are more than `most_states`.
-    bool is_too_large() const { return is_too_large_; }
+    /// True if a limit has ended the computation of the states.
+    bool is_incomplete() const { return is_incomplete_; }
 
 private:
     using States = std::set<std::vector<Word>>;
@@ -171,12 +203,11 @@ private:
                                      const std::set<Id<Network::Variable>>& known,
                                      const std::set<Id<Network::Variable>>& of_observers) {
         std::vector<Id<Expr>> kept;
-        const Exprs from = network.exprs;
-        for (const Id<Expr> operand : operands_of(from, edge.guard, Op::And)) {
+        for (const Id<Expr> operand : operands_of(network.exprs, edge.guard, Op::And)) {
             const auto reads_only = [&](const std::set<Id<Network::Variable>>& variables) {
-                return std::ranges::all_of(leaves(from, operand), [&](Id<Expr> leaf) {
-                    return from[leaf].op != Op::Variable ||
-                           variables.contains({static_cast<std::uint32_t>(from[leaf].value)});
+                return std::ranges::all_of(leaves(network.exprs, operand), [&](Id<Expr> leaf) {
+                    return network.exprs[leaf].op != Op::Variable ||
+                           variables.contains({static_cast<std::uint32_t>(network.exprs[leaf].value)});
                 });
             };
             if (reads_only(known)) kept.push_back(operand);
@@ -200,8 +231,9 @@ private:
             if (states_.insert(words).second) open.push_back(std::move(words));
         };
         while (!open.empty()) {
-            is_too_large_ = is_too_large_ || states_.size() > most_states;
-            if (is_too_large_) return;
+            if (polls_++ % search_poll_interval == 0 && is_over(limits_.deadline, limits_.stop)) is_incomplete_ = true;
+            if (states_.size() > most_states_) is_incomplete_ = true;
+            if (is_incomplete_) return;
             std::vector<Word> now = std::move(open.back());
             open.pop_back();
             machine_.expand(now.data(), moves_);
@@ -218,8 +250,11 @@ private:
     std::vector<const AbstractableProcess*> members_ = {};
     std::set<Id<Network::Variable>> given_ = {};
     timed::Moves moves_ = {};
+    const FollowLimits& limits_;
+    const std::size_t most_states_;
     States states_ = {};
-    bool is_too_large_ = false;
+    bool is_incomplete_ = false;
+    std::size_t polls_ = 1;
 };
 
 /// Returns the variables of the loop whose values the abstract run contains.
@@ -245,16 +280,17 @@ bool is_stable(const AbstractRun& run, const NetworkState& state) {
 /// Executes processes along an abstract run (see `impossible`).
 class GroupReplay {
 public:
-    GroupReplay(const Network& complete, const AbstractRun& abstract, const std::vector<std::size_t>& group, bool waits)
+    GroupReplay(const Network& complete, const AbstractRun& abstract, bool waits, const FollowLimits& limits)
         : complete_(complete),
           abstract_(abstract),
-          group_(group),
           waits_(waits),
+          limits_(limits),
           units_(std::max<std::int64_t>(abstract.network.time_unit_ms / complete.time_unit_ms, 1)),
           samplings_(samplings(abstract)),
           known_(known_variables(abstract)) {}
 
-    std::optional<SpuriousMoves> impossible() const {
+    std::optional<SpuriousMoves> impossible(const std::vector<std::size_t>& group) {
+        group_ = group;
         std::optional<SpuriousMoves> found;
         std::vector<InputLevel> levels;
         for (const std::size_t i : group_) levels.push_back(abstract_.levels[i]);
@@ -267,6 +303,7 @@ public:
             if (!at) continue;
             const std::size_t from = since(processes, levels);
             if (!found || from > found->since) found = {*at, levels, from};
+            if (from + 1 >= abstract_.path.size()) break;
         }
         return found;
     }
@@ -276,7 +313,7 @@ private:
                               const std::set<Id<Network::Variable>>& known) const {
         std::vector<ProcessGroup::Member> members;
         for (std::size_t m = 0; m < group_.size(); ++m) members.push_back({abstract_.instances[group_[m]], levels[m]});
-        return {complete_, members, units_, known};
+        return {complete_, members, units_, known, limits_};
     }
 
     bool is_chosen(std::size_t member) const { return abstract_.levels[group_[member]] == InputLevel::Chosen; }
@@ -317,7 +354,7 @@ private:
                     processes.wait();
                     keep_sampled(state);
                 }
-                if (processes.is_too_large()) return {};
+                if (processes.is_incomplete()) return {};
                 if (processes.is_nowhere()) return at;
             }
             if (samples) ++next;
@@ -343,18 +380,23 @@ private:
 
     const Network& complete_;
     const AbstractRun& abstract_;
-    const std::vector<std::size_t>& group_;
     const bool waits_;
+    const FollowLimits& limits_;
     const std::int64_t units_;
     const std::vector<Sampling> samplings_;
     const std::set<Id<Network::Variable>> known_;
+    std::vector<std::size_t> group_ = {};
 };
 
 }  // namespace
 
-std::optional<SpuriousMoves> impossible(const Network& complete, const AbstractRun& abstract,
-                                        const std::vector<std::size_t>& group, bool waits) {
-    return GroupReplay(complete, abstract, group, waits).impossible();
+std::vector<std::optional<SpuriousMoves>> impossible(const Network& complete, const AbstractRun& abstract,
+                                                     const std::vector<std::vector<std::size_t>>& groups, bool waits,
+                                                     const FollowLimits& limits) {
+    GroupReplay replay(complete, abstract, waits, limits);
+    std::vector<std::optional<SpuriousMoves>> found;
+    for (const std::vector<std::size_t>& group : groups) found.push_back(replay.impossible(group));
+    return found;
 }
 
 }  // namespace grafverif

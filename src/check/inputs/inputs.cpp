@@ -336,21 +336,19 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
 /// after 8 s. Among equals, small groups have priority, then processes that are not Chosen, then the group with the
 /// earliest impossible position. Returns false if there is no such group.
 bool InputAbstractionCheck::raise_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const {
-    std::optional<SpuriousMoves> best;
-    std::vector<std::size_t> raising;
-    const auto rank = [&](const std::vector<std::size_t>& group, const SpuriousMoves& found) {
-        return std::tuple(abstract.path.size() - found.since, group.size(),
-                          abstract.levels[group.front()] == InputLevel::Chosen, found.at);
+    const std::vector<std::vector<std::size_t>> groups = joint_groups(instances_, abstract.levels);
+    const std::vector<std::optional<SpuriousMoves>> found =
+        impossible(complete_, abstract, groups, waits, {.deadline = deadline_, .stop = options_.stop});
+    if (stopped()) return false;
+    const auto rank = [&](std::size_t group) {
+        return std::tuple(abstract.path.size() - found[group]->since, groups[group].size(),
+                          abstract.levels[groups[group].front()] == InputLevel::Chosen, found[group]->at);
     };
-    for (const std::vector<std::size_t>& group : joint_groups(instances_, abstract.levels)) {
-        if (stopped()) return false;
-        std::optional<SpuriousMoves> found = impossible(complete_, abstract, group, waits);
-        if (!found || (best && rank(group, *found) >= rank(raising, *best))) continue;
-        best = std::move(found);
-        raising = group;
-    }
+    std::optional<std::size_t> best;
+    for (std::size_t group = 0; group < groups.size(); ++group)
+        if (found[group] && (!best || rank(group) < rank(*best))) best = group;
     if (!best) return false;
-    for (std::size_t m = 0; m < raising.size(); ++m) raised[raising[m]] = best->levels[m];
+    for (std::size_t m = 0; m < groups[*best].size(); ++m) raised[groups[*best][m]] = found[*best]->levels[m];
     if (!ablations_.ignore_readers) store_what_is_read(instances_, raised);
     return true;
 }

@@ -274,6 +274,24 @@ TEST(InputAbstraction, RaisesJointlyWhatCannotPerformTheEndOfARun) {
     EXPECT_EQ(decided(heated_tank("X3 leads to X0 within 1s")).outcome, Outcome::Violated);
 }
 
+TEST(InputAbstraction, ExecutesJointlyWhatAnOutputOfThePlcRelates) {
+    // The guards of the probe relate the level to an output of the PLC. Without the values of this output, the states of
+    // the tank and of the probe have another layout.
+    const std::string text =
+        "component probe(input LEVEL: int; input TEST; output LOW) { initial location dry; location wet with LOW := "
+        "true; urgent dry -> wet when LEVEL >= 1 || TEST do LOW := true; urgent wet -> dry when LEVEL < 1 && !TEST do "
+        "LOW := false; }\n" +
+        loop("input A, LOW; output FILL, DRAIN, TEST;",
+             "initial step 0; step 1 { FILL; TEST; } step 2 { DRAIN; } transition t0: 0 -> 1 when A && !LOW; "
+             "transition t1: 1 -> 2 when 3s/X1; transition t2: 2 -> 0 when !LOW;",
+             "environment EA = free(OUT = A);\nplant T = tank_level(FILL = FILL, DRAIN = DRAIN, LEVEL = LEVEL, "
+             "LEVEL_max "
+             "= 2);\nplant P = probe(LEVEL = LEVEL, TEST = TEST, LOW = LOW);",
+             "X2 leads to X0 within 2s");
+    EXPECT_EQ(outcome_in_complete_loop(text), Outcome::Holds);
+    EXPECT_EQ(decided(text).outcome, Outcome::Holds);
+}
+
 TEST(InputAbstraction, ExaminesAnInstanceJointlyWithTheChosenInstancesThatItReads) {
     const Network network = expand(read_loop(heated_tank("never X3")).network);
     const std::vector<AbstractableProcess> instances = abstractable_processes(network);
@@ -287,7 +305,8 @@ TEST(InputAbstraction, ExaminesAnInstanceJointlyWithTheChosenInstancesThatItRead
     levels[tank] = levels[sensors] = InputLevel::Chosen;
     std::vector<std::vector<std::size_t>> groups = joint_groups(instances, levels);
     std::ranges::sort(groups);
-    std::vector<std::vector<std::size_t>> expected{{tank}, {sensors}, {sensors, tank}};
+    std::vector<std::vector<std::size_t>> expected{
+        {tank}, {sensors}, {std::min(sensors, tank), std::max(sensors, tank)}};
     std::ranges::sort(expected);
     EXPECT_EQ(groups, expected);
     levels[sensors] = InputLevel::Untimed;
