@@ -40,9 +40,10 @@ constexpr std::array kinds = {
     FindingKind{"condition-always-true", Level::Warning,
                 "A condition of a branch or loop of a PLC program is true in each execution."},
     FindingKind{"assignment-overwritten", Level::Warning,
-                "A PLC program assigns an output, and always assigns it again in the same scan."},
-    FindingKind{"block-never-called", Level::Warning,
-                "An instance of a function block, a function or an action of a PLC program is never called."},
+                "A PLC program assigns an output, and always assigns it again in the same scan before it reads it."},
+    FindingKind{
+        "block-never-called", Level::Warning,
+        "An instance of a function block, a function, an action or a second program of a PLC program is never called."},
     FindingKind{"timer-never-true", Level::Warning, "The output of a timer of a PLC program is never true."},
     FindingKind{"step-never-again", Level::Warning,
                 "A step can be activated repeatedly, but from some situation on it can never be activated again."},

@@ -115,7 +115,7 @@ void add_listing(const PageContent& content, const ChartContent& one, const std:
                              fmt::format("{} ({})", file,
                                          listing.begins.empty() ? "its statements in Structured Text"
                                                                 : counted(listing.lines.size(), "line", "lines")));
-    std::string text;
+    std::string text = "\n";  // parsers of HTML ignore a newline at the begin of `pre`
     for (const std::string& line : listing.lines) text += line + '\n';
     html.put("pre", text, {{"id", id}, {"class", "source"}}).close("details");
 }

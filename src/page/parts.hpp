@@ -21,8 +21,8 @@ bool has_steps(const PageContent& content);
 const char* charts_title(const PageContent& content);
 void add_findings(const PageContent& content, Html& html);
 void add_charts(const PageContent& content, Html& html);
-/// Returns the instances of the environment with their components; if `timed`, also with the constants of the instances,
-/// such as `Start (push_button, GAP = 1s)`. Empty if there are none.
+/// Returns the instances of the environment with their components; if `timed`, also with the constants of the
+/// instances, such as `Start (push_button, GAP = 1s)`. Empty if there are none.
 std::string environment_text(const Model& model, const ClosedLoop& loop, bool timed);
 void add_plant(const PageContent& content, Html& html);
 void add_equations(const PageContent& content, Html& html);

@@ -85,20 +85,27 @@ Json ProgramScans::scans(const ChartRun& run, Id<ChartRun::Controller> controlle
     std::ranges::fill(values_, Value());
     std::ranges::fill(before_, Value());
     earlier_.clear();
+    const std::size_t known_points = points_.size();
     std::size_t left = remaining;
     bool fits = true;
     replay_scans(run, controller, program_, [&](std::size_t event, const ScanLog& log) {
-        if (!fits) return;
         ++scan_;
         add(log.nodes, listing_.of_nodes);
         add(log.statements, listing_.of_statements);
         Json changed = changes();
         fits = changed.size() < left;
-        if (!fits) return;
+        if (!fits) return false;
         left -= changed.size() + 1;
         list.push_back({event, std::move(changed)});
+        return true;
     });
-    if (!fits) return nullptr;
+    if (!fits) {
+        points_.resize(known_points);
+        values_.resize(known_points);
+        before_.resize(known_points);
+        std::erase_if(known_, [&](const auto& known) { return known.second >= known_points; });
+        return nullptr;
+    }
     remaining = left;
     return list;
 }
@@ -164,6 +171,7 @@ void add_cleared_transitions(ChartRun& run, Id<ChartRun::Controller> controller,
         for (const ScanLog::Evaluation<Program::Statement>& each : log.statements)
             if (const auto test = places.find({each.id.index, each.frame}); test != places.end() && each.value != 0)
                 cleared[event].push_back(added[test->second]);
+        return true;
     });
     run.controllers[controller].transitions = std::move(added);
     for (std::size_t event = 0; event < run.moments.size(); ++event)

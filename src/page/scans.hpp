@@ -25,8 +25,8 @@ public:
     /// `interface` is the chart that represents the program. Both arguments must outlive the object.
     ProgramScans(const Chart& interface, const ProgramListing& listing);
 
-    /// Returns `scans` of a controller of a run; see page/data.hpp. The result is null if the number of points and scans
-    /// exceeds `remaining`; otherwise, it is subtracted from `remaining`.
+    /// Returns `scans` of a controller of a run; see page/data.hpp. The result is null if the number of points and
+    /// scans exceeds `remaining`; otherwise, it is subtracted from `remaining`.
     nlohmann::ordered_json scans(const ChartRun& run, Id<ChartRun::Controller> controller, std::size_t& remaining);
 
     /// Returns the lines, and the points of all previous results of `scans`; see page/data.hpp.
@@ -63,8 +63,8 @@ private:
     std::vector<std::size_t> now_ = {}, earlier_ = {};  ///< points evaluated in this and in the previous scan
 };
 
-/// Adds the transitions of a program to a run, and to each of its scans the transitions that the scan clears. `drawn` is
-/// the chart that `drawn_chart` returns.
+/// Adds the transitions of a program to a run, and to each of its scans the transitions that the scan clears. `drawn`
+/// is the chart that `drawn_chart` returns.
 void add_cleared_transitions(ChartRun& run, Id<ChartRun::Controller> controller, const Chart& drawn);
 
 }  // namespace grafverif

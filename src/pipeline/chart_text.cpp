@@ -108,8 +108,6 @@ std::vector<std::string> texts_of(const Elements& elements, const std::map<std::
     return texts;
 }
 
-}  // namespace
-
 /// Returns the conditions of the Sequential Function Charts of a program.
 ChartText text_of_program(const Chart& drawn) {
     const Program& program = *drawn.program;
@@ -119,6 +117,8 @@ ChartText text_of_program(const Chart& drawn) {
         text.transitions.push_back(term_text(program, test.unit, program.statements[test.statement].value));
     return text;
 }
+
+}  // namespace
 
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];

@@ -2,6 +2,8 @@
 // `analyse`: finds possible faults of a chart, and elements that are never used, for all inputs.
 #include "pipeline/program/analyse.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <ostream>
 #include <sstream>
 
@@ -15,6 +17,7 @@
 #include "read/program/program.hpp"
 #include "report/findings.hpp"
 #include "support/messages_program.hpp"
+#include "support/wording.hpp"
 
 namespace grafverif::app {
 
@@ -71,6 +74,12 @@ ExitCode finish(Analysis analysis, const ResourceLimits& bounds, CommandContext&
     return exit_code(analysis);
 }
 
+/// True if the text contains the capital letters `word`, without regard to case.
+bool contains(std::string_view text, std::string_view word) {
+    const auto capital = [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); };
+    return !std::ranges::search(text, word, {}, capital, capital).empty();
+}
+
 ExitCode analyse_program(const Program& program, const std::string& name, CommandContext& job, const Streams& streams) {
     if (job.options.exclusions || job.options.mode) {
         job.diagnostics.add(messages::only_for_charts(program.units[program.main].origin, name,
@@ -79,12 +88,45 @@ ExitCode analyse_program(const Program& program, const std::string& name, Comman
     }
     const ResourceLimits bounds(job.options, streams);
     auto analysis = grafverif::analyse_program(program, name, bounds.limits(), job.diagnostics);
-    return analysis ? finish(std::move(*analysis), bounds, job, streams) : ExitCode::Input;
+    if (!analysis) return ExitCode::Input;
+    const std::string& text = job.sources[program.units[program.main].origin.source].text;
+    if (contains(text, "RETAIN") || contains(text, "PERSISTENT"))
+        analysis->notes.emplace_back("power-on is a cold start: retained variables have their initial values");
+    return finish(std::move(*analysis), bounds, job, streams);
+}
+
+/// Analyses a program that is declared in `model`. If a loop executes it with another cycle than the interval of its
+/// task, any time may pass between two scans.
+ExitCode analyse_declared(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
+    Program program = *model.charts[chart].program;
+    for (const ClosedLoop& loop : model.loops)
+        for (const ClosedLoop::Controller& controller : loop.controllers)
+            if (controller.chart == chart && controller.cycle &&
+                (controller.cycle->least_ms != program.interval_ms || controller.cycle->most_ms != program.interval_ms))
+                program.interval_ms.reset();
+    return analyse_program(program, model.charts[chart].name, job, streams);
+}
+
+/// Reads the program of a file; empty after an error. If the file contains charts, the first error has a note about the
+/// analysis of these charts.
+std::optional<ProgramText> read_program_to_analyse(Id<Source> source, CommandContext& job) {
+    Diagnostics found;
+    auto program = read_program(source, job.sources, found);
+    const std::string& text = job.sources[source].text;
+    bool has_hint = program || !(contains(text, "INITIAL_STEP") || contains(text, "<SFC>"));
+    for (Diagnostic diagnostic : found.all()) {
+        if (diagnostic.severity == Severity::Error && !has_hint) {
+            diagnostic.notes.push_back(
+                messages::note({}, "`--imported-charts` analyses the Sequential Function Charts of the file"));
+            has_hint = true;
+        }
+        job.diagnostics.add(std::move(diagnostic));
+    }
+    return program;
 }
 
 ExitCode analyse_one(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
-    if (const Chart& one = model.charts[chart]; one.program)
-        return analyse_program(*one.program, one.name, job, streams);
+    if (model.charts[chart].program) return analyse_declared(model, chart, job, streams);
     const auto equations = equations_of(model, chart, job);
     if (!equations) return ExitCode::Input;
     auto exclusions = exclusions_of(model.charts[chart], job);
@@ -105,10 +147,16 @@ ExitCode analyse(CommandContext& job, const Streams& streams) {
     const auto source = read_source(path, job);
     if (!source) return ExitCode::Input;
     if (!job.options.imported_charts && contains_program(*source, job.sources)) {
-        const auto text = read_program(*source, job.sources, job.diagnostics);
+        const auto text = read_program_to_analyse(*source, job);
         if (!text) return ExitCode::Input;
         const Program& program = text->program();
-        return analyse_program(program, program.units[program.main].name, job, streams);
+        const Program::Unit& main = program.units[program.main];
+        if (job.options.chart || job.options.all) {
+            job.diagnostics.add(messages::only_for_charts(main.origin, main.name, "`--chart` and `--all` select charts",
+                                                          "remove them, or pass `--imported-charts`"));
+            return ExitCode::Input;
+        }
+        return analyse_program(program, main.name, job, streams);
     }
     const auto model = read_model(*source, path, job);
     if (!model) return ExitCode::Input;

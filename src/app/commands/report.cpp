@@ -12,6 +12,7 @@
 #include "page/page.hpp"
 #include "run/replay_test.hpp"
 #include "support/messages.hpp"
+#include "support/messages_program.hpp"
 
 namespace grafverif::app {
 
@@ -24,6 +25,11 @@ std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vec
         std::vector<std::string> names;
         for (const Id<Chart> chart : charts) names.push_back(model.charts[chart].name);
         job.diagnostics.add(messages::ambiguous_choice("chart", "--chart", names));
+        return {};
+    }
+    if (const Chart& chart = model.charts[charts.front()]; chart.program) {
+        job.diagnostics.add(messages::only_for_charts(chart.origin, chart.name, "`--sequence` gives a test of a chart",
+                                                      "omit `--sequence`"));
         return {};
     }
     const auto test = test_sequence(model, charts.front(), job);

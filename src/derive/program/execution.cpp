@@ -24,7 +24,7 @@ constexpr std::size_t most_terms = 20'000'000;
 
 SymbolicExecution::SymbolicExecution(const Program& program, const ProgramLayout& layout, Exprs& exprs,
                                      Diagnostics& diagnostics)
-    : program_(program), exprs_(exprs), diagnostics_(diagnostics), main_(layout.main) {
+    : program_(program), layout_(layout), exprs_(exprs), diagnostics_(diagnostics), main_(layout.main) {
     memory_.resize(layout.cells.size());
     returned_ = static_cast<std::uint32_t>(memory_.size());
     memory_.push_back(exprs.constant(false));
@@ -120,6 +120,11 @@ void SymbolicExecution::note(Scan::Execution execution, Id<Expr> condition) {
     all.push_back(condition);
     execution.reached = exprs_.conjunction(all);
     if (!is_false(exprs_, execution.reached)) executions_->push_back(execution);
+}
+
+/// Records that an output is read on the current path.
+void SymbolicExecution::note_read(std::uint32_t cell) {
+    if (cell < layout_.cells.size() && layout_.cells[cell].output) note({.cell = cell}, exprs_.constant(true));
 }
 
 /// Returns the value of a condition of a branch or loop.
@@ -238,6 +243,7 @@ void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> la
         ++executed_;
         Id<Expr> condition = exprs_.constant(true);
         if (statement.kind == Kind::While) condition = decision(statement.value, frame);
+        if (statement.kind == Kind::For) note_read(variable);
         if (statement.kind == Kind::For)
             condition = exprs_.apply(statement.step > 0 ? Op::LessEqual : Op::GreaterEqual, memory_[variable], last);
         if (is_false(exprs_, condition)) return;

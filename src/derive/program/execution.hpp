@@ -59,6 +59,7 @@ private:
     bool counts(const Program::Statement& statement);
     Id<Expr> decision(Id<Program::Node> node, std::uint32_t frame);
     void note(Scan::Execution execution, Id<Expr> condition);
+    void note_read(std::uint32_t cell);
     void event(std::vector<Scan::Event>& events, Id<Expr> condition, Span origin,
                ProgramFault fault = ProgramFault::DivisionByZero);
     std::uint32_t address(const Program::Place& place, std::uint32_t frame) const {
@@ -78,6 +79,7 @@ private:
     Id<Expr> bit(Id<Expr> value, std::int64_t place);
 
     const Program& program_;
+    const ProgramLayout& layout_;
     Exprs& exprs_;
     Diagnostics& diagnostics_;
     std::vector<Id<Expr>> memory_ = {};

@@ -12,8 +12,8 @@
 
 namespace grafverif {
 
-/// Executes one scan. If `records` is true, the result contains the executions of the statements. The result is empty after an error: the number of iterations of a loop has no constant bound, or
-/// the program is too large.
+/// Executes one scan. If `records` is true, the result contains the executions of the statements. The result is empty
+/// after an error: the number of iterations of a loop has no constant bound, or the program is too large.
 std::optional<Scan> scan_of(const Program& program, Diagnostics& diagnostics, bool records = false);
 
 /// Returns the value of an expression over the variables of `main` at the end of the scan, or nullopt after an error.

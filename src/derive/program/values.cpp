@@ -60,8 +60,12 @@ std::vector<SymbolicExecution::Element> SymbolicExecution::elements(const Progra
 /// Returns the value of a variable or array element. An index outside the array is a fault, and the value is then
 /// arbitrary.
 Id<Expr> SymbolicExecution::read(const Program::Node& node, std::uint32_t frame) {
-    if (node.place.indices.empty()) return memory_[address(node.place, frame)];
+    if (node.place.indices.empty()) {
+        note_read(address(node.place, frame));
+        return memory_[address(node.place, frame)];
+    }
     const std::vector<Element> all = elements(node.place, frame, node.origin);
+    for (const Element& one : all) note_read(one.cell);
     Id<Expr> result = memory_[all.empty() ? address(node.place, frame) : all.back().cell];
     for (std::size_t i = all.size(); i-- > 1;)
         result = exprs_.conditional(all[i - 1].condition, memory_[all[i - 1].cell], result);

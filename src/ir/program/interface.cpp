@@ -80,6 +80,7 @@ Chart drawn_chart(const Chart& interface) {
                 for (const std::uint32_t cell : cells) found.push_back(steps.at(instance.frame + cell));
                 return found;
             };
+            for (const Id<Chart::Step> step : steps_of(sequence.initial)) chart.steps[step].initial = true;
             for (const Program::Sequence::Transition& from : sequence.transitions) {
                 Chart::Transition made{.name = from.name, .from = steps_of(from.from), .to = steps_of(from.to)};
                 if (made.name.empty()) made.name = "T" + std::to_string(chart.transitions.size() + 1);

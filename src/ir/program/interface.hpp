@@ -26,8 +26,8 @@ StepName step_name(const std::string& cell);
 /// and steps of the chart.
 Chart interface_of(ProgramReference program, std::string name, Span origin);
 
-/// For each transition of `drawn_chart`, in order: the statement that assigns true if the transition is cleared, and the
-/// address of the instance that executes the statement.
+/// For each transition of `drawn_chart`, in order: the statement that assigns true if the transition is cleared, and
+/// the address of the instance that executes the statement.
 struct SequenceTest {
     Id<Program::Statement> statement = {};
     Id<Program::Unit> unit = {};  ///< unit of the instance
@@ -35,8 +35,9 @@ struct SequenceTest {
 };
 std::vector<SequenceTest> sequence_tests(const Program& program, const ProgramLayout& layout);
 
-/// Returns the chart of `interface_of` with the transitions and actions of the Sequential Function Charts of the
-/// program, for drawings. All conditions are true. An action block is a continuous action on an output with its label as name, such as `D T#2s Lamp`.
+/// Returns the chart of `interface_of` with the initial steps, transitions and actions of the Sequential Function
+/// Charts of the program, for drawings. All conditions are true. An action block is a continuous action on an output
+/// with its label as name, such as `D T#2s Lamp`.
 Chart drawn_chart(const Chart& interface);
 
 }  // namespace grafverif

@@ -174,6 +174,7 @@ struct Program {
             std::string label = {};  ///< such as `N Lamp` or `D T#2s Lamp`
             bool operator==(const Action&) const = default;
         };
+        std::vector<std::uint32_t> initial = {};  ///< initial steps
         std::vector<Transition> transitions = {};
         std::vector<Action> actions = {};
         bool operator==(const Sequence&) const = default;

@@ -33,13 +33,14 @@ struct Scan {
     std::vector<Event> faults = {};
     /// Conditions under which an integer operation wraps around, in the order of execution.
     std::vector<Event> overflows = {};
-    /// An execution of a statement, or an evaluation of a condition of IF or WHILE.
+    /// An execution of a statement, an evaluation of a condition of IF or WHILE, or a read of an output.
     struct Execution {
-        Id<Program::Statement> statement = {};  ///< invalid for a condition
-        Id<Program::Node> node = {};            ///< the condition; invalid for a statement
-        std::uint32_t cell = 0;                 ///< for an assignment or call: the assigned cell, or the first cell
-        Id<Expr> reached = {};                  ///< true if the execution occurs in the scan
-        Id<Expr> value = {};                    ///< value of the condition, or assigned value
+        Id<Program::Statement> statement = {};  ///< only for a statement
+        Id<Program::Node> node = {};            ///< only for a condition
+        /// For an assignment or read: the cell that is assigned or read. For a call: the first cell of the instance.
+        std::uint32_t cell = 0;
+        Id<Expr> reached = {};  ///< true if the execution occurs in the scan
+        Id<Expr> value = {};    ///< value of the condition, or assigned value
     };
     std::vector<Execution> executions = {};  ///< in the order of execution; empty unless requested
 };

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <map>
 #include <set>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "analyse/analyse.hpp"
@@ -25,6 +27,10 @@ namespace {
 
 using StatementKind = Program::Statement::Kind;
 
+/// Maximum number of accesses to an output in a scan. The analysis of a longer sequence is omitted, because its terms
+/// are deep.
+constexpr std::size_t most_accesses = 1000;
+
 bool is_hidden(const std::string& name) { return name.find(' ') != std::string::npos; }
 
 /// Queries events, decides all of them together, and then reports the impossible ones. The two passes over the program
@@ -41,6 +47,10 @@ public:
         for (const ProgramInstance& instance : scan_.layout.instances)
             if (const auto cell = watched_cell(instance)) becomes_true_.emplace(*cell, never());
         for (const Scan::Execution& each : scan_.executions) note(each);
+        for (const auto& [event, terms] : terms_) *event = exprs().disjunction(terms);
+        std::vector<Id<Expr>> faults;
+        for (const Scan::Event& fault : scan_.faults) faults.push_back(fault.condition);
+        fault_ = exprs().disjunction(faults);
     }
 
     Analysis analyse(const std::string& name, const Limits& limits) && {
@@ -51,6 +61,7 @@ public:
         decide(limits);
         reporting_ = true;
         visit();
+        if (fault_is_open_) analysis_.open.push_back({"no-value", ""});
         sort_findings(analysis_.findings);
         analysis_.questions = goals_.size();
         if (analysis_.open.empty()) analysis_.obstacle.clear();
@@ -72,11 +83,30 @@ private:
         Span origin = {};
     };
 
+    /// The position of a statement in the source. One statement of the source can be several statements of the program,
+    /// such as the assignments of the parts of a structure.
+    using Position = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+
+    Position position_of(Id<Program::Statement> id) const {
+        const Span where = program_.statements[id].origin;
+        return {where.source.index, where.begin, where.end};
+    }
+
     Exprs& exprs() { return scan_.equations.exprs; }
     Id<Expr> never() { return exprs().constant(false); }
 
+    /// Adds a term to the disjunction that defines `event`.
+    void add(Id<Expr>& event, Id<Expr> term) {
+        const auto [known, fresh] = index_of_terms_.try_emplace(&event, terms_.size());
+        if (fresh) terms_.emplace_back(&event, std::vector<Id<Expr>>());
+        terms_[known->second].second.push_back(term);
+    }
+
     void note(const Scan::Execution& each) {
-        const auto add = [&](Id<Expr>& any, Id<Expr> term) { any = exprs().disjunction(any, term); };
+        if (!each.node.valid() && !each.statement.valid()) {
+            accesses_[each.cell].push_back(&each);
+            return;
+        }
         if (each.node.valid()) {
             add(true_[each.node.index], exprs().conjunction(each.reached, each.value));
             add(false_[each.node.index], exprs().conjunction(each.reached, exprs().negation(each.value)));
@@ -94,8 +124,10 @@ private:
             add(watched->second, exprs().conjunction(each.reached, each.value));
         if (each.value.valid() && statement.generated)
             add(cleared_[each.statement.index], exprs().conjunction(each.reached, each.value));
-        if (each.cell < scan_.layout.cells.size() && scan_.layout.cells[each.cell].output && !statement.generated)
-            writes_[each.cell].push_back(&each);
+        if (statement.generated) return;
+        if (each.cell < scan_.layout.cells.size() && scan_.layout.cells[each.cell].output)
+            accesses_[each.cell].push_back(&each);
+        else not_only_outputs_.insert(position_of(each.statement));
     }
 
     bool is_step(const ProgramInstance& instance) const {
@@ -146,7 +178,8 @@ private:
     void decide(const Limits& limits) {
         std::vector<ScanProperty> properties(goals_.size());
         for (const auto& [event, index] : goals_)
-            properties[index] = {fmt::format("q{}", index), "", Pattern::Reachable, event, scan_.equations.origin};
+            properties[index] = {fmt::format("q{}", index), "",  Pattern::Reachable, event,
+                                 scan_.equations.origin,    true};
         const ProgramSystem system = schedule_program(scan_, properties);
         PortfolioOptions options;
         options.witnesses = false;
@@ -170,17 +203,24 @@ private:
         if (first == 1) add_fault(system, result);
     }
 
-    /// Adds a run-time fault, with a run that the interpreter has replayed. Other findings concern the scans before it.
+    /// Adds a run-time fault, with a run that the interpreter has replayed. Other findings concern the scans up to it.
     void add_fault(const ProgramSystem& system, const PortfolioResult& result) {
-        if (result.verdicts.front().outcome == Outcome::Holds) return;
-        analysis_.notes.emplace_back("scans with a run-time fault, and the scans after it, are not considered");
-        if (result.verdicts.front().outcome != Outcome::Violated || !result.runs.front()) return;
+        const Verdict& verdict = result.verdicts.front();
+        if (verdict.outcome == Outcome::Holds) return;
+        analysis_.notes.emplace_back("scans after a run-time fault are not considered");
+        if (verdict.outcome == Outcome::Unknown) {
+            fault_is_open_ = true;
+            analysis_.obstacle = verdict.reason.empty() ? "the engines gave no reason" : verdict.reason;
+            return;
+        }
+        const Span origin = program_.units[program_.main].origin;
+        if (!result.runs.front()) return report({"no-value", "", "a run-time fault is possible", origin});
         ProgramReplay replay = replay_program(program_, scan_, system, *result.runs.front(), nullptr);
         if (!replay.disagreement.empty()) {
             analysis_.failures.push_back("a run-time fault is not confirmed: " + replay.disagreement);
             return;
         }
-        report({"no-value", "", text_of(*replay.fault), program_.units[program_.main].origin});
+        report({"no-value", "", text_of(*replay.fault), origin});
         analysis_.findings.back().evidence = std::move(replay.trace);
         analysis_.findings.back().evidence_shows = "the fault occurs in the last scan";
     }
@@ -202,6 +242,10 @@ private:
             if (instance.name.empty() || is_hidden(instance.name) || is_idle(instance.name)) continue;
             if (is_step(instance)) {
                 visit_step(instance);
+                continue;
+            }
+            if (is_hidden(program_.units[instance.unit].name)) {  // the control of an action of a chart
+                idle_.insert(instance.name + ".");
                 continue;
             }
             const auto called = called_.find({instance.unit.index, instance.frame});
@@ -245,27 +289,40 @@ private:
         return std::ranges::any_of(idle_, [&](const std::string& prefix) { return name.starts_with(prefix); });
     }
 
+    /// True if a scan may call the block, or one of its actions.
+    bool is_called(Id<Program::Unit> block) {
+        return block == program_.main || std::ranges::any_of(called_, [&](const auto& call) {
+                   return call.first.first == block.index && answer_to(call.second) != Answer::Impossible;
+               });
+    }
+
     void visit_unit(Id<Program::Unit> id) {
+        using Kind = Program::Unit::Kind;
         const Program::Unit& unit = program_.units[id];
-        if (unit.origin.source != program_.units[program_.main].origin.source || unit.body.empty()) return;
-        unit_ = unit.owner.valid() ? unit.owner : id;
-        Id<Expr> executed = never();
-        for (const Id<Program::Statement> statement : unit.body)
-            executed = exprs().disjunction(executed, reached_[statement.index]);
-        const bool block = unit.kind == Program::Unit::Kind::FunctionBlock;
-        const char* const word = unit.kind == Program::Unit::Kind::Action     ? "action"
-                                 : unit.kind == Program::Unit::Kind::Function ? "function"
-                                                                              : "function block";
-        const std::string name = (unit.owner.valid() ? program_.units[unit.owner].name + "." : "") + unit.name;
+        if (unit.origin.source != program_.units[program_.main].origin.source) return;
         const bool has_instances = std::ranges::any_of(
             scan_.layout.instances, [&](const ProgramInstance& instance) { return instance.unit == id; });
-        if (block && has_instances) {  // its instances are reported
+        const bool block = unit.kind == Kind::FunctionBlock;
+        const bool unused = (block || unit.kind == Kind::Program) && !has_instances;
+        if (unit.body.empty() && !unused) return;
+        if (unit.owner.valid() && !is_called(unit.owner)) return;  // the owner or its instances are reported
+        unit_ = unit.owner.valid() ? unit.owner : id;
+        std::vector<Id<Expr>> reached;
+        for (const Id<Program::Statement> statement : unit.body) reached.push_back(reached_[statement.index]);
+        const Id<Expr> executed = exprs().disjunction(reached);
+        if (has_instances) {  // its instances are reported
             if (answer_to(executed) == Answer::Impossible) return;
-        } else if (impossible(executed,
-                              {"block-never-called", name,
-                               fmt::format("the {} `{}` is never {}", word, name, block ? "instantiated" : "executed"),
-                               unit.origin}))
-            return;
+        } else {
+            const char* const word = block                         ? "function block"
+                                     : unit.kind == Kind::Action   ? "action"
+                                     : unit.kind == Kind::Function ? "function"
+                                                                   : "program";
+            const std::string name = (unit.owner.valid() ? program_.units[unit.owner].name + "." : "") + unit.name;
+            if (impossible(executed, {"block-never-called", name,
+                                      fmt::format("the {} `{}` is never {}", word, name, block ? "called" : "executed"),
+                                      unit.origin}))
+                return;
+        }
         visit(unit.body);
     }
 
@@ -287,7 +344,9 @@ private:
     void visit(const Program::Statement& statement) {
         if (statement.kind == StatementKind::While && !visit_condition(statement.value).first) return;
         if (statement.kind != StatementKind::If) {
-            for (const Program::Arm& arm : statement.arms) visit(arm.body);
+            const bool configured = statement.kind == StatementKind::Case && !depends_on_values(statement.value);
+            for (const Program::Arm& arm : statement.arms)
+                if (!configured || is_executed(arm.body)) visit(arm.body);
             return;
         }
         for (const Program::Arm& arm : statement.arms) {
@@ -298,11 +357,25 @@ private:
         }
     }
 
+    bool is_executed(const Program::Body& body) {
+        return !body.empty() && answer_to(reached_[body.front().index]) != Answer::Impossible;
+    }
+
+    /// True if the expression reads a variable or calls a function. Otherwise, its value is a configuration by constants.
+    bool depends_on_values(Id<Program::Node> id) const {
+        const Program::Node& node = program_.nodes[id];
+        return node.op == Program::Op::Read || node.op == Program::Op::Call ||
+               std::ranges::any_of(node.operands,
+                                   [&](Id<Program::Node> operand) { return depends_on_values(operand); });
+    }
+
     /// Returns whether the condition can be true, and whether it can be false.
     std::pair<bool, bool> visit_condition(Id<Program::Node> id) {
         const Program::Node& node = program_.nodes[id];
         const std::string text = term_text(program_, unit_, id);
-        if (node.op == Program::Op::Constant) return {node.value != 0, node.value == 0};
+        if (!depends_on_values(id))
+            return {answer_to(true_[id.index]) != Answer::Impossible,
+                    answer_to(false_[id.index]) != Answer::Impossible};
         if (impossible(true_[id.index], {"condition-never-true", "",
                                          fmt::format("the condition `{}` is never true", text), node.origin}))
             return {false, true};
@@ -326,36 +399,70 @@ private:
                 }
     }
 
-    /// Queries assignments to outputs that another statement always replaces in the same scan.
+    /// The values that a statement of the source assigns to outputs.
+    struct Assignment {
+        std::vector<Id<Program::Statement>> statements = {};
+        std::vector<std::uint32_t> cells = {};
+        std::vector<Id<Expr>> kept = {};                         ///< conditions under which a value is read or remains
+        std::map<Position, Id<Program::Statement>> others = {};  ///< other assignments to these outputs
+    };
+
+    /// Queries assignments to outputs that another statement always replaces in the same scan, before a statement reads
+    /// the value. Before a run-time fault, a value can remain.
     void visit_outputs() {
-        for (const auto& [cell, writes] : writes_) {
-            std::map<std::uint32_t, Id<Expr>> kept;  // per statement
-            std::map<std::uint32_t, Id<Expr>> later_of;
-            for (auto each = writes.rbegin(); each != writes.rend(); ++each) {
-                const std::uint32_t statement = (*each)->statement.index;
-                Id<Expr> others = never();
-                for (const auto& [other, reached] : later_of)
-                    if (other != statement) others = exprs().disjunction(others, reached);
-                Id<Expr>& any = kept.try_emplace(statement, never()).first->second;
-                any = exprs().disjunction(any, exprs().conjunction((*each)->reached, exprs().negation(others)));
-                Id<Expr>& own = later_of.try_emplace(statement, never()).first->second;
-                own = exprs().disjunction(own, (*each)->reached);
+        for (const auto& [position, assignment] : assignments()) {
+            const bool executed = std::ranges::any_of(assignment.statements, [&](Id<Program::Statement> id) {
+                return answer_to(reached_[id.index]) == Answer::Possible;
+            });
+            if (!executed || not_only_outputs_.contains(position)) continue;
+            const std::string& name = scan_.layout.cells[assignment.cells.front()].name;
+            const std::string message =
+                assignment.cells.size() == 1
+                    ? fmt::format("another assignment to `{}` in the same scan always replaces this value", name)
+                    : "other assignments in the same scan always replace these values";
+            const bool found = impossible(
+                exprs().disjunction(assignment.kept),
+                {"assignment-overwritten", name, message, program_.statements[assignment.statements.front()].origin});
+            if (!found || !reporting_) continue;
+            for (const auto& [unused, other] : assignment.others)
+                analysis_.findings.back().related.push_back(
+                    {program_.statements[other].origin, "another assignment is here"});
+        }
+    }
+
+    std::map<Position, Assignment> assignments() {
+        std::map<Position, Assignment> all;
+        for (const auto& [cell, accesses] : accesses_) {
+            std::map<Position, Id<Program::Statement>> assigned;
+            for (const Scan::Execution* access : accesses)
+                if (access->statement.valid()) assigned.emplace(position_of(access->statement), access->statement);
+            // Per assignment: the next other access is an assignment by another statement.
+            std::map<Position, Id<Expr>> replaced;
+            for (const auto& [position, statement] : assigned) {
+                replaced.emplace(position, never());
+                all[position].cells.push_back(cell);
+                for (const auto& other : assigned)
+                    if (other.first != position) all[position].others.insert(other);
             }
-            if (kept.size() < 2) continue;
-            for (const auto& [statement, event] : kept) {
-                if (answer_to(reached_[statement]) == Answer::Impossible) continue;
-                const std::string& name = scan_.layout.cells[cell].name;
-                const bool found = impossible(
-                    event, {"assignment-overwritten", name,
-                            fmt::format("another assignment to `{}` in the same scan always replaces this value", name),
-                            program_.statements[Id<Program::Statement>{statement}].origin});
-                if (!found || !reporting_) continue;
-                for (const auto& [other, unused] : kept)
-                    if (other != statement)
-                        analysis_.findings.back().related.push_back(
-                            {program_.statements[Id<Program::Statement>{other}].origin, "another assignment is here"});
+            const bool examined = assigned.size() > 1 && accesses.size() <= most_accesses;
+            for (auto each = accesses.rbegin(); each != accesses.rend(); ++each) {
+                const Scan::Execution& access = **each;
+                const Id<Expr> passes = exprs().negation(access.reached);
+                if (!access.statement.valid()) {
+                    if (!examined) continue;
+                    for (auto& [position, next] : replaced) next = exprs().conjunction(next, passes);
+                    continue;
+                }
+                const Position own = position_of(access.statement);
+                const Id<Expr> remains = exprs().disjunction(exprs().negation(replaced.at(own)), fault_);
+                all[own].kept.push_back(exprs().conjunction(access.reached, remains));
+                all[own].statements.push_back(access.statement);
+                if (!examined) continue;
+                for (auto& [position, next] : replaced)
+                    if (position != own) next = exprs().disjunction(access.reached, next);
             }
         }
+        return all;
     }
 
     const Program& program_;
@@ -364,8 +471,14 @@ private:
     std::vector<Id<Expr>> true_, false_;                   ///< per condition: it is evaluated to this value in the scan
     std::map<std::uint32_t, Id<Expr>> becomes_true_ = {};  ///< per watched cell: an assignment of true to it
     std::vector<Id<Expr>> cleared_;                        ///< per generated assignment: it assigns true in the scan
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};   ///< by block and frame
-    std::map<std::uint32_t, std::vector<const Scan::Execution*>> writes_ = {};  ///< assignments of each output
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};  ///< by block and frame
+    /// Assignments and reads of each output.
+    std::map<std::uint32_t, std::vector<const Scan::Execution*>> accesses_ = {};
+    std::set<Position> not_only_outputs_ = {};  ///< statements that assign a variable that is not an output
+    std::vector<std::pair<Id<Expr>*, std::vector<Id<Expr>>>> terms_ = {};  ///< the disjunctions that define events
+    std::unordered_map<const Id<Expr>*, std::size_t> index_of_terms_ = {};
+    Id<Expr> fault_ = {};  ///< a run-time fault occurs in the scan
+    bool fault_is_open_ = false;
     std::map<Id<Expr>, std::size_t> goals_ = {};
     std::vector<Answer> answers_ = {};  ///< of each goal
     std::set<std::string> idle_ = {};   ///< prefixes of the names in instances that are never called

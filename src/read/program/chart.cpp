@@ -234,6 +234,7 @@ Program::Sequence Reader::sequence_of(const st::Network& network, const std::vec
                                         {}});
     for (std::size_t k = 0; k < cells.size(); ++k) {
         const st::Step& step = network.steps[k];
+        if (step.initial) sequence.initial.push_back(cells[k]);
         for (const st::Association& association : step.actions) {
             std::string label = association.qualifier;
             if (association.time.valid()) {

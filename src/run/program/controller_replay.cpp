@@ -126,7 +126,7 @@ std::vector<std::int64_t> ProgramControllerReplay::kept() const {
 }
 
 void replay_scans(const ChartRun& run, Id<ChartRun::Controller> controller, const Program& program,
-                  const std::function<void(std::size_t event, const ScanLog& log)>& visit) {
+                  const std::function<bool(std::size_t event, const ScanLog& log)>& visit) {
     ProgramControllerReplay replay(run, run.controllers[controller], program);
     ScanLog log;
     replay.write_to(&log);
@@ -140,7 +140,7 @@ void replay_scans(const ChartRun& run, Id<ChartRun::Controller> controller, cons
             log = {};
             fails = fails || !replay.does(act, *before, after).empty();
             if (fails) return;
-            if (act.starts || act.evolves) visit(event, log);
+            if ((act.starts || act.evolves) && !visit(event, log)) return;
             if (replay.fault()) return;
         }
         before = &after;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -131,6 +132,96 @@ TEST(AnalyseProgram, ReportsAssignmentsThatAreAlwaysReplaced) {
     EXPECT_EQ(findings(program("i : INT;", "FOR i := 1 TO 3 DO q := a; END_FOR")), Findings()) << "the same statement";
 }
 
+TEST(AnalyseProgram, DoesNotReportAssignmentsThatAreReadBeforeTheyAreReplaced) {
+    EXPECT_EQ(findings(program("x : BOOL;", "q := a;\nx := q;\nq := b;")), Findings());
+    EXPECT_EQ(findings(program("x : BOOL;", "q := a;\nq := b;\nx := q;")),
+              Findings({"assignment-overwritten: q := a"}));
+    EXPECT_EQ(findings(program("x : BOOL;", "q := a;\nIF b THEN x := q; END_IF\nq := b;")), Findings());
+    EXPECT_EQ(findings(program("x : BOOL;", "q := a;\nIF a AND NOT a THEN x := q; END_IF\nq := b;")),
+              Findings({"assignment-overwritten: q := a", "condition-never-true: a AND NOT a"}));
+    EXPECT_EQ(findings(program("x : BOOL;", "q := a;\nIF q THEN x := a; END_IF\nq := b;")), Findings())
+        << "a condition";
+    const std::string counts =
+        "PROGRAM p VAR_INPUT n : SINT; END_VAR VAR_OUTPUT w : INT; END_VAR VAR hi : BOOL; END_VAR\n";
+    EXPECT_EQ(findings(counts + "w := n;\nhi := w > 100;\nw := w + 1;\nEND_PROGRAM"), Findings());
+    EXPECT_EQ(findings(counts + "w := n;\nFOR w := 1 TO 3 DO hi := w > n; w := w + 1; END_FOR\nw := 0;\nEND_PROGRAM"),
+              Findings())
+        << "the loop reads its variable";
+}
+
+TEST(AnalyseProgram, DoesNotReportAssignmentsThatABlockReadsAsInOut) {
+    const std::string block =
+        "FUNCTION_BLOCK B VAR_INPUT c : BOOL; END_VAR VAR_IN_OUT v : BOOL; END_VAR\n"
+        "IF c THEN v := TRUE; END_IF\nEND_FUNCTION_BLOCK\n";
+    EXPECT_EQ(findings(program("f : B;", "q := FALSE;\nf(c := a, v := q);", block)), Findings());
+}
+
+TEST(AnalyseProgram, MergesTheCellsAndExecutionsOfAnAssignment) {
+    const auto outputs = [](const std::string& declared, const std::string& body, const std::string& before = "") {
+        return before + "PROGRAM p\nVAR_INPUT a, b : BOOL; END_VAR\nVAR_OUTPUT " + declared +
+               " END_VAR\nVAR i : INT; END_VAR\n" + body + "\nEND_PROGRAM\n";
+    };
+    const std::string array = "o : ARRAY[0..3] OF BOOL;";
+    EXPECT_EQ(findings(outputs(array, "i := (i + 1) MOD 4;\no[i] := a;\no[3] := b;")), Findings());
+    EXPECT_EQ(findings(outputs(array, "o[2] := a;\no[2] := b;")), Findings({"assignment-overwritten: o[2] := a"}));
+    const std::string structure = "TYPE S : STRUCT x, y : BOOL; END_STRUCT; END_TYPE\n";
+    EXPECT_EQ(findings(outputs("o, d : S;", "o := d;\no.x := a;", structure)), Findings());
+    EXPECT_EQ(findings(outputs("o, d : S;", "o := d;\no.x := a;\no.y := b;", structure)),
+              Findings({"assignment-overwritten: o := d"}));
+    const auto instances = [](const std::string& on) {
+        return program("first, second : B;", "first(x := a, on := TRUE);\nsecond(x := b, on := " + on + ");",
+                       "FUNCTION_BLOCK B VAR_INPUT x, on : BOOL; END_VAR VAR z AT %Q* : BOOL; END_VAR\n"
+                       "z := x;\nIF on THEN z := FALSE; END_IF\nEND_FUNCTION_BLOCK\n");
+    };
+    EXPECT_EQ(findings(instances("a")), Findings());
+    EXPECT_EQ(findings(instances("TRUE")), Findings({"assignment-overwritten: z := x", "condition-always-true: on"}));
+}
+
+TEST(AnalyseProgram, ConsidersTheScanWithARunTimeFault) {
+    const auto codes = [](const std::string& body) {
+        std::multiset<std::string> found;
+        for (const Finding& finding : analysis_of(program("n, z : INT;", body)).findings) found.insert(finding.code);
+        return found;
+    };
+    EXPECT_EQ(codes("IF a THEN q := TRUE; n := 10 / z; END_IF"), Findings({"no-value"}));
+    EXPECT_EQ(codes("q := a;\nIF a THEN n := 10 / z; END_IF\nq := b;"), Findings({"no-value"}))
+        << "the output keeps its value after the fault";
+}
+
+TEST(AnalyseProgram, DoesNotReportTimersOfActions) {
+    EXPECT_EQ(findings("PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q : BOOL; END_VAR\n"
+                       "INITIAL_STEP One: END_STEP\nSTEP Two: Act(L, T#1s); END_STEP\n"
+                       "TRANSITION FROM One TO Two := a; END_TRANSITION\n"
+                       "TRANSITION FROM Two TO One := TRUE; END_TRANSITION\n"
+                       "ACTION Act: q := NOT q; END_ACTION\nEND_PROGRAM\n"),
+              Findings());
+}
+
+TEST(AnalyseProgram, DoesNotReportConfigurationsByConstants) {
+    EXPECT_EQ(findings(program("n : INT; END_VAR VAR CONSTANT Mode : INT := 1; On : BOOL := TRUE;", R"(
+IF Mode = 2 THEN n := 1; ELSIF NOT On THEN n := 2; ELSIF a THEN n := 3; END_IF
+IF Mode = 1 THEN n := 4; ELSE n := 5; END_IF
+CASE Mode OF
+    1: q := a;
+    2: q := b;
+END_CASE
+)")),
+              Findings());
+}
+
+TEST(AnalyseProgram, NamesProgramsAndReportsUnusedBlocksOnce) {
+    const std::string text =
+        "FUNCTION_BLOCK B VAR_INPUT x : BOOL; END_VAR VAR n : BOOL; END_VAR\nn := x;\n"
+        "ACTION Act: n := FALSE; END_ACTION\nEND_FUNCTION_BLOCK\n"
+        "PROGRAM other VAR b : B; x : BOOL; END_VAR\nx := TRUE;\nb(x := x);\nEND_PROGRAM\n" +
+        program("", "q := a;") +
+        "CONFIGURATION c\nTASK t(INTERVAL := T#10ms, PRIORITY := 1);\nPROGRAM i WITH t : p;\nEND_CONFIGURATION\n";
+    EXPECT_EQ(findings(text), Findings({"block-never-called: B", "block-never-called: other"}));
+    std::multiset<std::string> found;
+    for (const Finding& finding : analysis_of(text).findings) found.insert(finding.message);
+    EXPECT_EQ(found, Findings({"the function block `B` is never called", "the program `other` is never executed"}));
+}
+
 TEST(AnalyseProgram, ReportsStepsAndTransitionsThatAreNeverUsed) {
     EXPECT_EQ(findings("PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q : BOOL; END_VAR\n"
                        "INITIAL_STEP One: END_STEP\nSTEP Two: q(N); END_STEP\nSTEP Three: END_STEP\n"
@@ -160,6 +251,15 @@ TEST(AnalyseProgram, ListsUndecidedQueriesIfALimitIsReached) {
     EXPECT_FALSE(analysis.open.empty());
     EXPECT_NE(analysis.obstacle, "");
     EXPECT_EQ(analysis.findings.size(), 0U) << "what is not proved is not reported";
+}
+
+TEST(AnalyseProgram, ListsAnUndecidedRunTimeFault) {
+    std::atomic<bool> stop = true;
+    Limits limits;
+    limits.stop = &stop;
+    const Analysis analysis = analysis_of(program("n : INT := 2;", "n := n + 1;\nq := 4 / n > 1;"), limits);
+    EXPECT_EQ(std::ranges::count(analysis.open, "no-value", &OpenQuestion::code), 1);
+    EXPECT_NE(analysis.obstacle, "");
 }
 
 }  // namespace

@@ -49,6 +49,20 @@ TEST(Report, IsOneFileAndDeterministic) {
     EXPECT_NE(grafverif({"report", blinking, "--date", "a day"}).out.find("a day"), std::string::npos);
 }
 
+TEST(Report, RejectsATestSequenceForAProgram) {
+    const Folder folder;
+    folder.write("p.st", "PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q : BOOL; END_VAR\nq := a;\nEND_PROGRAM\n");
+    const std::string file = folder.write("loop.grafcet",
+                                          "program pump = \"p.st\";\nclosed_loop l { controller pump every 10ms;\n"
+                                          "environment a = free(OUT = a); property never_on: never q; }\n");
+    const Result result = grafverif({"report", file, "--sequence", folder.write("test.csv", "step,a,q\n1,0,0\n")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("`--sequence` gives a test of a chart; omit `--sequence` [only-for-charts]"),
+              std::string::npos)
+        << result.err;
+}
+
 TEST(Report, EndsAsCheckDoes) {
     const Folder folder;
     const std::string wrong = folder.write("wrong.grafcet", R"(

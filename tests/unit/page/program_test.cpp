@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "content.hpp"
+#include "ir/program/interface.hpp"
 #include "page/listing.hpp"
 #include "page/scans.hpp"
 
@@ -182,7 +183,10 @@ TEST(ProgramPage, CountsRepeatedEvaluationsAndNamesValues) {
 TEST(ProgramPage, ContainsTheLinesWithoutInterpretingThem) {
     const Made made = page_of_loop(counter_loop, counters, "plc.st");
     const std::string lines = between(made.page, "<pre id=\"program-0\" class=\"source\">", "</pre>");
-    EXPECT_EQ(count_of(lines, "\n"), count_of(counters, "\n"));
+    EXPECT_EQ(lines.front(), '\n') << "parsers ignore this newline";
+    EXPECT_EQ(count_of(lines, "\n"), count_of(counters, "\n") + 1);
+    const Made empty_line = page_of_loop(counter_loop, "\n" + counters, "plc.st");
+    EXPECT_NE(empty_line.page.find("<pre id=\"program-0\" class=\"source\">\n\nTYPE Mode"), std::string::npos);
     EXPECT_NE(lines.find("&lt;/script&gt;&lt;b&gt;"), std::string::npos);
     EXPECT_EQ(made.page.find("id=\"equations\""), std::string::npos);
     EXPECT_EQ(made.page.find("id=\"findings\""), std::string::npos);
@@ -301,10 +305,46 @@ TEST(ProgramPage, OmitsTheValuesBeyondTheLimitOfThePage) {
     const ChartRun& run = *report.answers.front().trace;
     const ProgramListing listing = listing_of(*model.charts[{0}].program, made.reading.sources);
     std::size_t few = 5, many = 100'000;
-    EXPECT_TRUE(ProgramScans(model.charts[{0}], listing).scans(run, {0}, few).is_null());
+    ProgramScans omitted(model.charts[{0}], listing);
+    EXPECT_TRUE(omitted.scans(run, {0}, few).is_null());
     EXPECT_EQ(few, 5U);
+    EXPECT_TRUE(omitted.json()["points"].empty()) << "the points of an omitted run are removed";
+    EXPECT_FALSE(omitted.scans(run, {0}, many).is_null());
+    ProgramScans complete(model.charts[{0}], listing);
+    std::size_t enough = 100'000;
+    complete.scans(run, {0}, enough);
+    EXPECT_EQ(omitted.json(), complete.json());
+    EXPECT_EQ(many, enough);
+    many = 100'000;
     EXPECT_FALSE(ProgramScans(model.charts[{0}], listing).scans(run, {0}, many).empty());
     EXPECT_LT(many, 100'000U);
+}
+
+TEST(ProgramPage, DrawsTheInitialStepOfAChartOfCodesys) {
+    const std::string data = "<addData><data name=\"http://www.3s-software.com/plcopenxml/";
+    const std::string xml =
+        "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><dataTypes/><pous><pou name=\"p\" "
+        "pouType=\"program\"><interface><inputVars><variable name=\"a\"><type><BOOL/></type></variable></inputVars>"
+        "</interface><body><SFC>\n<step localId=\"1\" name=\"S0\" initialStep=\"true\"><connectionPointIn>"
+        "<connection refLocalId=\"4\"/></connectionPointIn></step>\n<step localId=\"2\" name=\"S1\">"
+        "<connectionPointIn><connection refLocalId=\"3\"/></connectionPointIn></step>\n"
+        "<transition localId=\"3\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn>"
+        "<condition><inline><ST><xhtml>a</xhtml></ST></inline></condition></transition>\n"
+        "<transition localId=\"4\"><connectionPointIn><connection refLocalId=\"2\"/></connectionPointIn>"
+        "<condition negated=\"true\"><inline><ST><xhtml>a</xhtml></ST></inline></condition></transition>\n"
+        "</SFC></body>" +
+        data +
+        "sfcsettings\"><SFCSettings><UseDefaults>false</UseDefaults><Flags><Reset Use=\"false\"/><Tip Use=\"false\"/>"
+        "</Flags></SFCSettings></data></addData></pou></pous></types></project>";
+    ReadOptions options;
+    options.load = [&](const std::string&, std::string&) { return std::optional(xml); };
+    const ParseResult reading = read_string("program plc = \"p.xml\";\n", "l.grafcet", options);
+    ASSERT_TRUE(reading.model) << reading.diagnostics_text();
+    const Chart& interface = reading.model->charts[{0}];
+    ASSERT_EQ(interface.steps.size(), 2U);
+    EXPECT_FALSE(interface.steps[{0}].initial) << "it becomes active in the first scan";
+    EXPECT_TRUE(drawn_chart(interface).steps[{0}].initial);
+    EXPECT_FALSE(drawn_chart(interface).steps[{1}].initial);
 }
 
 TEST(ProgramPage, PrintsTheStatementsOfPlcopenXml) {
