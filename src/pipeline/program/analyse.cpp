@@ -361,7 +361,7 @@ private:
         return !body.empty() && answer_to(reached_[body.front().index]) != Answer::Impossible;
     }
 
-    /// True if the expression reads a variable or calls a function. Otherwise, its value is a configuration by constants.
+    /// True if the expression reads a variable or calls a function. Otherwise, constants configure its value.
     bool depends_on_values(Id<Program::Node> id) const {
         const Program::Node& node = program_.nodes[id];
         return node.op == Program::Op::Read || node.op == Program::Op::Call ||

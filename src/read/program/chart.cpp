@@ -216,8 +216,8 @@ void Reader::check_durations(const Chart& chart, std::size_t index, const std::v
         for (std::size_t j = 0; j < i; ++j) check(all(Op::And, {active[i], active[j]}, where), where, body);
 }
 
-/// Returns the structure of a chart without the statements of its transitions. `cells` contains the cell of the activity
-/// of each step.
+/// Returns the structure of a chart without the statements of its transitions. `cells` contains the cell of the
+/// activity of each step.
 Program::Sequence Reader::sequence_of(const st::Network& network, const std::vector<std::uint32_t>& cells) const {
     Program::Sequence sequence;
     const auto cells_of = [&](const std::vector<st::Name>& steps) {

@@ -67,8 +67,8 @@ private:
 };
 
 /// Executes the scans of one controller of a run that agrees with its program. For each scan, `visit` is called with
-/// the index of its event and with its statements, until `visit` returns false. A scan with a run-time fault is the last
-/// one; its log ends at the fault.
+/// the index of its event and with its statements, until `visit` returns false. A scan with a run-time fault is the
+/// last one; its log ends at the fault.
 void replay_scans(const ChartRun& run, Id<ChartRun::Controller> controller, const Program& program,
                   const std::function<bool(std::size_t event, const ScanLog& log)>& visit);
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -147,6 +149,68 @@ TEST(AnalyseProgram, DoesNotReportAssignmentsThatAreReadBeforeTheyAreReplaced) {
     EXPECT_EQ(findings(counts + "w := n;\nFOR w := 1 TO 3 DO hi := w > n; w := w + 1; END_FOR\nw := 0;\nEND_PROGRAM"),
               Findings())
         << "the loop reads its variable";
+}
+
+/// A line of a program that accesses an output if the inputs have the values of `guard` (0: any value).
+struct AccessLine {
+    bool reads = false;
+    std::size_t output = 0;
+    std::array<int, 3> guard = {};
+    bool executed(unsigned inputs) const {
+        for (std::size_t k = 0; k < guard.size(); ++k)
+            if (guard[k] != 0 && (guard[k] == 1) != ((inputs >> k & 1U) != 0)) return false;
+        return true;
+    }
+};
+
+/// True if the line assigns a value that, for all inputs, another line replaces before a line reads it.
+bool is_replaced(const std::vector<AccessLine>& lines, std::size_t at) {
+    bool executed = false;
+    for (unsigned inputs = 0; inputs < 8; ++inputs) {
+        if (lines[at].reads || !lines[at].executed(inputs)) continue;
+        executed = true;
+        const auto next = std::find_if(
+            lines.begin() + static_cast<std::ptrdiff_t>(at) + 1, lines.end(),
+            [&](const AccessLine& line) { return line.output == lines[at].output && line.executed(inputs); });
+        if (next == lines.end() || next->reads) return false;
+    }
+    return executed;
+}
+
+TEST(AnalyseProgram, ReplacedAssignmentsOfRandomProgramsAgreeWithAnEnumeration) {
+    std::mt19937 random(1);
+    std::size_t reported = 0;
+    for (int round = 0; round < 60; ++round) {
+        std::string text =
+            "PROGRAM p VAR_INPUT a, b, c : BOOL; END_VAR VAR_OUTPUT q, r : BOOL; END_VAR VAR x : BOOL; END_VAR\n";
+        std::vector<AccessLine> lines(8);
+        for (AccessLine& line : lines) {
+            line.reads = random() % 4 == 0;
+            line.output = random() % 2;
+            std::string condition;
+            for (std::size_t k = 0; k < line.guard.size(); ++k) {
+                line.guard[k] = random() % 2 == 0 ? 0 : 1 + static_cast<int>(random() % 2);
+                if (line.guard[k] == 0) continue;
+                condition +=
+                    (condition.empty() ? "" : " AND ") + std::string(line.guard[k] == 1 ? "" : "NOT ") + "abc"[k];
+            }
+            const std::string output(1, "qr"[line.output]);
+            text += "IF " + (condition.empty() ? "TRUE" : condition) + " THEN " +
+                    (line.reads ? "x := " + output : output + " := NOT a") + "; END_IF\n";
+        }
+        text += "END_PROGRAM\n";
+        std::set<std::size_t> found, expected;
+        for (const Finding& finding : analysis_of(text).findings)
+            if (finding.code == "assignment-overwritten")
+                found.insert(static_cast<std::size_t>(
+                    std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(finding.origin.begin), '\n') -
+                    1));
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            if (is_replaced(lines, k)) expected.insert(k);
+        EXPECT_EQ(found, expected) << text;
+        reported += found.size();
+    }
+    EXPECT_GT(reported, 20U);
 }
 
 TEST(AnalyseProgram, DoesNotReportAssignmentsThatABlockReadsAsInOut) {
