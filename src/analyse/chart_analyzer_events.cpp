@@ -205,7 +205,7 @@ void ChartAnalyzer::expect_forcing() {
     for (std::size_t k = 0; k < equations_.conflicts.size(); ++k) {
         if (!machine_.covers(equations_.conflicts[k].condition)) continue;
         expect("forced-twice", k, machine_.conflicts()[k], [this, k](const Bdd& seen) {
-            const std::string partial = conflict_subject(chart_, equations_.conflicts[k]);
+            const std::string partial = conflict_subject(chart_, equations_, equations_.conflicts[k]);
             Finding made = finding("forced-twice", partial,
                                    "this order and another one that is active with it can force `" + partial +
                                        "` into different situations",

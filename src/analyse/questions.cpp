@@ -59,7 +59,7 @@ Queries::Queries(const Chart& chart, const Equations& equations, const AnalyseOp
             add("value-sticks", stored.variable.index, equations.variables[stored.variable].name);
     add("region-never-left", 0, "");
     for (std::size_t k = 0; k < equations.conflicts.size(); ++k)
-        add("forced-twice", k, conflict_subject(chart, equations.conflicts[k]));
+        add("forced-twice", k, conflict_subject(chart, equations, equations.conflicts[k]));
     const auto governed = orders_on_enclosed(chart);
     for (std::size_t k = 0; k < governed.size(); ++k)
         add("forced-and-enclosed", k, chart.partial_charts[chart.forcing[governed[k].first].forced].name);

@@ -77,11 +77,29 @@ std::vector<std::pair<OrderId, Id<Chart::Step>>> orders_on_enclosed(const Chart&
     return found;
 }
 
-std::string conflict_subject(const Chart& chart, const Equations::Conflict& conflict) {
-    const auto order = std::ranges::find_if(chart.forcing, [&](const Chart::ForcingOrder& other) {
-        return other.origin.source == conflict.origin.source && other.origin.begin == conflict.origin.begin;
-    });
-    return order == chart.forcing.end() ? "" : chart.partial_charts[order->forced].name;
+namespace {
+
+/// Returns the operands of a conjunction, or the term itself.
+std::vector<Id<Expr>> conjuncts(const Exprs& exprs, Id<Expr> term) {
+    if (exprs[term].op != Op::And) return {term};
+    const auto operands = exprs.operands(term);
+    return {operands.begin(), operands.end()};
+}
+
+}  // namespace
+
+std::string conflict_subject(const Chart& chart, const Equations& equations, const Equations::Conflict& conflict) {
+    std::string subject;
+    const std::vector<Id<Expr>> active = conjuncts(equations.exprs, conflict.condition);
+    for (const Chart::ForcingOrder& order : chart.forcing) {
+        if (order.origin.source != conflict.origin.source || order.origin.begin != conflict.origin.begin) continue;
+        if (subject.empty()) subject = chart.partial_charts[order.forced].name;
+        // The orders in copies of a step have the same position. The condition states that the step of the order is active.
+        const std::vector<Id<Expr>> needed = conjuncts(equations.exprs, equations.steps[order.step.index].next);
+        const auto is_needed = [&](Id<Expr> term) { return std::ranges::find(active, term) != active.end(); };
+        if (std::ranges::all_of(needed, is_needed)) return chart.partial_charts[order.forced].name;
+    }
+    return subject;
 }
 
 std::vector<std::pair<Id<Chart::Transition>, Id<Chart::Transition>>> branches(const Chart& chart) {

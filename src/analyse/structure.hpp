@@ -23,7 +23,7 @@ std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_cycles(const Chart& ch
 std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart);
 
 /// Returns the partial chart that a forcing order of the conflict forces, or an empty string if the order is not found.
-std::string conflict_subject(const Chart& chart, const Equations::Conflict& conflict);
+std::string conflict_subject(const Chart& chart, const Equations& equations, const Equations::Conflict& conflict);
 
 /// Returns pairs of transitions with a common upstream step, in order.
 std::vector<std::pair<Id<Chart::Transition>, Id<Chart::Transition>>> branches(const Chart& chart);

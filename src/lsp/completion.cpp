@@ -106,7 +106,10 @@ private:
             if (contains_word(inner, "force")) return steps(owner_, inner[1], ""), keywords({"INIT"});
             return contains_word(inner, "step") ? in_actions() : in_chart();
         }
-        if (top[0] == "component") return owner_ = names_.find(DeclarationKind::Component, top[1]), in_component();
+        if (top[0] == "component") {
+            owner_ = names_.find(DeclarationKind::Component, top[1]);
+            return in_index_or_range() ? index_or_range() : in_component();
+        }
         if (top[0] != "closed_loop") return;
         owner_ = names_.find(DeclarationKind::Loop, top[1]);
         if (in_index_or_range()) return index_or_range();

@@ -102,6 +102,7 @@ struct ReadState {
     Diagnostics& diagnostics;
     Recorder record = {};
     Model model = {};
+    std::uint64_t copied = 0;  ///< number of elements in copies of replicated declarations
     std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};  ///< known names with their
                                                                                      ///< positions
     std::unordered_set<std::string> charts_in_error = {}, components_in_error = {};
@@ -125,7 +126,7 @@ void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& w
     const bool fresh = is_new(reading, reading.charts, "chart or program", name, written.name.where);
     std::optional<Chart> chart;
     if (is_resolved(reading, fresh, written.broken))
-        chart = resolve_chart(file, written, reading.diagnostics, reading.record);
+        chart = resolve_chart(file, written, reading.diagnostics, reading.record, &reading.copied);
     if (chart && fresh) reading.model.charts.add(std::move(*chart));
     else if (fresh) reading.charts_in_error.insert(name);
 }
@@ -186,7 +187,7 @@ void read_component(ReadState& reading, const tree::File& file, const tree::Comp
         reading.diagnostics.add(messages::shadows_library(written.name.where, name));
     std::optional<Component> component;
     if (is_resolved(reading, fresh, written.broken))
-        component = resolve_component(file, written, reading.diagnostics, reading.record);
+        component = resolve_component(file, written, reading.diagnostics, reading.record, &reading.copied);
     if (component && fresh) reading.model.components.add(std::move(*component));
     else if (fresh) reading.components_in_error.insert(name);
 }
@@ -215,7 +216,7 @@ void take_from_library(ReadState& reading, const std::string& name) {
         const auto* written = std::get_if<tree::Component>(&declaration);
         if (written == nullptr || file.text(written->name) != name) continue;
         reading.components.emplace(name, written->name.where);
-        auto component = resolve_component(file, *written, reading.diagnostics, reading.record);
+        auto component = resolve_component(file, *written, reading.diagnostics, reading.record, &reading.copied);
         if (component) reading.model.components.add(std::move(*component));
         else reading.components_in_error.insert(name);
     }
@@ -262,7 +263,7 @@ void read_loops(ReadState& reading, const tree::File& file, const LoopContext& c
         if (written == nullptr) continue;
         const bool fresh = is_new(reading, reading.loops, "closed loop", file.text(written->name), written->name.where);
         if (!is_resolved(reading, fresh, written->broken)) continue;
-        auto loop = resolve_loop(file, *written, context, reading.diagnostics, reading.record);
+        auto loop = resolve_loop(file, *written, context, reading.diagnostics, reading.record, &reading.copied);
         if (loop) reading.model.loops.add(std::move(*loop));
     }
 }

@@ -19,10 +19,11 @@ namespace grafverif {
 void Diagnostics::add(Diagnostic diagnostic) {
     const bool error = diagnostic.severity == Severity::Error;
     if (error) ++errors_;
+    const auto context = context_ ? std::optional(context_()) : std::nullopt;
     // True for the same problem in another copy of a replicated declaration, whose context has the same position.
     const auto in_other_copy = [&](const Diagnostic& known) {
-        return context_ && !known.notes.empty() && known.notes.back().where.begin == context_->where.begin &&
-               known.notes.back().message != context_->message;
+        return context && !known.notes.empty() && known.notes.back().where.begin == context->where.begin &&
+               known.notes.back().message != context->message;
     };
     const auto same = [&](const Diagnostic& known) {
         return known.code == diagnostic.code && known.where.source == diagnostic.where.source &&
@@ -33,13 +34,11 @@ void Diagnostics::add(Diagnostic diagnostic) {
         if (error) ++repeated_;
         return;
     }
-    if (context_) diagnostic.notes.push_back(*context_);
+    if (context) diagnostic.notes.push_back(*context);
     if (stored_.size() < 2 * limit && distinct_errors() <= limit) stored_.push_back(std::move(diagnostic));
 }
 
-std::optional<Diagnostic> Diagnostics::set_context(std::optional<Diagnostic> note) {
-    return std::exchange(context_, std::move(note));
-}
+Diagnostics::Context Diagnostics::set_context(Context note) { return std::exchange(context_, std::move(note)); }
 
 namespace {
 

@@ -62,6 +62,8 @@ Diagnostic unknown_component(Span where, std::string_view name, std::string_view
 Diagnostic unknown_location(Span where, std::string_view name, std::string_view suggestion, std::string_view component,
                             std::string_view locations);
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first);
+Diagnostic declared_in_copies(Span where, std::string_view kind, std::string_view name);
+Diagnostic index_hides(Span where, std::string_view index, Span other);
 Diagnostic ambiguous(Span where, std::string_view name, std::string_view one, std::string_view other);
 Diagnostic step_like_variable(Span where, std::string_view name);
 Diagnostic shadows_library(Span where, std::string_view name);
@@ -76,6 +78,7 @@ Diagnostic type_mismatch(Span where, std::string_view user, std::string_view exp
 Diagnostic missing_unit(Span where, std::string_view what);
 Diagnostic division_by_zero(Span where);
 Diagnostic not_constant(Span where, std::string_view what);
+Diagnostic reads_parameter(Span where, std::string_view what, std::string_view parameter);
 Diagnostic out_of_range(Span where, std::string_view variable, std::int64_t value, std::int64_t low, std::int64_t high);
 Diagnostic unbounded_integer(Span where, std::string_view variable);
 Diagnostic misplaced_type(Span where, std::string_view what);

@@ -15,7 +15,9 @@ Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std
     message += suggestion.empty() ? "; declare it or correct the name"
                                   : fmt::format("; did you mean `{}`?", clipped(suggestion));
     Diagnostic diagnostic = error(code, where, std::move(message));
-    return suggestion.empty() ? diagnostic : with_fix(std::move(diagnostic), last_of(where, name.size()), suggestion);
+    // The position does not include indices, whose terms a value must not replace.
+    if (suggestion.empty() || name.find('[') != std::string_view::npos) return diagnostic;
+    return with_fix(std::move(diagnostic), last_of(where, name.size()), suggestion);
 }
 
 Diagnostic unknown_component(Span where, std::string_view name, std::string_view suggestion, std::string_view known) {
@@ -32,14 +34,24 @@ Diagnostic unknown_location(Span where, std::string_view name, std::string_view 
 }
 
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
-    if (first.source == where.source && first.begin == where.begin)
-        return error("duplicate-name", where,
-                     fmt::format("the {} `{}` is declared in several copies; add an index to its name, or move "
-                                 "the declaration out of the replication",
-                                 kind, clipped(name)));
     Diagnostic diagnostic = error("duplicate-name", where,
                                   fmt::format("a second {} is named `{}`; rename one of them", kind, clipped(name)));
     diagnostic.notes.push_back(note(first, "the first one is here"));
+    return diagnostic;
+}
+
+Diagnostic declared_in_copies(Span where, std::string_view kind, std::string_view name) {
+    return error("duplicate-name", where,
+                 fmt::format("the {} `{}` is declared in several copies; add an index to its name, or move the "
+                             "declaration out of the replication",
+                             kind, clipped(name)));
+}
+
+Diagnostic index_hides(Span where, std::string_view index, Span other) {
+    Diagnostic diagnostic = error(
+        "duplicate-name", where,
+        fmt::format("the index variable `{}` has the name of another declaration; rename one of them", clipped(index)));
+    diagnostic.notes.push_back(note(other, "the other declaration is here"));
     return diagnostic;
 }
 

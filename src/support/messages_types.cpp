@@ -31,6 +31,13 @@ Diagnostic not_constant(Span where, std::string_view what) {
     return error("not-constant", where, fmt::format("{} must be constant; remove the variables", what));
 }
 
+Diagnostic reads_parameter(Span where, std::string_view what, std::string_view parameter) {
+    return error(
+        "not-constant", where,
+        fmt::format("{} cannot depend on the parameter `{}`, whose value each instance chooses; write a number", what,
+                    clipped(parameter)));
+}
+
 Diagnostic out_of_range(Span where, std::string_view variable, std::int64_t value, std::int64_t low,
                         std::int64_t high) {
     return error("out-of-range", where,

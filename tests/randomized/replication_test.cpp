@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Randomized tests of replication: a random model is written with `for`, indices, `all`, `any` and lists, and without
-// them, with names such as `B_1__2_` for `B[1][2]`. Both texts have the same model
-// except for the names.
+// them, with names such as `B_1__2_` for `B[1][2]`. Both texts have the same model except for the names.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

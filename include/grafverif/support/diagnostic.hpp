@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -39,26 +40,27 @@ struct Diagnostic {
 class Diagnostics {
 public:
     static constexpr std::size_t limit = 50;
+    using Context = std::function<Diagnostic()>;
 
     /// Adds a diagnostic. An equal diagnostic is counted but not stored again, and neither is a diagnostic with the same
     /// code and position in another copy of a replicated declaration.
     void add(Diagnostic diagnostic);
-    /// Sets the note that is added to the following diagnostics, such as the copy of a replicated declaration. Returns
-    /// the previous note.
-    std::optional<Diagnostic> set_context(std::optional<Diagnostic> note);
+    /// Sets the note that is added to the following diagnostics, such as the copy of a replicated declaration, or no
+    /// note. `note` is called for each diagnostic. Returns the previous note.
+    Context set_context(Context note);
 
     bool has_errors() const { return errors_ != 0; }
     std::size_t errors() const { return errors_; }
     /// Number of errors that are not repetitions of stored diagnostics.
     std::size_t distinct_errors() const { return errors_ - repeated_; }
     const std::vector<Diagnostic>& all() const { return stored_; }
-    /// True if at least `limit` distinct errors were added. Further errors are not stored, so that the caller may stop
-    /// early.
-    bool full() const { return distinct_errors() >= limit; }
+    /// True if at least `limit` distinct errors, or many repetitions, were added. Few further errors, or none, are stored,
+    /// so that the caller may stop early or omit suggestions.
+    bool full() const { return distinct_errors() >= limit || repeated_ >= 20 * limit; }
 
 private:
     std::vector<Diagnostic> stored_ = {};
-    std::optional<Diagnostic> context_ = {};
+    Context context_ = {};
     std::size_t errors_ = 0, repeated_ = 0;
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "ir/patterns.hpp"
@@ -378,19 +377,6 @@ private:
     Supervised made_ = {};
 };
 
-/// Returns the position of a transition or action of which the chart contains several copies; empty if there is none. A
-/// condition for one copy cannot be written into the text.
-std::optional<Span> replicated_element(const Chart& chart) {
-    std::set<std::uint32_t> seen;
-    const auto repeated = [&](const auto& table) -> std::optional<Span> {
-        for (const auto& each : table)
-            if (each.origin.source.valid() && !seen.insert(each.origin.begin).second) return each.origin;
-        return {};
-    };
-    if (const auto transition = repeated(chart.transitions)) return transition;
-    return repeated(chart.continuous);
-}
-
 }  // namespace
 
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
@@ -404,7 +390,7 @@ std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id
                                                       "use a chart as the controller"));
         else if (controller.cycle)
             diagnostics.add(messages::not_yet(controller.cycle->origin, "a task cycle in `supervise`"));
-        else if (const auto copies = replicated_element(model.charts[controller.chart]))
+        else if (const auto copies = replicated_element(model.charts[controller.chart], sources))
             diagnostics.add(messages::not_yet(*copies, "a replicated declaration in `supervise`"));
     if (diagnostics.errors() != errors) return {};
     return Supervising(model, loop, main, sources, request, diagnostics).run();

@@ -100,6 +100,30 @@ void put(tree::File& file, std::vector<tree::ChartItem>& items, const std::map<s
                    item);
 }
 
+/// Returns the position of the first transition or continuous action inside `for`. `inside` is true if the items are inside
+/// `for`.
+std::optional<Span> first_replicated(const std::vector<tree::ChartItem>& items, bool inside) {
+    std::optional<Span> first;
+    for (const tree::ChartItem& item : items) {
+        std::visit(overloaded{
+                       [&](const tree::Transition& transition) {
+                           if (inside) first = transition.where;
+                       },
+                       [&](const tree::Step& step) {
+                           for (const tree::Action& action : step.actions)
+                               if (inside && !first && std::holds_alternative<tree::ContinuousAction>(action))
+                                   first = std::get<tree::ContinuousAction>(action).where;
+                       },
+                       [&](const tree::Partial& partial) { first = first_replicated(partial.items, inside); },
+                       [&](const tree::ReplicatedChartItems& copies) { first = first_replicated(copies.items, true); },
+                       [](const auto&) {},
+                   },
+                   item);
+        if (first) return first;
+    }
+    return {};
+}
+
 tree::File tree_of(Id<Source> source, const Sources& sources) {
     Sources copy = sources;
     Diagnostics known;
@@ -111,6 +135,17 @@ bool is_grafcet_text(Id<Source> source, const Sources& sources) {
 }
 
 }  // namespace
+
+std::optional<Span> replicated_element(const Chart& chart, const Sources& sources) {
+    const Id<Source> source = chart.origin.source;
+    if (!source.valid() || !is_grafcet_text(source, sources)) return {};
+    const tree::File file = tree_of(source, sources);
+    for (const tree::Declaration& declaration : file.declarations)
+        if (const auto* written = std::get_if<tree::Chart>(&declaration);
+            written != nullptr && file.text(written->name) == chart.name)
+            return first_replicated(written->items, false);
+    return {};
+}
 
 std::string text_of(const NamedTerm& term) {
     tree::File file;

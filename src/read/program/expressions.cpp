@@ -157,8 +157,8 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
         if (hash != std::string::npos) {
             const auto known = values_.find(file_->intern(written.substr(hash + 1)).index);
             const auto type = types_.find(file_->intern(written.substr(0, hash)).index);
-            if (known != values_.end() && type != types_.end() && type->second == known->second.first)
-                return Typed{number(known->second.second, type->second, from.where), false};
+            if (known != values_.end() && type != types_.end() && type->second == known->second.type)
+                return Typed{number(known->second.value, type->second, from.where), false};
         }
         reject(from.where, "this literal", "use Boolean values, integers and durations");
         return {};
@@ -166,7 +166,7 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
     case st::Op::Name:
         if (const auto value = values_.find(from.word.index);
             value != values_.end() && !scopes_[unit_.index].variables.contains(from.word.index))
-            return Typed{number(value->second.second, value->second.first, from.where), false};
+            return Typed{number(value->second.value, value->second.type, from.where), false};
         [[fallthrough]];
     case st::Op::Member:
     case st::Op::Index:

@@ -213,11 +213,16 @@ private:
     std::unordered_map<std::uint32_t, std::size_t> units_ = {};  ///< word -> unit of the file
     std::vector<Id<Unit>> declared_ = {};                        ///< unit of the program per unit of the file
     std::vector<State> states_ = {};
-    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                  ///< word -> type
-    std::map<std::uint32_t, std::pair<Id<Type>, std::int64_t>> values_ = {};  ///< values of enumerations, by word
-    std::vector<Scope> scopes_ = {};                                          ///< per unit of the program
-    std::vector<std::vector<std::uint32_t>> calls_ = {};                      ///< per unit: the functions that it calls
-    Id<Unit> unit_ = {};                                                      ///< the current unit
+    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};  ///< word -> type
+    struct EnumerationValue {
+        Id<Type> type = {};
+        std::int64_t value = 0;
+        Span origin = {};
+    };
+    std::map<std::uint32_t, EnumerationValue> values_ = {};  ///< values of enumerations, by word
+    std::vector<Scope> scopes_ = {};                         ///< per unit of the program
+    std::vector<std::vector<std::uint32_t>> calls_ = {};     ///< per unit: the functions that it calls
+    Id<Unit> unit_ = {};                                     ///< the current unit
     Id<Unit> body_ = {};       ///< the unit whose body is being read: the current unit, or one of its actions
     bool any_member_ = false;  ///< true if local variables of instances can be read
     int loops_ = 0;

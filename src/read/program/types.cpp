@@ -44,9 +44,10 @@ std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Typ
         Type::Kind::Enumeration, std::string(name), 0, static_cast<std::int64_t>(type.values.size()) - 1, {}, {}, {}};
     const Id<Type> id{static_cast<std::uint32_t>(program.types.size())};
     for (const st::Name value : type.values) {
-        const auto [place, fresh] =
-            values_.try_emplace(value.word.index, id, static_cast<std::int64_t>(made.values.size()));
-        if (!fresh) diagnostics->add(messages::duplicate_name(value.where, "value", text(value.word), value.where));
+        const auto [known, fresh] = values_.try_emplace(
+            value.word.index, EnumerationValue{id, static_cast<std::int64_t>(made.values.size()), value.where});
+        if (!fresh)
+            diagnostics->add(messages::duplicate_name(value.where, "value", text(value.word), known->second.origin));
         made.values.push_back(text(value.word));
     }
     return program.types.add(std::move(made));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <unordered_map>
 #include <utility>
 
 #include "grafverif/ir/type.hpp"
@@ -21,12 +22,14 @@ namespace {
 
 void name_steps(Sfc& sfc) {
     LegalNames labels(LegalNames::Kind::Label, sfc.draft);
+    std::unordered_map<Id<st::Word>, Span> places;
     for (const st::Network& network : sfc.unit.networks) {
         for (const st::Step& step : network.steps) {
             const auto [known, fresh] = sfc.steps.try_emplace(step.name.word);
+            const Span first = places.try_emplace(step.name.word, step.name.where).first->second;
             if (!fresh) {
                 sfc.diagnostics().add(
-                    messages::duplicate_name(step.name.where, "step", sfc.file.text(step.name), step.name.where));
+                    messages::duplicate_name(step.name.where, "step", sfc.file.text(step.name), first));
                 continue;
             }
             known->second = labels.make(sfc.file.text(step.name), step.name.where);

@@ -19,18 +19,21 @@ void Builder::broken() {
     file_->broken = true;
 }
 
+Builder::Marks Builder::take_marks() { return {std::exchange(broken_, false), std::exchange(replicated_, false)}; }
+
 void Builder::lost() {
     broken_ = replicated_ = false;
     file_->broken = file_->incomplete = true;
 }
 
 Chart Builder::chart(Name name, std::vector<ChartItem> items, Span where) {
-    return {name, std::move(items), where, std::exchange(broken_, false), std::exchange(replicated_, false)};
+    const auto [broken, replicated] = take_marks();
+    return {name, std::move(items), where, broken, replicated};
 }
 
 Component Builder::component(Name name, Component body, Span where) {
-    return {name,  std::move(body.parameters),    std::move(body.items),
-            where, std::exchange(broken_, false), std::exchange(replicated_, false)};
+    const auto [broken, replicated] = take_marks();
+    return {name, std::move(body.parameters), std::move(body.items), where, broken, replicated};
 }
 
 Component Builder::component_body(std::vector<Variables> parameters, std::vector<ComponentItem> items) const {
@@ -38,7 +41,8 @@ Component Builder::component_body(std::vector<Variables> parameters, std::vector
 }
 
 ClosedLoop Builder::loop(Name name, std::vector<LoopItem> items, Span where) {
-    return {name, std::move(items), where, std::exchange(broken_, false), std::exchange(replicated_, false)};
+    const auto [broken, replicated] = take_marks();
+    return {name, std::move(items), where, broken, replicated};
 }
 
 Variables Builder::variables(VariableKind kind, Variables variables, Span where) const {
@@ -193,12 +197,21 @@ Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {
     return id;
 }
 
+namespace {
+
+/// Returns the position `where`, which ends with `name` and its indices, without the indices.
+Span up_to(Name name, Span where) { return {where.source, where.begin, name.where.end}; }
+
+}  // namespace
+
 Id<Expr> Builder::name(Name name) { return named_node(Op::Name, {}, name, name.where); }
 
-Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) { return named_node(Op::Member, owner, name, where); }
+Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) {
+    return named_node(Op::Member, owner, name, up_to(name, where));
+}
 
 Id<Expr> Builder::place(Id<Expr> owner, Name location, Span where) {
-    return named_node(Op::In, owner, location, where);
+    return named_node(Op::In, owner, location, up_to(location, where));
 }
 
 Name Builder::indexed(Name name, Id<Expr> index) {

@@ -74,7 +74,12 @@ public:
 private:
     Id<tree::Expr> node(tree::Op op, std::initializer_list<Id<tree::Expr>> operands, Span where);
     Id<tree::Expr> named_node(tree::Op op, Id<tree::Expr> owner, tree::Name name, Span where);
-    bool take_broken();
+    /// What the parser has found in the current declaration.
+    struct Marks {
+        bool broken = false, replicated = false;
+    };
+    /// Returns the marks of the current declaration, and starts the next one.
+    Marks take_marks();
 
     tree::File* file_;
     Diagnostics* diagnostics_;

@@ -131,6 +131,7 @@ private:
             if (const auto* const step = std::get_if<tree::Step>(&item))
                 add('X' + std::string(file_.text(step->name)), "step variable", step->name.where);
             if (const auto* const partial = std::get_if<tree::Partial>(&item)) add_steps(partial->items);
+            if (const auto* const copies = std::get_if<tree::ReplicatedChartItems>(&item)) add_steps(copies->items);
         }
     }
 

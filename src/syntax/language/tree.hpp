@@ -116,6 +116,7 @@ struct Variables {
 struct Constraint {
     Id<Expr> condition = {};
     Span where = {};
+    std::uint32_t copy = 0;  ///< as in Name
 };
 
 /// An assignment `target := value`.
@@ -348,8 +349,10 @@ using Declaration = std::variant<Include, Chart, Component, ClosedLoop, PlcProgr
 
 /// A copy of replicated declarations.
 struct Copy {
-    std::string values = {};  ///< values of the index variables: `i = 3`
+    Id<Word> index = {};  ///< name of the index variable
+    std::int64_t value = 0;
     Span where = {};          ///< position of the replication
+    std::uint32_t outer = 0;  ///< the enclosing copy, as in Name::copy
 };
 
 struct File {

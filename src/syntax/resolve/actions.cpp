@@ -15,7 +15,9 @@ Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
     const auto found = scope.variables.find(name.word);
     if (found != scope.variables.end())
         return scope.record.refer(name.where, scope.chart.variables[found->second].origin, true), found->second;
-    if (scope.diagnostics.full()) return {};
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(name.where, "variable", scope.text(name), "")),
+               Id<Chart::Variable>{};
     Nearest nearest(scope.text(name));
     for (const Chart::Variable& variable : scope.chart.variables)
         if (variable.kind != Chart::VariableKind::Input) nearest.offer(variable.name);

@@ -101,6 +101,7 @@ void resolve_items(ChartScope& scope, const tree::Chart& written) {
     for (const tree::ChartItem& item : written.items) {
         const auto* constraint = std::get_if<tree::Constraint>(&item);
         if (constraint == nullptr) continue;
+        const InCopy copy(scope.diagnostics, scope.file, constraint->copy);
         const Id<Expr> condition = resolve_condition(scope, constraint->condition, {}, "a constraint");
         if (condition.valid() && reads_inputs_only(scope, condition, constraint->where))
             scope.chart.constraints.push_back({condition, constraint->where});
@@ -108,7 +109,7 @@ void resolve_items(ChartScope& scope, const tree::Chart& written) {
     resolve_acceptances(scope, written, all);
 }
 
-/// Returns the position of the declaration of a variable, a step variable or a partial chart; empty if there is none.
+/// Returns the position of the declaration of a variable, a step variable, a partial chart or the chart; empty if there is none.
 std::optional<Span> declared_name(const ChartScope& scope, std::string_view name) {
     const auto origin_in = [&](const auto& table) {
         const auto found = std::ranges::find(table, name, [](const auto& each) { return std::string_view(each.name); });
@@ -117,14 +118,15 @@ std::optional<Span> declared_name(const ChartScope& scope, std::string_view name
     if (const auto variable = origin_in(scope.chart.variables)) return variable;
     if (const auto partial = origin_in(scope.chart.partial_charts)) return partial;
     const auto steps = name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
-    if (steps == scope.steps_by_name.end()) return {};
+    if (steps == scope.steps_by_name.end())
+        return name == scope.chart.name ? std::optional(scope.chart.origin) : std::nullopt;
     return scope.chart.steps[steps->second.front()].origin;
 }
 
 }  // namespace
 
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
-                                   Recorder record) {
+                                   Recorder record, std::uint64_t* copied) {
     const std::size_t errors = diagnostics.errors();
     tree::File copies;
     ChartScope scope{written.replicated ? copies : file, diagnostics, record};
@@ -132,6 +134,7 @@ std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& wr
     scope.chart.origin = written.name.where;
     record.declare(DeclarationKind::Chart, scope.chart.name, written.name.where, written.where);
     Expansion expansion{file, copies, diagnostics, record, scope.chart.origin};
+    expansion.copied = copied;
     expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
     resolve_expanded(expansion, written, [&](const tree::Chart& all) { resolve_items(scope, all); });
     check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });

@@ -47,6 +47,7 @@ std::string summary(const tree::File& file, const tree::Component& written) {
 /// Resolves a constraint, which states a guarantee about the outputs of the component. A constraint reads only outputs,
 /// so that it can be assumed in a model in which the outputs are free.
 void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.copy);
     const Id<Expr> condition = all_terms(scope).resolve(written.condition, TermKind::Boolean, "a constraint");
     if (!condition.valid()) return;
     const Component& component = scope.component;
@@ -80,6 +81,24 @@ void resolve_items(ComponentScope& scope, const tree::Component& written) {
     }
 }
 
+/// Returns the resolver of the terms in ranges and indices. Copies are made before instances bind the parameters.
+Terms terms_before_parameters(ComponentScope& scope, const tree::File& file, const tree::Component& written,
+                              std::string_view user) {
+    Terms terms(scope.file, scope.component.exprs, scope.diagnostics);
+    terms.name = [&scope, &file, &written, user = std::string(user)](const tree::Expr& node) {
+        const std::string_view name = scope.file.text(node.word);
+        const bool parameter = std::ranges::any_of(written.parameters, [&](const tree::Variables& group) {
+            return std::ranges::any_of(group.variables, [&](const tree::Variable& each) {
+                return node.op == tree::Op::Name && file.text(each.name) == name;
+            });
+        });
+        scope.diagnostics.add(parameter ? messages::reads_parameter(node.where, user, name)
+                                        : messages::not_constant(node.where, user));
+        return Term{};
+    };
+    return terms;
+}
+
 /// Returns the position of the declaration of a parameter, a variable or a clock; empty if there is none.
 std::optional<Span> declared_name(const ComponentScope& scope, std::string_view name) {
     const auto found =
@@ -90,7 +109,7 @@ std::optional<Span> declared_name(const ComponentScope& scope, std::string_view 
 }  // namespace
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
-                                           Diagnostics& diagnostics, Recorder record) {
+                                           Diagnostics& diagnostics, Recorder record, std::uint64_t* copied) {
     const std::size_t errors = diagnostics.errors();
     tree::File copies;
     ComponentScope scope{written.replicated ? copies : file, diagnostics, record};
@@ -99,7 +118,10 @@ std::optional<Component> resolve_component(const tree::File& file, const tree::C
     record.declare(DeclarationKind::Component, scope.component.name, written.name.where, written.where);
     scope.component.summary = summary(file, written);
     Expansion expansion{file, copies, diagnostics, record, scope.component.origin};
-    expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
+    expansion.copied = copied;
+    expansion.constant_terms = [&](std::string_view user) {
+        return terms_before_parameters(scope, file, written, user);
+    };
     resolve_expanded(expansion, written, [&](const tree::Component& all) { resolve_items(scope, all); });
     check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });
     if (diagnostics.errors() != errors && !record.beyond_errors()) return {};

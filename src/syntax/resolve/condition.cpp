@@ -19,8 +19,9 @@ Term step_term(ChartScope& scope, Id<Chart::Step> step) {
 }
 
 Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
-    if (scope.diagnostics.full()) return {};
     const bool step_like = name.size() > 1 && name[0] == 'X' && name[1] >= '0' && name[1] <= '9';
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, "")), Term{};
     Nearest nearest(name);
     if (!step_like)
         for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
@@ -171,7 +172,8 @@ Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::N
     if (found != scope.steps[here.index].end())
         return scope.record.refer(label.where, scope.chart.steps[found->second].origin), found->second;
     const std::string_view name = scope.text(label);
-    if (scope.diagnostics.full()) return {};
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(label.where, "step", name, "")), Id<Chart::Step>{};
     const auto elsewhere = scope.steps_by_name.find(name);
     if (elsewhere != scope.steps_by_name.end()) {
         const Id<Chart::PartialChart> partial = scope.chart.steps[elsewhere->second.front()].chart;
@@ -192,7 +194,9 @@ Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name) {
     const auto found = scope.partials.find(name.word);
     if (found != scope.partials.end())
         return scope.record.refer(name.where, scope.chart.partial_charts[found->second].origin), found->second;
-    if (scope.diagnostics.full()) return {};
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(name.where, "partial chart", scope.text(name), "")),
+               Id<Chart::PartialChart>{};
     Nearest nearest(scope.text(name));
     for (const Chart::PartialChart& partial : scope.chart.partial_charts)
         if (!partial.name.empty()) nearest.offer(partial.name);

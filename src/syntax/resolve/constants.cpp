@@ -99,8 +99,7 @@ void declare_constant(LoopScope& scope, const tree::Variable& written) {
     set_from_outside(scope, bounds, constant);
     std::optional<std::size_t>& known = scope.constants[constant.name].number;
     if (known)
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "constant", constant.name,
-                                                       scope.loop.constants[*known].origin));
+        scope.diagnostics.add(duplicate(written.name, "constant", constant.name, scope.loop.constants[*known].origin));
     else known = scope.loop.constants.size();
     scope.loop.constants.push_back(std::move(constant));
 }
@@ -111,7 +110,8 @@ void announce_constants(LoopScope& scope, const tree::File& file, const tree::Cl
     each_item(written.items, [&](const tree::LoopItem& item) {
         if (const auto* group = std::get_if<tree::Variables>(&item))
             for (const tree::Variable& variable : group->variables)
-                scope.below.emplace(file.text(variable.name), variable.name.where);
+                scope.last_declarations.insert_or_assign(
+                    file.text(variable.name), LoopScope::LastDeclaration{variable.name.where, variable.where});
     });
 }
 
@@ -123,7 +123,6 @@ void resolve_constants(LoopScope& scope, const tree::Variables& written) {
         scope.constants.try_emplace(name, LoopScope::Declared{variable.name.where, {}});
         scope.record.declare(DeclarationKind::Constant, name, variable.name.where, variable.where, scope.loop.origin);
         declare_constant(scope, variable);
-        scope.below.erase(without_indices(name));
         if (scope.diagnostics.errors() == errors) continue;
         scope.excused.insert(name);
         scope.valueless.insert(name);
@@ -172,9 +171,10 @@ Terms constant_terms(LoopScope& scope, std::string_view user) {
         if (simple)
             if (const auto constant = constant_named(scope, name, node.where)) return *constant;
         if (simple && scope.valueless.contains(name)) return Term{};
-        const auto below = simple ? scope.below.find(without_indices(name)) : scope.below.end();
-        if (below != scope.below.end()) {
-            scope.record.refer(node.where, below->second);
+        const auto& known = scope.last_declarations;
+        const auto last = simple ? known.find(without_indices(name)) : known.end();
+        if (last != known.end() && node.where.begin < last->second.whole.end) {
+            scope.record.refer(node.where, last->second.name);
             scope.diagnostics.add(messages::constant_below(node.where, name));
         } else {
             scope.diagnostics.add(messages::not_constant(node.where, user));

@@ -8,6 +8,7 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/component_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/nearest.hpp"
 
 namespace grafverif {
@@ -81,7 +82,8 @@ const ComponentScope::Symbol* target_of(ComponentScope& scope, tree::Name name) 
     const auto found = scope.symbols.find(name.word);
     if (found != scope.symbols.end())
         return scope.record.refer(name.where, origin(scope.component, found->second), true), &found->second;
-    if (scope.diagnostics.full()) return nullptr;
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(name.where, "variable", scope.text(name), "")), nullptr;
     Nearest nearest(scope.text(name));
     for (const auto& parameter : scope.component.parameters)
         if (parameter.kind == Component::ParameterKind::Output) nearest.offer(parameter.name);
@@ -130,7 +132,9 @@ Id<Component::Location> location_named(ComponentScope& scope, tree::Name name) {
     const auto found = scope.locations.find(name.word);
     if (found != scope.locations.end())
         return scope.record.refer(name.where, scope.component.locations[found->second].origin), found->second;
-    if (scope.diagnostics.full()) return {};
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(name.where, "location", scope.text(name), "")),
+               Id<Component::Location>{};
     Nearest nearest(scope.text(name));
     for (const auto& location : scope.component.locations) nearest.offer(location.name);
     scope.diagnostics.add(messages::unknown(name.where, "location", scope.text(name), nearest.best()));
@@ -140,12 +144,13 @@ Id<Component::Location> location_named(ComponentScope& scope, tree::Name name) {
 }  // namespace
 
 void declare_location(ComponentScope& scope, const tree::Location& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.name);
     const auto [known, fresh] = scope.locations.try_emplace(written.name.word);
     scope.record.declare(DeclarationKind::Location, scope.text(written.name), written.name.where, written.where,
                          scope.component.origin);
     if (!fresh) {
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "location", scope.text(written.name),
-                                                       scope.component.locations[known->second].origin));
+        scope.diagnostics.add(duplicate(written.name, "location", scope.text(written.name),
+                                        scope.component.locations[known->second].origin));
         return;
     }
     known->second = scope.component.locations.add({std::string(scope.text(written.name)), {}, {}, written.name.where});
@@ -157,6 +162,7 @@ void declare_location(ComponentScope& scope, const tree::Location& written) {
 }
 
 void resolve_location(ComponentScope& scope, const tree::Location& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.name);
     const auto known = scope.locations.find(written.name.word);
     if (scope.component.locations[known->second].origin.begin != written.name.where.begin)
         return;  // the location is declared twice
@@ -184,6 +190,7 @@ void resolve_location(ComponentScope& scope, const tree::Location& written) {
 }
 
 void resolve_edge(ComponentScope& scope, const tree::Edge& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.from);
     Component::Edge edge;
     edge.from = location_named(scope, written.from);
     edge.to = location_named(scope, written.to);

@@ -22,7 +22,8 @@
 
 namespace grafverif {
 
-/// Maximum number of copies, names and terms in the expansion of one declaration.
+/// Maximum number of copies, names and terms in the expansions of a model. A long name or text counts once more for
+/// every 64 bytes.
 inline constexpr std::uint64_t largest_expansion = 1'000'000;
 
 struct Expansion {
@@ -35,6 +36,8 @@ struct Expansion {
     std::function<Terms(std::string_view)> constant_terms = {};
     /// Called for each group of constants of the result, if set, before the following declarations are expanded.
     std::function<void(const tree::Variables&)> constants = {};
+    /// If set, the number of elements in earlier expansions of the model, to which the elements of this one are added.
+    std::uint64_t* copied = nullptr;
     /// Result: the first position of each index variable.
     std::map<std::string, Span, std::less<>> indices = {};
 };
@@ -54,20 +57,26 @@ void resolve_expanded(Expansion& expansion, const Written& written, const Resolv
     if (expansion.diagnostics.errors() == errors || expansion.record.beyond_errors()) resolve(all);
 }
 
-/// Reports each index variable whose name another declaration has. `declared` returns the position of a name.
+/// Reports each index variable with the name of another declaration. `declared` returns the position of a name.
 void check_indices(const Expansion& expansion, const std::function<std::optional<Span>(std::string_view)>& declared);
+
+/// Reports that the declaration `name` has the name of an earlier one at `first`, which may be another copy of it.
+Diagnostic duplicate(tree::Name name, std::string_view kind, std::string_view text, Span first);
 
 /// While it exists, diagnostics state the index values of the copy in which `name` is declared, if it is in a copy.
 class InCopy {
 public:
     InCopy(Diagnostics& diagnostics, const tree::File& file, tree::Name name);
+    /// `copy` is the number of the copy plus one; 0 if the diagnostics do not concern a copy. Requires that `file` outlives
+    /// the object.
+    InCopy(Diagnostics& diagnostics, const tree::File& file, std::uint32_t copy);
     InCopy(const InCopy&) = delete;
     InCopy& operator=(const InCopy&) = delete;
     ~InCopy();
 
 private:
     Diagnostics* diagnostics_;
-    std::optional<Diagnostic> outer_;
+    Diagnostics::Context outer_ = {};
 };
 
 }  // namespace grafverif

@@ -316,8 +316,7 @@ Binding bind_instance(LoopScope& scope, const tree::Instance& written) {
     const auto [known, fresh] = scope.instances.try_emplace(scope.text(written.name));
     if (!fresh && known->second.valid())
         fail(scope, binding,
-             messages::duplicate_name(written.name.where, "instance", binding.instance.name,
-                                      scope.loop.instances[known->second].origin));
+             duplicate(written.name, "instance", binding.instance.name, scope.loop.instances[known->second].origin));
     if (!binding.instance.component.valid()) {
         binding.wrong = true;
         return binding;
@@ -437,17 +436,13 @@ void resolve_fault(LoopScope& scope, const tree::Fault& written, const std::vect
     const InCopy copy(scope.diagnostics, scope.file, written.behaviour.name);
     Binding binding = begin(scope, written.behaviour, DeclarationKind::Fault, written.where);
     record_arguments(scope, written.behaviour);
-    const auto& known = scope.loop.faults;
-    const auto first = std::ranges::find_if(
-        known, [&](const ClosedLoop::Fault& each) { return each.behaviour.name == binding.instance.name; });
-    if (first != known.end())
-        fail(scope, binding,
-             messages::duplicate_name(written.behaviour.name.where, "fault", binding.instance.name,
-                                      first->behaviour.origin));
+    const auto [first, fresh] = scope.faults.try_emplace(scope.text(written.behaviour.name), binding.instance.origin);
+    if (!fresh) fail(scope, binding, duplicate(written.behaviour.name, "fault", binding.instance.name, first->second));
     const auto of = scope.instances.find(scope.text(written.of));
     if (of == scope.instances.end() || !of->second.valid()) {
         Nearest nearest(scope.text(written.of));
-        for (const Binding& each : bindings) nearest.offer(each.instance.name);
+        if (!scope.diagnostics.full())
+            for (const Binding& each : bindings) nearest.offer(each.instance.name);
         scope.diagnostics.add(messages::unknown(written.of.where, "instance", scope.text(written.of), nearest.best()));
         return record_parameters(scope, binding);
     }

@@ -30,8 +30,7 @@ public:
         const Span first = written_.at(std::string(name));
         scope_->record.declare(DeclarationKind::Transition, name, written.name.where, written.where,
                                scope_->chart.origin);
-        if (!named_.emplace(name).second)
-            scope_->diagnostics.add(messages::duplicate_name(written.name.where, "transition", name, first));
+        if (!named_.emplace(name).second) scope_->diagnostics.add(duplicate(written.name, "transition", name, first));
         return std::string(name);
     }
 

@@ -56,6 +56,7 @@ Id<Chart> chart_named(LoopScope& scope, tree::Name name) {
 }
 
 void resolve_controller(LoopScope& scope, const tree::Controller& written) {
+    const InCopy copy(scope.diagnostics, scope.file, written.chart);
     ClosedLoop::Controller controller;
     controller.name = scope.text(written.chart);
     controller.chart = chart_named(scope, written.chart);
@@ -77,8 +78,8 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
     }
     const auto [known, fresh] = scope.controllers.try_emplace(scope.text(written.chart));
     if (!fresh) {
-        scope.diagnostics.add(messages::duplicate_name(written.chart.where, "controller", controller.name,
-                                                       scope.loop.controllers[known->second].origin));
+        scope.diagnostics.add(
+            duplicate(written.chart, "controller", controller.name, scope.loop.controllers[known->second].origin));
         return;
     }
     known->second = scope.loop.controllers.add(std::move(controller));
@@ -96,6 +97,7 @@ void take_interval(LoopScope& scope, const tree::Controller& written) {
 /// Resolves `every LEAST..MOST`. The controller does not exist if its declaration has an error.
 void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
     if (!written.cycle.least.valid()) return take_interval(scope, written);
+    const InCopy copy(scope.diagnostics, scope.file, written.chart);
     constexpr std::string_view user = "a task cycle";
     const auto bound = [&](Id<tree::Expr> term) {
         return constant_terms(scope, user).constant(term, TermKind::Duration, user);
@@ -236,9 +238,7 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
     scope.record.declare(DeclarationKind::Property, scope.text(written.name), written.name.where, written.where,
                          scope.loop.origin);
-    if (!fresh)
-        scope.diagnostics.add(
-            messages::duplicate_name(written.name.where, "property", scope.text(written.name), known->second));
+    if (!fresh) scope.diagnostics.add(duplicate(written.name, "property", scope.text(written.name), known->second));
     Property property;
     property.name = scope.text(written.name);
     property.text = written.text;
@@ -329,13 +329,22 @@ std::optional<Span> declared_name(const LoopScope& scope, std::string_view name)
         return scope.loop.instances[instance->second].origin;
     if (const auto observer = scope.observers.find(name); observer != scope.observers.end())
         return scope.loop.observers[observer->second].origin;
+    if (const auto controller = scope.controllers.find(name); controller != scope.controllers.end())
+        return scope.loop.controllers[controller->second].origin;
+    for (const Id<ClosedLoop::Controller> id : scope.loop.controllers.ids()) {
+        if (id.index >= scope.inside.size()) break;  // only after an error in the expansion
+        const auto& partials = scope.inside[id.index].partials;
+        if (const auto partial = partials.find(name); partial != partials.end())
+            return scope.chart(id).partial_charts[partial->second].origin;
+    }
     return variable_named(scope, name);
 }
 
 }  // namespace
 
 std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
-                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record) {
+                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record,
+                                       std::uint64_t* copied) {
     const std::size_t errors = diagnostics.errors();
     tree::File copies;
     LoopScope scope{written.replicated ? copies : file, context, diagnostics, record};
@@ -350,6 +359,7 @@ std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::Close
         for (const tree::LoopItem& item : written.items)
             if (const auto* constants = std::get_if<tree::Variables>(&item)) resolve_constants(scope, *constants);
     Expansion expansion{file, copies, diagnostics, record, scope.loop.origin};
+    expansion.copied = copied;
     expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
     expansion.constants = [&](const tree::Variables& constants) { resolve_constants(scope, constants); };
     resolve_expanded(expansion, written, [&](const tree::ClosedLoop& all) { resolve_items(scope, all); });

@@ -59,7 +59,9 @@ std::string qualified(const LoopScope& scope, Id<Controller> controller, std::st
 }
 
 Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
-    if (scope.diagnostics.full()) return {};
+    const bool step_like = name.size() > 1 && name[0] == 'X' && name[1] >= '0' && name[1] <= '9';
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, "")), Term{};
     Nearest nearest(name);
     for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
     for (const NamedConstant& constant : scope.loop.constants) nearest.offer(constant.name);
@@ -70,7 +72,6 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
         if (name[0] == 'X' || name[0] == 'x')
             for (const Chart::Step& step : chart.steps) nearest.offer('X', step.name);
     }
-    const bool step_like = name.size() > 1 && name[0] == 'X' && name[1] >= '0' && name[1] <= '9';
     scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, nearest.best()));
     return {};
 }
@@ -329,9 +330,11 @@ Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_vie
     }
     if (report_step_member(scope, partial, name, where)) return {};
     Nearest nearest(partial);
-    for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
-    for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
-    for (const auto& controller : scope.loop.controllers) nearest.offer(controller.name);
+    if (!scope.diagnostics.full()) {
+        for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
+        for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
+        for (const auto& controller : scope.loop.controllers) nearest.offer(controller.name);
+    }
     scope.diagnostics.add(messages::unknown(owner.where, "instance", partial, nearest.best()));
     return {};
 }
@@ -339,8 +342,10 @@ Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_vie
 Term no_such_instance(LoopScope& scope, const tree::Expr& owner) {
     const std::string_view name = scope.file.text(owner.word);
     Nearest nearest(name);
-    for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
-    for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
+    if (!scope.diagnostics.full()) {
+        for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
+        for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
+    }
     scope.diagnostics.add(messages::unknown(owner.where, "instance", name, nearest.best()));
     return {};
 }
@@ -414,10 +419,12 @@ Term no_signal(LoopScope& scope, const tree::Expr& node, std::string_view name) 
         scope.diagnostics.add(messages::no_signal(node.where, name, step ? "a step" : "an internal variable"));
         return {};
     }
-    if (scope.incomplete || scope.excused.contains(name) || scope.diagnostics.full()) return {};
+    if (scope.incomplete || scope.excused.contains(name)) return {};
     Nearest nearest(name);
-    for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
-    for (const NamedConstant& constant : scope.loop.constants) nearest.offer(constant.name);
+    if (!scope.diagnostics.full()) {
+        for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
+        for (const NamedConstant& constant : scope.loop.constants) nearest.offer(constant.name);
+    }
     scope.diagnostics.add(messages::undriven_variable(node.where, name, nearest.best()));
     return {};
 }

@@ -40,12 +40,16 @@ struct LoopScope {
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Instance>> instances = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
+    std::unordered_map<std::string_view, Span> faults = {};
     /// For each shared variable: the name of the instance that writes it; empty if no instance writes it.
     std::vector<std::string> instance_writers = {};
     std::set<std::string, std::less<>> excused = {};    ///< names that instances with errors bind and may drive
     std::set<std::string, std::less<>> valueless = {};  ///< constants with an error
-    /// Positions of constants, by name without indices, that have not been declared yet.
-    std::unordered_map<std::string_view, Span> below = {};
+    /// The last declaration of each constant, by name without indices.
+    struct LastDeclaration {
+        Span name = {}, whole = {};
+    };
+    std::unordered_map<std::string_view, LastDeclaration> last_declarations = {};
     std::map<std::string, Declared, std::less<>> constants = {};
     /// True if an element to which the loop refers contains an error; never true beyond errors.
     bool incomplete = false;

@@ -30,7 +30,7 @@ void declare_location(LoopScope& scope, Observer& observer, const tree::Location
     scope.record.declare(DeclarationKind::Location, name, written.name.where, written.where, observer.origin);
     for (const ObserverLocation& other : observer.locations)
         if (other.name == name) {
-            scope.diagnostics.add(messages::duplicate_name(written.name.where, "location", name, other.origin));
+            scope.diagnostics.add(duplicate(written.name, "location", name, other.origin));
             return;
         }
     if (written.invariant.valid())
@@ -53,12 +53,12 @@ void declare_observer(LoopScope& scope, const tree::Observer& written) {
         scope.diagnostics.add(messages::observer_without_start(written.name.where, observer.name));
     const auto instance = scope.instances.find(scope.text(written.name));
     if (instance != scope.instances.end())
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name,
-                                                       scope.loop.instances[instance->second].origin));
+        scope.diagnostics.add(
+            duplicate(written.name, "observer", observer.name, scope.loop.instances[instance->second].origin));
     const auto [known, fresh] = scope.observers.try_emplace(scope.text(written.name));
     if (!fresh)
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "observer", observer.name,
-                                                       scope.loop.observers[known->second].origin));
+        scope.diagnostics.add(
+            duplicate(written.name, "observer", observer.name, scope.loop.observers[known->second].origin));
     const Id<Observer> id = scope.loop.observers.add(std::move(observer));
     if (fresh) known->second = id;
 }
@@ -177,6 +177,7 @@ void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written) {
     for (const tree::LoopItem& item : written.items) {
         const auto* constraint = std::get_if<tree::Constraint>(&item);
         if (constraint == nullptr) continue;
+        const InCopy copy(scope.diagnostics, scope.file, constraint->copy);
         const Id<Expr> condition =
             property_terms(scope).resolve(constraint->condition, TermKind::Boolean, "a constraint");
         if (!condition.valid() || !reads_inputs_only(scope, condition, constraint->where)) continue;

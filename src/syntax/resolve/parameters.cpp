@@ -9,6 +9,7 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/component_scope.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/nearest.hpp"
 
 namespace grafverif {
@@ -50,11 +51,11 @@ DeclarationKind kind_of(const Component& component, const ComponentScope::Symbol
 }  // namespace
 
 void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol, Span whole) {
+    const InCopy copy(scope.diagnostics, scope.file, name);
     const auto [known, fresh] = scope.symbols.try_emplace(name.word, symbol);
     scope.record.declare(kind_of(scope.component, symbol), scope.text(name), name.where, whole, scope.component.origin);
     if (!fresh)
-        scope.diagnostics.add(
-            messages::duplicate_name(name.where, "name", scope.text(name), origin(scope.component, known->second)));
+        scope.diagnostics.add(duplicate(name, "name", scope.text(name), origin(scope.component, known->second)));
 }
 
 // -- names -----------------------------------------------------------------------------------------------------------
@@ -67,7 +68,8 @@ Term unknown_name(ComponentScope& scope, const tree::Expr& node) {
         return {};
     }
     const std::string_view name = scope.file.text(node.word);
-    if (scope.diagnostics.full()) return {};
+    if (scope.diagnostics.full())
+        return scope.diagnostics.add(messages::unknown(node.where, "variable", name, "")), Term{};
     Nearest nearest(name);
     for (const auto& parameter : scope.component.parameters) nearest.offer(parameter.name);
     for (const auto& variable : scope.component.variables) nearest.offer(variable.name);
@@ -298,6 +300,7 @@ void resolve_parameters(ComponentScope& scope, const tree::Component& written) {
 
 void resolve_own_variables(ComponentScope& scope, const tree::Variables& written) {
     for (const tree::Variable& variable : written.variables) {
+        const InCopy copy(scope.diagnostics, scope.file, variable.name);
         Component::Variable own;
         own.name = scope.text(variable.name);
         own.value = value_kind(scope, variable);

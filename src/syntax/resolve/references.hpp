@@ -93,8 +93,9 @@ private:
     bool beyond_errors_ = false;
 };
 
-/// Returns the position of `name` at the end of `where`: that of `X2` in `G2.X2`.
+/// Returns the position of `name` without its indices at the end of `where`: that of `X2` in `G2.X2`.
 inline Span last_name(Span where, std::string_view name) {
+    name = without_indices(name);
     const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(name.size(), where.end - where.begin));
     return {where.source, where.end - length, where.end};
 }

@@ -6,6 +6,7 @@
 // model. A closed loop refers to charts and components by name, so that they may come from other files.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -22,15 +23,17 @@
 
 namespace grafverif {
 
-// All functions add the declarations and references of the tree to `record`. Beyond errors, charts and components lack
+// All functions add the declarations and references of the tree to `record`. They add the number of elements in copies of
+// replicated declarations to `copied`, which is limited (see `largest_expansion`). Beyond errors, charts and components lack
 // their parts with errors instead of being empty.
 
 /// Resolves a chart; empty after at least one error. The result also represents constructs that a later stage rejects.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
-                                   Recorder record = {});
+                                   Recorder record = {}, std::uint64_t* copied = nullptr);
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
-                                           Diagnostics& diagnostics, Recorder record = {});
+                                           Diagnostics& diagnostics, Recorder record = {},
+                                           std::uint64_t* copied = nullptr);
 
 DeclarationKind declaration_kind(Chart::VariableKind kind);
 
@@ -47,6 +50,7 @@ struct LoopContext {
 
 /// Resolves a closed loop; empty after at least one error, possibly in a chart or component to which the loop refers.
 std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
-                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record = {});
+                                       const LoopContext& context, Diagnostics& diagnostics, Recorder record = {},
+                                       std::uint64_t* copied = nullptr);
 
 }  // namespace grafverif

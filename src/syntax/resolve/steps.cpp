@@ -32,8 +32,8 @@ void declare_step(ChartScope& scope, const tree::Step& written, Id<Chart::Partia
                          scope.chart.partial_charts[partial].origin);
     const auto [known, fresh] = scope.steps[partial.index].try_emplace(written.name.word);
     if (!fresh) {
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "step", scope.text(written.name),
-                                                       scope.chart.steps[known->second].origin));
+        scope.diagnostics.add(
+            duplicate(written.name, "step", scope.text(written.name), scope.chart.steps[known->second].origin));
         if (scope.record.beyond_errors()) all.steps.push_back({&written, known->second});
         return;
     }
@@ -61,8 +61,8 @@ void declare_partial(ChartScope& scope, const tree::Partial& written, WrittenCha
                          scope.chart.origin);
     const auto [known, fresh] = scope.partials.try_emplace(written.name.word);
     if (!fresh) {
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "partial chart", scope.text(written.name),
-                                                       scope.chart.partial_charts[known->second].origin));
+        scope.diagnostics.add(duplicate(written.name, "partial chart", scope.text(written.name),
+                                        scope.chart.partial_charts[known->second].origin));
         if (scope.record.beyond_errors()) declare_items(scope, written.items, known->second, all);
         return;
     }

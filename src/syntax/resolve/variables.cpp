@@ -110,8 +110,8 @@ void resolve_variables(ChartScope& scope, const tree::Variables& written) {
                              scope.chart.origin);
         const auto [known, fresh] = scope.variables.try_emplace(variable.name.word);
         if (!fresh) {
-            scope.diagnostics.add(messages::duplicate_name(variable.name.where, "variable", resolved.name,
-                                                           scope.chart.variables[known->second].origin));
+            scope.diagnostics.add(
+                duplicate(variable.name, "variable", resolved.name, scope.chart.variables[known->second].origin));
             continue;
         }
         known->second = scope.chart.variables.add(std::move(resolved));

@@ -218,6 +218,21 @@ TEST(Analyse, TwoOrdersThatExcludeEachOtherAreShownTogether) {
     EXPECT_EQ(find(analysed(exclusive), "forced-twice"), nullptr);
 }
 
+TEST(Analyse, OrdersInCopiesNameTheirOwnPartialChart) {
+    const Analysis found = analysed(R"(
+        for i in 1..2 {
+            input a[i], b[i];
+            partial A[i] { initial step 0; step 1 { force P[i] := {}; } transition 0 -> 1 when a[i]; transition 1 -> 0 when !a[i]; }
+            partial B[i] { initial step 0; step 1 { force P[i] := {INIT}; } transition 0 -> 1 when b[i]; transition 1 -> 0 when !b[i]; }
+            partial P[i] { initial step 0; step 1; transition 0 -> 1 when !a[i]; transition 1 -> 0 when a[i]; }
+        }
+    )");
+    std::vector<std::string> subjects;
+    for (const Finding& each : found.findings)
+        if (each.code == "forced-twice") subjects.push_back(each.subject);
+    EXPECT_EQ(subjects, (std::vector<std::string>{"P[1]", "P[2]"}));
+}
+
 TEST(Analyse, DoesNotReportARaceInAnEvolutionWithConflictingOrders) {
     const Analysis found = analysed(R"(
         internal count: int 0..5 = 3;

@@ -216,5 +216,23 @@ TEST(Supervise, BadInputIsRejectedWithAdvice) {
     EXPECT_TRUE(says(stopped.out, "unknown: stopped at the time limit of 0 s; raise `--timeout`")) << stopped.out;
 }
 
+TEST(Supervise, RejectsTransitionsAndActionsInsideFor) {
+    const Folder folder;
+    for (const char* copies : {"1..1", "1..2"}) {
+        SCOPED_TRACE(copies);
+        const std::string name = std::string(copies) == "1..1" ? "one" : "two";
+        for (const char* element : {"transition t[i]: 0 -> s[i] when GO; transition s[i] -> 0 when !GO; step s[i];",
+                                    "partial p[i] { initial step 0 { LAMP[i]; } }"}) {
+            const std::string text = std::string("grafcet lamps {\n    input GO;\n    initial step 0;\n    for i in ") +
+                                     copies + " { output LAMP[i]; " + element +
+                                     " }\n}\nclosed_loop l { controller lamps; environment Go = free(OUT = GO); "
+                                     "property p: never LAMP[1]; }\n";
+            const Result refused = grafverif({"supervise", folder.write(name + ".grafcet", text)});
+            EXPECT_EQ(refused.code, ExitCode::Input) << refused.out << refused.err;
+            EXPECT_TRUE(says(refused.err, "a replicated declaration in `supervise` is not supported")) << refused.err;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace grafverif::app

@@ -398,6 +398,16 @@ TEST(LspCompletion, KnowsReplicatedDeclarations) {
     EXPECT_TRUE(holds(at("partial lamp[i] {", "@"), "transition"));
     EXPECT_EQ(at("for i in 1..2 {", "for i @").size(), 1U);
     EXPECT_EQ(at("for i in 1..2 {", "for @"), std::vector<std::string>{});
+    const std::string ring =
+        "component ring(output AT: bool) {\n"
+        "    initial location at[0];\n"
+        "    for i in 1..3 {\n"
+        "        location at[i];\n"
+        "        urgent at[i - 1] -> at[i] when AT;\n"
+        "    }\n"
+        "}\n";
+    EXPECT_TRUE(holds(editor.labels("ring.grafcet", with(ring, "-> at[i]", "-> at[@")), "i"));
+    EXPECT_EQ(editor.labels("ring.grafcet", with(ring, "for i in 1..3", "for i @")), std::vector<std::string>{"in"});
 }
 
 TEST(LspCompletion, OffersConstantsWhereAConstantIsAllowed) {

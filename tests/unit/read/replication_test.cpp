@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "read/text.hpp"
@@ -191,6 +192,151 @@ TEST(Replication, IsRecordedOnceForAllCopies) {
     for (const References::Declaration& each : reading.references.declarations)
         EXPECT_EQ(each.name.find('['), std::string::npos) << each.name;
     EXPECT_EQ(std::ranges::count(reading.references.declarations, "i", &References::Declaration::name), 3);
+}
+
+std::vector<std::string> messages_of(const Reading& reading) {
+    std::vector<std::string> messages;
+    for (const Diagnostic& each : reading.diagnostics.all()) messages.push_back(each.message);
+    return messages;
+}
+
+TEST(Replication, RejectsAnIndexVariableAsTheOwnerOfAName) {
+    for (const auto& [operand, user] : {std::pair("i.X1", "`.`"), {"i.X1.Y", "`.`"}, {"i in open", "`in`"}}) {
+        SCOPED_TRACE(operand);
+        const Reading reading = read(in_loop(driven + "for i in 1..2 { property p[i]: never " + operand + "; }\n"));
+        ASSERT_EQ(reading.diagnostics.all().size(), 1U) << reading.rendered;
+        EXPECT_EQ(
+            reading.diagnostics.all()[0].message,
+            fmt::format("this is an integer, but {} requires the name of an instance, an observer or a chart", user));
+    }
+    const Reading chart =
+        read("grafcet g { input A; initial step 0; for k in 1..2 { transition t[k]: 0 -> 0 when A && k.X0; } }");
+    EXPECT_EQ(chart.diagnostics.all().size(), 1U) << chart.rendered;
+}
+
+TEST(Replication, RejectsAnIndexVariableWithTheNameOfAnElement) {
+    const std::string chart =
+        "grafcet g {\n    input A;\n    partial head { initial step 0; transition t0: 0 -> 0 when A; }\n";
+    for (const char* name : {"g", "head", "A"}) {
+        SCOPED_TRACE(name);
+        const Reading loop = read(chart + "}\nclosed_loop l { controller g; plant P = free(OUT = A); for " + name +
+                                  fmt::format(" in 1..2 {{ property p[{}]: no deadlock; }} }}\n", name));
+        const Reading own = read(chart + "for " + name + fmt::format(" in 1..2 {{ input B[{}]; }} }}\n", name));
+        for (const Reading* reading : {&loop, &own})
+            EXPECT_EQ(messages_of(*reading),
+                      (Names{fmt::format(
+                          "the index variable `{}` has the name of another declaration; rename one of them", name)}))
+                << reading->rendered;
+    }
+    const Reading owner = read(chart +
+                               "}\nclosed_loop l { controller g; plant P = free(OUT = A);\n"
+                               "for head in 1..2 { property p[head]: never head.X0; } }\n");
+    EXPECT_EQ(owner.diagnostics.errors(), 2U) << owner.rendered;  // once per copy
+}
+
+TEST(Replication, CountsTheBytesOfLongNamesAndTexts) {
+    const std::string text(8000, 'x');
+    std::string open, close;
+    for (int level = 0; level < 75; ++level, close += '}')
+        open += fmt::format("for n{}{} in 1..1 {{", level, std::string(240, 'x'));
+    for (const std::string& items :
+         {"for i in 1..100000 { property p[i] \"" + text + "\": never FULL[1]; }\n",
+          open + "for i in 1..16 { for k in 1..4096 {} }" + close, open + "for i in 1..65536 { }" + close}) {
+        const Reading reading = read(in_loop(driven + items));
+        ASSERT_EQ(reading.diagnostics.errors(), 1U) << reading.rendered;
+        EXPECT_EQ(reading.diagnostics.all()[0].code, "too-large");
+        EXPECT_TRUE(reading.diagnostics.all()[0].notes.empty());
+    }
+}
+
+TEST(Replication, IsLimitedForAllDeclarationsTogether) {
+    const std::string items = driven + "for i in 1..90000 { property p[i]: never FULL[1]; }\n";
+    EXPECT_TRUE(read(in_loop(items)).model);
+    const Reading reading = read(in_loop(items) + "closed_loop second { controller heads;\n" + items + "}\n" +
+                                 "closed_loop third { controller heads;\n" + items + "}\n");
+    ASSERT_FALSE(reading.diagnostics.all().empty());
+    EXPECT_EQ(reading.diagnostics.all()[0].code, "too-large");
+}
+
+TEST(Replication, ReportsManyErrorsOfCopiesInLinearTime) {
+    const Reading reading = read(
+        "grafcet g {\n    for i in 1..2000 { input A[i]; }\n    initial step 0;\n    step 1;\n"
+        "    transition 0 -> 1 when A[1];\n    transition 1 -> 0 when A[2];\n"
+        "    for i in 1..3000 { constraint !B[i]; }\n}\n");
+    EXPECT_EQ(reading.diagnostics.errors(), 3000U);
+    ASSERT_EQ(reading.diagnostics.all().size(), 1U) << reading.rendered;
+    EXPECT_EQ(reading.diagnostics.all()[0].notes.back().message, "in the copy with `i = 1`");
+}
+
+TEST(Replication, ReportsTheErrorsOfAComponentOnceForAllCopies) {
+    const Reading reading = read(
+        "component ring(output AT: int 0..3) {\n"
+        "    initial location at[0];\n"
+        "    clock t;\n"
+        "    for i in 1..3 {\n"
+        "        variable v[i]: int;\n"
+        "        location at[i] with v[i] := W[i];\n"
+        "        urgent at[i - 1] -> at[i] when GO[i] do V[i] := i;\n"
+        "        constraint U[i];\n"
+        "        clock t;\n"
+        "    }\n"
+        "}\n");
+    ASSERT_FALSE(reading.diagnostics.all().empty());
+    for (const Diagnostic& each : reading.diagnostics.all()) {
+        ASSERT_FALSE(each.notes.empty()) << reading.rendered;
+        EXPECT_TRUE(each.notes.back().message.starts_with("in the copy with `i = ")) << reading.rendered;
+    }
+    EXPECT_EQ(reading.diagnostics.all().size(), 6U) << reading.rendered;
+}
+
+TEST(Replication, OfAComponentCannotDependOnAParameter) {
+    const Reading reading = read(
+        "component ring(output AT: bool; N = 3) {\n"
+        "    initial location at[0];\n"
+        "    for i in 1..N { location at[i]; }\n"
+        "    for i in 1..M { location to[i]; }\n"
+        "}\n");
+    EXPECT_EQ(messages_of(reading),
+              (Names{"the range of `i` cannot depend on the parameter `N`, whose value each instance chooses; write a "
+                     "number",
+                     "the range of `i` must be constant; remove the variables"}))
+        << reading.rendered;
+}
+
+TEST(Replication, ReportsAConstantBelowItsUseForEachElement) {
+    const Reading reading = read(in_loop(driven + "constant T[1] = 1;\nconstant A = T[2];\nconstant T[2] = 2;\n"
+                                                  "constant B = T[2];\nconstant C = T[3];\n"));
+    EXPECT_EQ(messages_of(reading), (Names{"`T[2]` is declared after its use; move its declaration up",
+                                           "`C` must be constant; remove the variables"}))
+        << reading.rendered;
+}
+
+TEST(Replication, OfTermsMayHaveNoValues) {
+    const auto condition = [](const std::string& term) {
+        const Reading reading =
+            read("grafcet g { input A[1]; initial step 0; transition t: 0 -> 0 when " + term + "; }");
+        if (!reading.model) return reading.diagnostics.all()[0].message;
+        const Chart& chart = *reading.model->charts.begin();
+        const Expr& node = chart.exprs[chart.transitions.begin()->condition];
+        return std::string(node.op == Op::True ? "true" : node.op == Op::False ? "false" : "a term");
+    };
+    EXPECT_EQ(condition("all(k in 2..1: A[k])"), "true");
+    EXPECT_EQ(condition("any(k in 2..1: A[k])"), "false");
+    EXPECT_EQ(condition("A[1] && any(k in 2..1: A[k])"), "false");
+    EXPECT_EQ(condition("any(k in 1..1: all(n in k + 1..1: A[n]) && A[k])"), "a term");
+    EXPECT_EQ(condition("all(k in 3..1: A[k])"), "the range 3..1 of `k` is empty; write the lower bound first");
+    const Reading list = read(in_loop(driven + "property p: exactly one of {FULL[1], FULL[k] for k in 2..1};\n"));
+    EXPECT_EQ(messages_of(list), (Names{"the range 2..1 of `k` is empty; write the lower bound first"}));
+}
+
+TEST(Replication, RecordsThePositionsOfMembersWithoutIndices) {
+    const std::string text = in_loop(driven + "property p: never head[1].Xs[2];\n");
+    const Reading reading = read(text);
+    ASSERT_TRUE(reading.model) << reading.rendered;
+    const std::size_t at = text.find("Xs[2];");
+    EXPECT_TRUE(std::ranges::any_of(reading.references.references, [&](const References::Reference& each) {
+        return each.where.begin == at && each.where.end == at + 2;
+    }));
 }
 
 }  // namespace

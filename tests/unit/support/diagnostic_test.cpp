@@ -161,12 +161,23 @@ TEST(Diagnostics, StoresABoundedNumberAndCountsAll) {
     EXPECT_TRUE(diagnostics.full());
 }
 
+TEST(Diagnostics, AreFullAfterManyRepetitions) {
+    Diagnostics diagnostics;
+    for (std::size_t i = 0; i < 20 * Diagnostics::limit; ++i) diagnostics.add(error_at(0, 1));
+    EXPECT_EQ(diagnostics.distinct_errors(), 1u);
+    EXPECT_FALSE(diagnostics.full());
+    diagnostics.add(error_at(0, 1));
+    EXPECT_TRUE(diagnostics.full());
+}
+
 TEST(Diagnostics, StoresAnErrorOfSeveralCopiesOnce) {
     Diagnostics diagnostics;
     const auto in_copy = [](const char* values) {
-        Diagnostic note = error_at(5, 6);
-        note.message = values;
-        return note;
+        return [values] {
+            Diagnostic note = error_at(5, 6);
+            note.message = values;
+            return note;
+        };
     };
     diagnostics.add(error_at(0, 1));
     diagnostics.add(error_at(0, 1));
@@ -175,7 +186,7 @@ TEST(Diagnostics, StoresAnErrorOfSeveralCopiesOnce) {
     Diagnostic other = error_at(2, 3);
     other.message = "another one of the same copy";
     diagnostics.add(other);
-    EXPECT_EQ(diagnostics.set_context(in_copy("i = 2"))->message, "i = 1");
+    EXPECT_EQ(diagnostics.set_context(in_copy("i = 2"))().message, "i = 1");
     other.message = "the same one of another copy";
     diagnostics.add(other);
     diagnostics.set_context({});
