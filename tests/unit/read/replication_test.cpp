@@ -219,17 +219,18 @@ TEST(Replication, RejectsAnIndexVariableWithTheNameOfAnElement) {
         "grafcet g {\n    input A;\n    partial head { initial step 0; transition t0: 0 -> 0 when A; }\n";
     for (const char* name : {"g", "head", "A"}) {
         SCOPED_TRACE(name);
-        const Reading loop = read(chart + "}\nclosed_loop l { controller g; plant P = free(OUT = A); for " + name +
-                                  fmt::format(" in 1..2 {{ property p[{}]: no deadlock; }} }}\n", name));
-        const Reading own = read(chart + "for " + name + fmt::format(" in 1..2 {{ input B[{}]; }} }}\n", name));
+        const Reading loop = read(source + chart + "}\nclosed_loop l { controller g; plant P = source(OUT = A); for " +
+                                  name + fmt::format(" in 1..2 {{ property p[{}]: no deadlock; }} }}\n", name));
+        const Reading own =
+            read(source + chart + "for " + name + fmt::format(" in 1..2 {{ input B[{}]; }} }}\n", name));
         for (const Reading* reading : {&loop, &own})
             EXPECT_EQ(messages_of(*reading),
                       (Names{fmt::format(
                           "the index variable `{}` has the name of another declaration; rename one of them", name)}))
                 << reading->rendered;
     }
-    const Reading owner = read(chart +
-                               "}\nclosed_loop l { controller g; plant P = free(OUT = A);\n"
+    const Reading owner = read(source + chart +
+                               "}\nclosed_loop l { controller g; plant P = source(OUT = A);\n"
                                "for head in 1..2 { property p[head]: never head.X0; } }\n");
     EXPECT_EQ(owner.diagnostics.errors(), 2U) << owner.rendered;  // once per copy
 }
