@@ -187,7 +187,7 @@ enum class PartialKind { Partial, Expansion };
 struct Partial {
     PartialKind kind = PartialKind::Partial;
     Name name = {};
-    std::vector<ChartItem> items = {};
+    std::vector<ChartItem> items;  // without an initializer, because ReplicatedChartItems is incomplete here
     Span where = {};
 };
 
