@@ -271,7 +271,7 @@ private:
     }
     template <class... Alternatives>
     void part(std::variant<Alternatives...>& either) {
-        std::visit([this](auto& written) { part(written); }, either);
+        std::visit([this](auto& written) { this->part(written); }, either);
     }
     void part(std::optional<tree::Range>& range) {
         if (range) parts(range->low, range->high);
