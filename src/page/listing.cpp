@@ -217,7 +217,7 @@ private:
         for (const Id<Program::Node> operand : node.operands) add_reads(operand);
         if (node.op != Program::Op::Read) return;
         std::string variable = name(node.place);
-        if (variable.find(' ') == std::string::npos)  // otherwise, the source does not contain the variable
+        if (!is_generated_name(variable))
             listing_.of_nodes[id.index] = item(Role::Read, std::move(variable), node.type);
     }
 

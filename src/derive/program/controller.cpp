@@ -79,12 +79,12 @@ private:
     }
 
     /// Hides variables from results that a program cannot read: those of timers, of which the elapsed times change in
-    /// every scan, and those of charts, whose names contain a space.
+    /// every scan, and those of charts, whose names are generated.
     void hide(const std::vector<Id<Equations::Variable>>& observed) {
         std::vector<std::size_t> cells;
         for (const ProgramTimer& timer : scan_.layout.timers) cells.insert(cells.end(), {timer.running, timer.elapsed});
         for (std::size_t i = 0; i < scan_.layout.cells.size(); ++i)
-            if (scan_.layout.cells[i].name.find(' ') != std::string::npos) cells.push_back(i);
+            if (is_generated_name(scan_.layout.cells[i].name)) cells.push_back(i);
         for (const std::size_t cell : cells) {
             const Id<Equations::Variable> id = scan_.variables[cell];
             const bool has_equation =

@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grafverif/ir/type.hpp"
@@ -213,6 +214,10 @@ struct Program {
 enum class ProgramFault : std::uint8_t { DivisionByZero, ArrayBounds, Range, Chart };
 
 /// A cell of the program. Cells are ordered by address: first the cells of `globals`, then the cells of `main`.
+/// True if the reader created the name, for example of a timer of an action. Such a name contains a space; a name in a
+/// source cannot.
+inline bool is_generated_name(std::string_view name) { return name.find(' ') != std::string_view::npos; }
+
 struct ProgramCell {
     std::string name = {};  ///< name such as `Motor` or `T1.Q`
     Id<Program::Type> type = {};

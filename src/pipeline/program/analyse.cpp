@@ -31,8 +31,6 @@ using StatementKind = Program::Statement::Kind;
 /// are deep.
 constexpr std::size_t most_accesses = 1000;
 
-bool is_hidden(const std::string& name) { return name.find(' ') != std::string::npos; }
-
 /// Queries events, decides all of them together, and then reports the impossible ones. The two passes over the program
 /// are the same function: the first pass only collects the events.
 class ProgramAnalysis {
@@ -196,11 +194,13 @@ private:
             answers_.push_back(outcome == Outcome::Holds      ? Answer::Possible
                                : outcome == Outcome::Violated ? Answer::Impossible
                                                               : Answer::Open);
-            if (outcome != Outcome::Unknown) continue;
-            const std::string& reason = result.verdicts[k].reason;
-            analysis_.obstacle = reason.empty() ? "the engines gave no reason" : reason;
+            if (outcome == Outcome::Unknown) set_obstacle(result.verdicts[k]);
         }
         if (first == 1) add_fault(system, result);
+    }
+
+    void set_obstacle(const Verdict& unknown) {
+        analysis_.obstacle = unknown.reason.empty() ? "the engines gave no reason" : unknown.reason;
     }
 
     /// Adds a run-time fault, with a run that the interpreter has replayed. Other findings concern the scans up to it.
@@ -210,8 +210,7 @@ private:
         analysis_.notes.emplace_back("scans after a run-time fault are not considered");
         if (verdict.outcome == Outcome::Unknown) {
             fault_is_open_ = true;
-            analysis_.obstacle = verdict.reason.empty() ? "the engines gave no reason" : verdict.reason;
-            return;
+            return set_obstacle(verdict);
         }
         const Span origin = program_.units[program_.main].origin;
         if (!result.runs.front()) return report({"no-value", "", "a run-time fault is possible", origin});
@@ -239,12 +238,12 @@ private:
     /// Queries calls of instances, timers and steps. The elements of an instance that is never called are not reported.
     void visit_instances() {
         for (const ProgramInstance& instance : scan_.layout.instances) {
-            if (instance.name.empty() || is_hidden(instance.name) || is_idle(instance.name)) continue;
+            if (instance.name.empty() || is_generated_name(instance.name) || is_idle(instance.name)) continue;
             if (is_step(instance)) {
                 visit_step(instance);
                 continue;
             }
-            if (is_hidden(program_.units[instance.unit].name)) {  // the control of an action of a chart
+            if (is_generated_name(program_.units[instance.unit].name)) {  // the control of an action of a chart
                 idle_.insert(instance.name + ".");
                 continue;
             }
