@@ -24,18 +24,10 @@ public:
         copy_.source = file_.source;
     }
 
-    tree::Chart chart(tree::Chart written) {
+    template <class Declaration>
+    Declaration expanded(Declaration written) {
         part(written.name);
-        written.items = items(written.items);
-        return written;
-    }
-    tree::Component component(tree::Component written) {
-        parts(written.name, written.parameters);
-        written.items = items(written.items);
-        return written;
-    }
-    tree::ClosedLoop loop(tree::ClosedLoop written) {
-        part(written.name);
+        if constexpr (requires { written.parameters; }) part(written.parameters);
         written.items = items(written.items);
         return written;
     }
@@ -97,8 +89,8 @@ private:
         expansion_.indices.try_emplace(std::string(name), index.where);
     }
 
-    /// Returns the range; nothing if it is empty or after an error. Beyond errors, there is one copy instead, whose names
-    /// are recorded.
+    /// Returns the range; nothing if it is empty or after an error. Beyond errors, there is one copy instead, whose
+    /// names are recorded.
     std::optional<Bounds> bounds_of(const tree::Replication& written, Empty empty) {
         const std::string user = "the range of `" + std::string(file_.text(written.index)) + '`';
         const auto low = value_of(written.range.low, user), high = value_of(written.range.high, user);
@@ -336,14 +328,14 @@ private:
 
 }  // namespace
 
-tree::Chart expanded(Expansion& expansion, const tree::Chart& written) { return Copier(expansion).chart(written); }
+tree::Chart expanded(Expansion& expansion, const tree::Chart& written) { return Copier(expansion).expanded(written); }
 
 tree::Component expanded(Expansion& expansion, const tree::Component& written) {
-    return Copier(expansion).component(written);
+    return Copier(expansion).expanded(written);
 }
 
 tree::ClosedLoop expanded(Expansion& expansion, const tree::ClosedLoop& written) {
-    return Copier(expansion).loop(written);
+    return Copier(expansion).expanded(written);
 }
 
 void check_indices(const Expansion& expansion, const std::function<std::optional<Span>(std::string_view)>& declared) {
