@@ -94,7 +94,8 @@ std::string conflict_subject(const Chart& chart, const Equations& equations, con
     for (const Chart::ForcingOrder& order : chart.forcing) {
         if (order.origin.source != conflict.origin.source || order.origin.begin != conflict.origin.begin) continue;
         if (subject.empty()) subject = chart.partial_charts[order.forced].name;
-        // The orders in copies of a step have the same position. The condition states that the step of the order is active.
+        // The orders in copies of a step have the same position. The condition states that the step of the order is
+        // active.
         const std::vector<Id<Expr>> needed = conjuncts(equations.exprs, equations.steps[order.step.index].next);
         const auto is_needed = [&](Id<Expr> term) { return std::ranges::find(active, term) != active.end(); };
         if (std::ranges::all_of(needed, is_needed)) return chart.partial_charts[order.forced].name;

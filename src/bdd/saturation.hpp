@@ -38,7 +38,7 @@ public:
 
 private:
     struct Level {
-        std::uint32_t level = 0;  ///< level of the topmost variable of the clusters in `kinds`
+        std::uint32_t level = 0;  ///< level of the topmost variable of its clusters
         std::vector<const ClusterSteps*> kinds = {};
     };
     struct CacheKey {

@@ -116,7 +116,8 @@ bool is_new(ReadState& reading, std::unordered_map<std::string, Span>& seen, std
     return fresh;
 }
 
-/// True if the names of a declaration are resolved. Beyond errors, this also applies to repeated and broken declarations.
+/// True if the names of a declaration are resolved. Beyond errors, this also applies to repeated and broken
+/// declarations.
 bool is_resolved(const ReadState& reading, bool fresh, bool broken) {
     return reading.record.beyond_errors() || (fresh && !broken);
 }

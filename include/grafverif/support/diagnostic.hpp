@@ -42,8 +42,8 @@ public:
     static constexpr std::size_t limit = 50;
     using Context = std::function<Diagnostic()>;
 
-    /// Adds a diagnostic. An equal diagnostic is counted but not stored again, and neither is a diagnostic with the same
-    /// code and position in another copy of a replicated declaration.
+    /// Adds a diagnostic. An equal diagnostic is counted but not stored again, and neither is a diagnostic with the
+    /// same code and position in another copy of a replicated declaration.
     void add(Diagnostic diagnostic);
     /// Sets the note that is added to the following diagnostics, such as the copy of a replicated declaration, or no
     /// note. `note` is called for each diagnostic. Returns the previous note.
@@ -54,8 +54,8 @@ public:
     /// Number of errors that are not repetitions of stored diagnostics.
     std::size_t distinct_errors() const { return errors_ - repeated_; }
     const std::vector<Diagnostic>& all() const { return stored_; }
-    /// True if at least `limit` distinct errors, or many repetitions, were added. Few further errors, or none, are stored,
-    /// so that the caller may stop early or omit suggestions.
+    /// True if at least `limit` distinct errors, or many repetitions, were added. Few further errors, or none, are
+    /// stored, so that the caller may stop early or omit suggestions.
     bool full() const { return distinct_errors() >= limit || repeated_ >= 20 * limit; }
 
 private:

@@ -33,9 +33,9 @@ std::vector<std::vector<std::size_t>> joint_groups(const std::vector<Abstractabl
 
 /// Returns, for each group, a section of the run that its processes cannot perform jointly. Among all combinations of
 /// levels that exclude the run, the result is a section with the greatest `since`; among equal sections, the levels are
-/// the least precise. An entry is nullopt if no level excludes the run, or if a limit ends the examination of the group:
-/// the time limit, 2^17 states of a single process, or 2^14 states of several processes. If `waits` is true, any time
-/// may pass initially and whenever all PLCs are stable. Variables whose values the run does not contain (Chosen
+/// the least precise. An entry is nullopt if no level excludes the run, or if a limit ends the examination of the
+/// group: the time limit, 2^17 states of a single process, or 2^14 states of several processes. If `waits` is true, any
+/// time may pass initially and whenever all PLCs are stable. Variables whose values the run does not contain (Chosen
 /// instances, flags) may have any value that the processes require. `complete` is the expanded network; its time unit
 /// divides the time unit of the abstract run.
 std::vector<std::optional<SpuriousMoves>> impossible(const Network& complete, const AbstractRun& abstract,

@@ -166,9 +166,9 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
-/// Adds the verdict to the task of its next search, with `levels`. If `levels` are those of `task`, a spurious run may be
-/// due to rounded bounds, so the exact bounds are used. Otherwise, or if the maximum number of searches is reached, a
-/// coarse search is followed by a search in which only autonomous instances are abstracted; other searches are not
+/// Adds the verdict to the task of its next search, with `levels`. If `levels` are those of `task`, a spurious run may
+/// be due to rounded bounds, so the exact bounds are used. Otherwise, or if the maximum number of searches is reached,
+/// a coarse search is followed by a search in which only autonomous instances are abstracted; other searches are not
 /// continued. All `reachable` properties share one next search.
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End end, const Levels& levels,
                                    std::vector<Task>& tasks) const {

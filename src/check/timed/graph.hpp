@@ -142,7 +142,7 @@ public:
     /// True if states may have been omitted. If true, successors may be missing, so that only properties about single
     /// states are decided.
     bool covered = false;
-    std::uint32_t explored = 0;  // number of expanded states; only expanded states have entries in `kinds` and `links`
+    std::uint32_t explored = 0;              // number of expanded states; only these have a kind and links
     std::vector<std::uint32_t> levels = {};  // first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;

@@ -315,8 +315,8 @@ private:
 
     // -- outputs --
 
-    /// Adds the assignments of the outputs. Without outputs, no statement is added, because compilers of Structured Text
-    /// reject an empty `IF`.
+    /// Adds the assignments of the outputs. Without outputs, no statement is added, because compilers of Structured
+    /// Text reject an empty `IF`.
     void write_outputs() {
         std::vector<std::pair<Id<Cell>, Id<Expr>>> values;
         for (const Equations::Output& output : equations_.outputs)

@@ -100,8 +100,8 @@ void put(tree::File& file, std::vector<tree::ChartItem>& items, const std::map<s
                    item);
 }
 
-/// Returns the position of the first transition or continuous action inside `for`. `inside` is true if the items are inside
-/// `for`.
+/// Returns the position of the first transition or continuous action inside `for`. `inside` is true if the items are
+/// inside `for`.
 std::optional<Span> first_replicated(const std::vector<tree::ChartItem>& items, bool inside) {
     std::optional<Span> first;
     for (const tree::ChartItem& item : items) {

@@ -30,8 +30,8 @@ public:
 
     enum class Result { Waits, Ends, Continues };
 
-    /// Returns Waits if the next instant may be later than `known_`, so that more samples are needed, and Ends if there
-    /// is no successor.
+    /// Returns Waits if the next instant may be later than `known_`, so that more samples are needed, and Ends if no
+    /// successor exists.
     Result run() {
         Zone zone = from_.zone;
         now_ = zone.add();

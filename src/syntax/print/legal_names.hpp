@@ -29,8 +29,8 @@ bool is_reserved(Target target, std::string_view name);
 bool is_legal(Target target, std::string_view name);
 
 /// Returns legal identifiers for `names`, which share one scope. No result is in `taken`. Letters of other scripts are
-/// transliterated to ASCII (`Förderer`: `Foerderer`), `FULL[1]` becomes `FULL_1`, other characters that are not allowed in
-/// identifiers become `_`, and a number gets a leading `_`. A reserved or used name gets a trailing `_`, then `_2`,
+/// transliterated to ASCII (`Förderer`: `Foerderer`), `FULL[1]` becomes `FULL_1`, other characters that are not allowed
+/// in identifiers become `_`, and a number gets a leading `_`. A reserved or used name gets a trailing `_`, then `_2`,
 /// `_3`, ... until it is unused (in Structured Text and C immediately `_2`).
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken = {});

@@ -109,7 +109,8 @@ void resolve_items(ChartScope& scope, const tree::Chart& written) {
     resolve_acceptances(scope, written, all);
 }
 
-/// Returns the position of the declaration of a variable, a step variable, a partial chart or the chart; empty if there is none.
+/// Returns the position of the declaration of a variable, a step variable, a partial chart or the chart; empty if there
+/// is none.
 std::optional<Span> declared_name(const ChartScope& scope, std::string_view name) {
     const auto origin_in = [&](const auto& table) {
         const auto found = std::ranges::find(table, name, [](const auto& each) { return std::string_view(each.name); });

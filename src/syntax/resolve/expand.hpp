@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
-// Expansion: replaces replicated declarations and terms by their copies. The result contains neither index variables nor
-// indices: `plant B[i] = ...` in `for i in 1..2` becomes two instances with the names `B[1]` and `B[2]`. Name resolution
-// continues with the result, so that copies obey the same rules as declarations that are written out.
+// SPDX-License-Identifier: MIT Expansion: replaces replicated declarations and terms by their copies. The result
+// contains neither index variables nor indices: `plant B[i] = ...` in `for i in 1..2` becomes two instances with the
+// names `B[1]` and `B[2]`. Name resolution continues with the result, so that copies obey the same rules as
+// declarations that are written out.
 //
 // Copies keep the positions of the original text. Declarations are expanded in the order of the text; a range or an
 // index may read the constants that are declared before it. The cost is linear in the size of the result, which is
@@ -47,8 +47,8 @@ tree::Chart expanded(Expansion& expansion, const tree::Chart& written);
 tree::Component expanded(Expansion& expansion, const tree::Component& written);
 tree::ClosedLoop expanded(Expansion& expansion, const tree::ClosedLoop& written);
 
-/// Calls `resolve` with the declaration, or with its expansion if it contains replications. Does not call it if there is
-/// an error in a range or an index, unless the names beyond errors are recorded.
+/// Calls `resolve` with the declaration, or with its expansion if it contains replications. Does not call it if there
+/// is an error in a range or an index, unless the names beyond errors are recorded.
 template <class Written, class Resolve>
 void resolve_expanded(Expansion& expansion, const Written& written, const Resolve& resolve) {
     if (!written.replicated) return resolve(written);
@@ -67,8 +67,8 @@ Diagnostic duplicate(tree::Name name, std::string_view kind, std::string_view te
 class InCopy {
 public:
     InCopy(Diagnostics& diagnostics, const tree::File& file, tree::Name name);
-    /// `copy` is the number of the copy plus one; 0 if the diagnostics do not concern a copy. Requires that `file` outlives
-    /// the object.
+    /// `copy` is the number of the copy plus one; 0 if the diagnostics do not concern a copy. Requires that `file`
+    /// outlives the object.
     InCopy(Diagnostics& diagnostics, const tree::File& file, std::uint32_t copy);
     InCopy(const InCopy&) = delete;
     InCopy& operator=(const InCopy&) = delete;

@@ -73,14 +73,14 @@ struct LoopScope {
 std::string location_list(const Component& component);
 
 // -- constants.cpp
-/// `announce_constants` is called first, with the declarations before their expansion. `resolve_constants` is called for
-/// each group of constants before all functions that read them.
+/// `announce_constants` is called first, with the declarations before their expansion. `resolve_constants` is called
+/// for each group of constants before all functions that read them.
 void announce_constants(LoopScope& scope, const tree::File& file, const tree::ClosedLoop& written);
 void resolve_constants(LoopScope& scope, const tree::Variables& written);
 /// Reports conflicts of constants with other names, when all names are known.
 void check_constant_names(LoopScope& scope);
-/// Returns the position of the declaration of a shared variable, an internal variable or a step variable; empty if there
-/// is none.
+/// Returns the position of the declaration of a shared variable, an internal variable or a step variable; empty
+/// if the name denotes another element or is undeclared.
 std::optional<Span> variable_named(const LoopScope& scope, std::string_view name);
 /// Returns the value of the constant `name`, which occurs at `where`, as a term, or nothing if there is no such
 /// constant.

@@ -23,9 +23,9 @@
 
 namespace grafverif {
 
-// All functions add the declarations and references of the tree to `record`. They add the number of elements in copies of
-// replicated declarations to `copied`, which is limited (see `largest_expansion`). Beyond errors, charts and components lack
-// their parts with errors instead of being empty.
+// All functions add the declarations and references of the tree to `record`. They add the number of elements in copies
+// of replicated declarations to `copied`, which is limited (see `largest_expansion`). Beyond errors, charts and
+// components lack their parts with errors instead of being empty.
 
 /// Resolves a chart; empty after at least one error. The result also represents constructs that a later stage rejects.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
