@@ -65,7 +65,11 @@ def run(*arguments, code=0, folder=None):
     return done.stdout
 
 
-def eventually(question, seconds=10, what=""):
+# Limit, in seconds, of a wait for the page. It only ends tests that fail, so that it also fits a loaded machine.
+PATIENCE = 40
+
+
+def eventually(question, seconds=PATIENCE, what=""):
     """Returns the first true result of `question`, which is called repeatedly. A call is repeated if the page replaces
     an element during the call."""
     end = time.monotonic() + seconds
@@ -156,10 +160,10 @@ class Page:
     def texts(self, selector):
         return self.script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
 
-    def wait_for(self, selector, seconds=10):
+    def wait_for(self, selector, seconds=PATIENCE):
         return eventually(lambda: self.all(selector), seconds, selector)[0]
 
-    def wait_for_text(self, selector, part, seconds=10):
+    def wait_for_text(self, selector, part, seconds=PATIENCE):
         eventually(lambda: part in (self.text(selector) or ""), seconds, f"`{part}` in {selector}")
 
     def press(self, *keys):

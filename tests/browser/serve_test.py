@@ -2,7 +2,6 @@
 """Tests the page of `serve` in a browser."""
 import re
 import shutil
-import time
 
 import browser
 
@@ -59,26 +58,24 @@ class Serve(browser.Case):
         outputs = {each.split()[0] for each in self.page.texts("#simulation .values .on")}
         self.assertIn("LOCK", outputs)
         self.assertNotIn("LIGHT", outputs)
-        browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
+        browser.eventually(lambda: "as expected" in self.page.text("#status"), what="the verdicts")
         self.page.wait_for("#c0-step-0.active .token")
         self.page.script("scrollTo(0, 0)")
         self.page.screenshot("serve-oven")
 
     def test_the_complete_report_is_one_click_away(self):
         self.serve(LAMP)
-        link = browser.eventually(lambda: self.page.all(".model a"), 30, "the link")[0]
+        link = browser.eventually(lambda: self.page.all(".model a"), what="the link")[0]
         self.page.open(link.get_attribute("href"))
-        self.page.wait_for("#verdicts, #properties, h2", 30)
+        self.page.wait_for("#verdicts, #properties, h2")
         self.assertIn("lamp", self.page.text("body"))
         self.assertGreater(len(self.page.all("svg")), 0)
 
     def test_a_broken_save_shows_its_caret_and_a_mended_one_the_chart_again(self):
         self.serve(LAMP)
         self.assertFalse(self.page.find("#diagnostics-text").is_displayed())
-        began = time.monotonic()
         self.file.write_text(LAMP.replace("when ON;", "when ONN;"))
         browser.eventually(lambda: self.page.find("#diagnostics-text").is_displayed(), what="the diagnostics")
-        self.assertLess(time.monotonic() - began, 5)
         diagnostics = self.page.text("#diagnostics-text")
         self.assertIn("unknown variable", diagnostics)
         self.assertIn("^", diagnostics.splitlines()[2])
@@ -89,7 +86,7 @@ class Serve(browser.Case):
 
     def test_what_is_old_is_called_old(self):
         server = self.serve(LAMP)
-        browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
+        browser.eventually(lambda: "as expected" in self.page.text("#status"), what="the verdicts")
         old = self.page.find("#verdicts .before").is_displayed
         self.assertFalse(old())
         self.file.write_text("grafcet")
@@ -233,7 +230,7 @@ class Serve(browser.Case):
         self.serve(LAMP)
         self.press("ON is false")
         self.wait_for_row("LAMP")
-        browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
+        browser.eventually(lambda: "as expected" in self.page.text("#status"), what="the verdicts")
         for size in browser.SIZES:
             for scheme in browser.SCHEMES:
                 self.page.size(size)
@@ -267,7 +264,7 @@ class Serve(browser.Case):
                    "transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }\n"
                    "closed_loop l { controller lamp with stability_search; environment A = push_button(OUT = ON);\n"
                    "property HOLDS: never X1 && X0; property EXPECTED expected violated: never LAMP; property BAD: never X1; }\n")
-        browser.eventually(lambda: "not as expected" in self.page.text("#status"), 30, "the verdicts")
+        browser.eventually(lambda: "not as expected" in self.page.text("#status"), what="the verdicts")
         names = [words.split()[1] for words in self.page.texts(".property .outcome")]
         self.assertEqual(names[:3], ["BAD", "EXPECTED", "HOLDS"])
         self.assertEqual(self.page.text("#diagnostics-title"), "Warnings")

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Expansion: replaces replicated declarations and terms by their copies. The result
+// SPDX-License-Identifier: MIT
+// Expansion: replaces replicated declarations and terms by their copies. The result
 // contains neither index variables nor indices: `plant B[i] = ...` in `for i in 1..2` becomes two instances with the
 // names `B[1]` and `B[2]`. Name resolution continues with the result, so that copies obey the same rules as
 // declarations that are written out.
