@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Option table: the options of all commands, in the order of --help. Its rows determine which options a command
-// accepts, how they are read, and their help text.
+// Option table: the options of all commands, in the order of --help. Each row determines which commands accept an
+// option, how its value is read, and its help text.
 #include "app/option_table.hpp"
 
 #include <fmt/format.h>
@@ -87,8 +87,8 @@ Option choice(OptionGroup accepts, const char* name, std::vector<Choice<T>> choi
             }};
 }
 
-/// Returns an option for a whole number, which is multiplied by the factor of its suffix. `suffixes` are the accepted
-/// suffixes, starting with the usual one. The value must have one of these suffixes.
+/// Returns an option for a whole number, which is multiplied by the factor of its suffix. The value must have one of
+/// the `suffixes`; an error message suggests the first suffix. An empty list means that no suffix is accepted.
 template <class Place>
 Option number(OptionGroup accepts, const char* name, const char* value, std::vector<Choice<std::uint64_t>> suffixes,
               Place place, const char* help) {
@@ -120,7 +120,8 @@ Option number(OptionGroup accepts, const char* name, const char* value, std::vec
             }};
 }
 
-/// Returns an option for a time in milliseconds, at most a hundred years, because clocks count nanoseconds in 63 bits.
+/// Returns an option for a time in milliseconds. A time above a hundred years is replaced by a hundred years, because
+/// clocks count nanoseconds in 63 bits.
 template <class Place>
 Option time(OptionGroup accepts, const char* name, Place place, const char* help) {
     static constexpr std::uint64_t hundred_years = std::uint64_t{100} * 365 * 24 * 3'600'000;
@@ -143,49 +144,56 @@ std::vector<Option> options_for_models() {
     return {
         text(OptionGroup::Output, "output,o", "FILE", &Options::output, "write to FILE instead of standard output"),
         text(OptionGroup::OutputDirectory, "output,o", "DIR", &Options::output,
-             "write into DIR (default: ./NAME.grafverif, created if missing)"),
+             "write the files into DIR (default: ./NAME.grafverif, which is created if missing)"),
         text(OptionGroup::OutputDirectory, "name", "NAME", &Options::name,
              "name the files NAME.xml, NAME.q, NAME.smv (default: name of the loop)"),
         toggle(OptionGroup::All, "all", &Options::all, "process every closed loop of FILE (`analyse`: every chart)"),
         choice<Target>(OptionGroup::Target, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}},
-                       &Options::target, "write only this target (default: both)"),
-        text(OptionGroup::Loop, "loop", "NAME", &Options::loop, "closed loop to use if the file has several"),
+                       &Options::target, "write only the model for this program (default: both models)"),
+        text(OptionGroup::Loop, "loop", "NAME", &Options::loop,
+             "name of the closed loop to use, if FILE has several closed loops"),
         {OptionGroup::Constants, "set", "NAME=VALUE", "set a constant of the closed loop; repeatable", take_constants,
          true},
-        text(OptionGroup::Chart, "chart", "NAME", &Options::chart, "chart to use if the file has several"),
+        text(OptionGroup::Chart, "chart", "NAME", &Options::chart,
+             "name of the chart to use, if FILE has several charts"),
         choice<ExecutionMode>(OptionGroup::Mode, "mode", {{word(search), search}, {word(every), every}}, &Options::mode,
-                              "execution mode, which determines when outputs are written; overrides the model"),
+                              "execution mode: outputs are written when the situation is stable, or after each "
+                              "evolution; overrides the mode in the model"),
         choice<Grain>(OptionGroup::Grain, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}},
                       &Options::grain,
-                      "phased: the plant can move within a PLC cycle; atomic: it cannot; overrides the model"),
+                      "phased: the plant can move within a PLC cycle; atomic: the plant cannot move within a cycle; "
+                      "overrides the grain in the model"),
         choice<CycleTime>(OptionGroup::Cycle, "cycle", {{"zero", CycleTime::Zero}, {"task", CycleTime::Task}},
-                          &Options::cycle, "cycle time: zero, or the task cycles of the model (default: task)"),
+                          &Options::cycle,
+                          "cycle time of the PLCs: zero, or the task cycles of the model (default: task)"),
         choice<CycleTime>(OptionGroup::CycleBoth, "cycle",
                           {{"zero", CycleTime::Zero}, {"task", CycleTime::Task}, {"both", CycleTime::Both}},
                           &Options::cycle,
-                          "cycle time: zero, the task cycles of the model, or both, with a note on each verdict that "
-                          "differs (default: task)"),
-        choice<PlantApproach>(OptionGroup::Untimed, "plant",
-                              {{"none", PlantApproach::None},
-                               {"constraints", PlantApproach::Constraints},
-                               {"automata", PlantApproach::Automata}},
-                              &Options::plant,
-                              "plant in the untimed model: none, constraints on the inputs, or plant automata "
-                              "(default: none; automata with `--schedule`, `--time`, `--fairness` or a task cycle)"),
+                          "cycle time of the PLCs: zero, or the task cycles of the model; both: check with both cycle "
+                          "times, and add a note to each verdict that differs (default: task)"),
+        choice<PlantApproach>(
+            OptionGroup::Untimed, "plant",
+            {{"none", PlantApproach::None},
+             {"constraints", PlantApproach::Constraints},
+             {"automata", PlantApproach::Automata}},
+            &Options::plant,
+            "plant in the untimed model: none, constraints on the inputs, or plant automata "
+            "(default: automata with `--schedule`, `--time discrete`, `--fairness` or a task cycle; otherwise "
+            "none)"),
         choice<Schedule>(OptionGroup::Untimed, "schedule",
                          {{"interleaved", Schedule::Interleaved},
                           {"synchronous", Schedule::Synchronous},
                           {"sequenced", Schedule::Sequenced}},
                          untimed(&ScheduleOptions::schedule),
-                         "processes that move in one step of a model with plant automata; overrides the model "
-                         "(default: interleaved)"),
+                         "processes that move in one step of an untimed model with plant automata; overrides the "
+                         "schedule in the model (default: interleaved)"),
         choice<TimeModel>(OptionGroup::Untimed, "time",
                           {{"abstract", TimeModel::Abstract}, {"discrete", TimeModel::Discrete}},
                           untimed(&ScheduleOptions::time),
-                          "abstract: a timed edge can be taken at any time; discrete: clocks are bounded counters "
-                          "(default: abstract)"),
+                          "time in the untimed model: abstract: a timed edge can be taken at any time; discrete: "
+                          "clocks are bounded counters (default: abstract)"),
         toggle(OptionGroup::Untimed, "fairness", untimed(&ScheduleOptions::fairness),
-               "assume that every plant movement terminates"),
+               "assume in the untimed model that every plant movement that has started also ends"),
     };
 }
 
@@ -202,7 +210,8 @@ std::vector<Option> options_for_forms() {
                      "output format: ASCII or binary (default: aig for a file with this suffix, otherwise aag)"),
         format(OptionGroup::FormatDiagram, {{"text", F::Text}, {"json", F::Json}, {"dot", F::Dot}, {"svg", F::Svg}},
                form),
-        toggle(OptionGroup::FormatDiagram, "counts", &Options::counts, "print only counts, no tables"),
+        toggle(OptionGroup::FormatDiagram, "counts", &Options::counts,
+               "print only the numbers of locations, states and evolutions, without tables"),
         format(OptionGroup::FormatTest, {{"csv", F::Csv}, {"json", F::Json}, {"st", F::Text}, {"xml", F::Xml}},
                "output format: table, JSON, Structured Text or PLCopen XML (default: csv)"),
         choice<TestCover>(OptionGroup::Cover, "cover",
@@ -210,17 +219,21 @@ std::vector<Option> options_for_forms() {
                            {"evolutions", TestCover::Evolutions},
                            {"locations", TestCover::Locations}},
                           &Options::cover,
-                          "test coverage: every combination of inputs in every state, every evolution once, or every "
-                          "location (default: transitions)"),
+                          "elements that the test covers: every combination of inputs in every state, every evolution "
+                          "once, or every location (default: transitions)"),
         choice<bool>(OptionGroup::Cover, "hold", {{"stable", false}, {"one", true}}, &Options::one_cycle_each,
-                     "cycles per step: two if the situation does not change, or always one (default: stable)"),
-        toggle(OptionGroup::Minimise, "minimise", &Options::minimise, "merge states that cannot be distinguished"),
+                     "PLC cycles of a test step: two if the inputs keep the controller in the reached state, otherwise "
+                     "one; or always one (default: stable)"),
+        toggle(OptionGroup::Minimise, "minimise", &Options::minimise,
+               "merge states that no sequence of inputs can distinguish by the outputs"),
         number(OptionGroup::Limits, "max-states", "N", {}, &Options::max_states,
-               "stop after N locations or states (default: 20000000)"),
+               "stop if the automaton has more than N locations or states (default: 20000000)"),
         choice<Clock>(OptionGroup::Clock, "clock", {{"simulated", Clock::Simulated}, {"real", Clock::Real}},
                       &Options::clock,
-                      "simulated: only `wait` lines advance time; real: time passes as on a PLC (default: simulated)"),
-        format(OptionGroup::FormatXml, {{"xml", F::Xml}, {"text", F::Text}}, "PLCopen XML or text (default: xml)"),
+                      "clock of the controller: simulated: only `wait` lines advance time; real: time passes as on a "
+                      "PLC (default: simulated)"),
+        format(OptionGroup::FormatXml, {{"xml", F::Xml}, {"text", F::Text}},
+               "output format: PLCopen XML or text (default: xml)"),
         text(OptionGroup::Drawing, "situation", "STEPS", &Options::situation,
              "mark these steps as active, for example `3,5` or `G1.3`"),
         number(OptionGroup::Drawing, "columns", "N", {}, &Options::columns,
@@ -230,7 +243,7 @@ std::vector<Option> options_for_forms() {
         number(
             OptionGroup::MaxEvolutions, "max-evolutions", "N", {},
             [](Options & options) -> auto& { return options.st.max_evolutions; },
-            "maximum number of evolutions of a stable cycle (default: 1000)"),
+            "maximum number of evolutions in one PLC cycle, with mode stability-search (default: 1000)"),
         choice<structured_text::Dialect>(
             OptionGroup::StructuredText, "dialect",
             {{"iec", structured_text::Dialect::Iec},
@@ -252,30 +265,31 @@ std::vector<Option> options_for_checks() {
     return {
         list(OptionGroup::Search, "property", "NAME", &Options::properties, "check only this property; repeatable"),
         list(OptionGroup::Questions, "property", "NAME", &Options::properties,
-             "write only this property and its observer, if any; repeatable"),
+             "write only this property, with its observer if it has one; repeatable"),
         list(OptionGroup::Supervision, "property", "NAME", &Options::properties,
              "enforce only this property; repeatable"),
         list(
             OptionGroup::Tuning, "over", "NAME=LOW..HIGH[:STEP]",
             [](Options & options) -> auto& { return options.tune.ranges; },
-            "values of a constant of the closed loop (default step: 1, or 1s for a duration); repeatable"),
+            "decide the properties for these values of a constant of the closed loop (default step: 1, or 1s for a "
+            "duration); repeatable"),
         list(OptionGroup::Tuning, "property", "NAME", &Options::properties, "decide only this property; repeatable"),
         {OptionGroup::Tuning, "jobs", "N", "check N models in parallel (default: one per core)", take_jobs},
         toggle(
             OptionGroup::Tuning, "every-point", [](Options & options) -> auto& { return options.tune.every_point; },
-            "check the model of every point, without conclusions from one point about others"),
+            "check the model of every combination of values separately, without reusing verdicts or traces"),
         number(
             OptionGroup::Faults, "order", "N", {}, [](Options & options) -> auto& { return options.faults.order; },
-            "maximum number of faults of a combination (default: 1)"),
+            "maximum number of faults in a combination (default: 1)"),
         list(OptionGroup::Faults, "property", "NAME", &Options::properties, "decide only this property; repeatable"),
         text(OptionGroup::Faults, "openpsa", "FILE", &Options::open_psa,
              "write the minimal combinations as a fault tree to FILE (Open-PSA Model Exchange Format)"),
         {OptionGroup::Faults, "jobs", "N", "check N models in parallel (default: one per core)", take_jobs},
         text(OptionGroup::Supervision, "marked", "TERM", &Options::marked,
-             "condition that must remain reachable (default: the initial situation)"),
+             "condition that must remain reachable with the synthesized conditions (default: the initial situation)"),
         choice<Held>(OptionGroup::Supervision, "conditions",
                      {{"both", Held::Both}, {"transitions", Held::Transitions}, {"outputs", Held::Outputs}},
-                     &Options::held, "elements to which conditions are added (default: both)"),
+                     &Options::held, "elements of the charts to which conditions are added (default: both)"),
         choice<Engine>(OptionGroup::Search, "engine",
                        {{"auto", Engine::Auto},
                         {"timed", Engine::Timed},
@@ -287,16 +301,18 @@ std::vector<Option> options_for_checks() {
                         {"NuSMV", Engine::Nusmv},
                         {"nuXmv", Engine::Nuxmv}},
                        &Options::engine,
-                       "engine (default: auto, which is timed, or symbolic for untimed models; localization, pdr and "
-                       "bmc join symbolic after about a second)"),
+                       "engine (default: auto, which selects timed for a timed model; for an untimed model, it selects "
+                       "symbolic, and runs localization, pdr and bmc in parallel after about one second)"),
         command(OptionGroup::Search, "engine-command", "CMD", &Options::engine_command,
                 "check with an external AIGER model checker: the shell runs CMD FILE.aig"),
-        toggle(OptionGroup::Search, "untimed", &Options::check_untimed, "check the untimed model (see `--engine`)"),
+        toggle(OptionGroup::Search, "untimed", &Options::check_untimed,
+               "check the untimed model instead of the timed model"),
         renamed(
             "whole",
             toggle(OptionGroup::Search, "monolithic", &Options::whole,
-                   "explore the complete loop for every property, without sub-loops (independent subsystems), cells "
-                   "(localization), input abstraction and covering")),
+                   "explore the complete loop for every property: do not use sub-loops (independent subsystems), cells "
+                   "(localization), input abstraction and covering (omission of states that a stored state "
+                   "simulates)")),
         {OptionGroup::Search, "jobs", "N", "number of threads (default: one per core; two at most for untimed models)",
          take_jobs},
         number(OptionGroup::Search, "max-states", "N", {}, &Options::max_states,
@@ -306,8 +322,8 @@ std::vector<Option> options_for_checks() {
         toggle(OptionGroup::Stats, "stats", &Options::stats,
                "print the components and clocks that contribute most states (timed engine)"),
         text(OptionGroup::Verdicts, "properties", "FILE", &Options::property_file,
-             "check FILE operands as PLC programs (Structured Text, PLCopen XML), with the properties of this YAML "
-             "file"),
+             "check each FILE operand as a PLC program (Structured Text, PLCopen XML) against the properties in this "
+             "YAML file"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,
                "print the elements that each proof depends on (timed engine)"),
         text(OptionGroup::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
@@ -316,9 +332,9 @@ std::vector<Option> options_for_checks() {
         {OptionGroup::Verdicts, "json-lines", "", "print one line of JSON per verdict",
          [](const auto&, Options& options) { return options.format = Format::JsonLines, std::string(); }},
         toggle(OptionGroup::Verdicts, "list", &Options::list,
-               "list file, loop and property of each check without running it (tab-separated)"),
+               "run no check; list the file, loop and property of each check, separated by tabs"),
         text(OptionGroup::Sequence, "sequence", "FILE", &Options::sequence,
-             "test sequence of the chart, as CSV (default: `test` generates one)"),
+             "read the test sequence of the chart from the CSV table FILE; without it, `test` generates a sequence"),
         command(OptionGroup::Bench, "against", "PROGRAM", &Options::against,
                 "shell command that starts the controller under test"),
         toggle(OptionGroup::Bench, "stop-on-failure", &Options::stop_on_failure,
@@ -346,14 +362,16 @@ std::vector<Option> options_for_checks() {
             "number of the last event in the timing diagram (default: last event of the trace)"),
         text(OptionGroup::Compare, "other-chart", "NAME", &Options::other_chart,
              "chart of OTHER (default: the name given by --chart)"),
-        renamed("each-mode", toggle(OptionGroup::Compare, "all-modes", &Options::all_modes, "compare in each mode")),
+        renamed("each-mode",
+                toggle(OptionGroup::Compare, "all-modes", &Options::all_modes, "compare in each execution mode")),
         text(OptionGroup::Compare, "from-situation", "STEPS", &Options::from_situation,
-             "start with these steps active, for example `3,5`, or `3,5:W3,W5` if chart b uses other names"),
+             "start with these steps active, for example `3,5`, or `3,5:W3,W5` if the steps of the chart of OTHER have "
+             "other names"),
         time(OptionGroup::Compare, "resolution", &Options::resolution_ms,
              "assume that scans occur at multiples of TIME"),
         choice<bool>(OptionGroup::Compare, "compare", {{"scans", false}, {"settled", true}}, &Options::settled,
-                     "compare the outputs of programs after each scan, or after they have settled with constant inputs "
-                     "(default: scans)"),
+                     "compare the outputs of programs after each scan, or after repeated scans with constant inputs "
+                     "until no variable changes (default: scans)"),
         list(OptionGroup::Compare, "map", "NAME=NAME", &Options::renamings,
              "the first NAME, an input or output of FILE, corresponds to the second NAME in OTHER; repeatable"),
         list(OptionGroup::Compare, "ignore", "NAME", &Options::ignored_outputs,
@@ -372,17 +390,19 @@ std::vector<Option> options_for_checks() {
              "the column COLUMN of the log contains the input or output NAME; repeatable"),
         number(OptionGroup::Mutants, "limit", "N", {}, &Options::limit, "check at most N mutants (default: all)"),
         number(OptionGroup::Mutants, "seed", "SEED", {}, &Options::seed,
-               "seed for the selection by --limit (default: 1)"),
+               "seed for the random selection of the mutants by --limit (default: 1)"),
         renamed("each", time(OptionGroup::Mutants, "mutant-timeout", &Options::mutant_timeout_ms,
                              "time limit for each mutant (default: 60s)")),
         {OptionGroup::Mutants, "jobs", "N", "check N mutants in parallel (default: one per core)", take_jobs},
-        text(OptionGroup::Mutants, "state", "FILE", &Options::state_file, "store results in FILE, and resume from it"),
-        text(OptionGroup::Mutants, "survivors", "DIR", &Options::survivors, "write surviving mutants into DIR"),
+        text(OptionGroup::Mutants, "state", "FILE", &Options::state_file,
+             "store the results in FILE, and continue a stopped run from FILE"),
+        text(OptionGroup::Mutants, "survivors", "DIR", &Options::survivors,
+             "write the mutants that no property detects into DIR"),
         text(OptionGroup::Walk, "script", "FILE", &Options::script,
              "read commands from FILE instead of standard input"),
         text(OptionGroup::Walk, "junit", "FILE", &Options::junit,
              "write the expectations of the script as a JUnit report to FILE"),
-        number(OptionGroup::Walk, "random", "SEED", {}, &Options::random_seed, "random walk with this seed"),
+        number(OptionGroup::Walk, "random", "SEED", {}, &Options::random_seed, "execute a random walk with this seed"),
         number(OptionGroup::Walk, "steps", "N", {}, &Options::steps,
                "number of moves of the random walk (default: 100)"),
         number(OptionGroup::Serve, "port", "N", {}, &Options::port, "listen on port N (default: any free port)"),
@@ -392,12 +412,13 @@ std::vector<Option> options_for_checks() {
         time(OptionGroup::Lsp, "timeout", &Options::response_timeout_ms,
              "time limit for each check, for example 90s or 5min"),
         time(OptionGroup::Mcp, "timeout", &Options::response_timeout_ms,
-             "largest time limit that a call can request (default: 10min)"),
+             "largest time limit that a call of a tool can request (default: 10min)"),
         toggle(OptionGroup::Lsp, "stdio", &Options::stdio,
-               "communicate over standard input and output (always enabled)"),
+               "communicate over standard input and output (without this option, too)"),
         list(OptionGroup::Lsp, "include,I", "DIR", &Options::include_folders,
              "allow included files in DIR, and search for them there; repeatable"),
-        toggle(OptionGroup::Verbose, "verbose,v", &Options::verbose, "include internal steps, witnesses and timing"),
+        toggle(OptionGroup::Verbose, "verbose,v", &Options::verbose,
+               "also print internal steps, witnesses and the duration of the check"),
     };
 }
 
@@ -412,11 +433,11 @@ std::vector<Option> options_for_all() {
         list(OptionGroup::Within, "within", "DIR", &Options::within,
              "read FILE and included files only below DIR, with symbolic links resolved; repeatable"),
         toggle(OptionGroup::File, "lossy", &Options::lossy,
-               "omit elements of another format that cannot be imported, with a warning"),
+               "omit elements that cannot be imported from another format, and print a warning for each"),
         renamed("create",
                 toggle(OptionGroup::Writes, "create-dirs", &Options::create, "create missing output directories")),
         text(OptionGroup::Writes, "depfile", "FILE", &Options::depfile,
-             "write a depfile to FILE, which lists the input files (including included files) of each output"),
+             "write to FILE a depfile: a list of the input files of each output, for a build system"),
         renamed("depfile-form",
                 choice<DepfileReader>(
                     OptionGroup::Writes, "depfile-format",
@@ -426,8 +447,8 @@ std::vector<Option> options_for_all() {
              "target name in the depfile (default: the output names as passed)"),
         number(OptionGroup::Always, "max-memory", "SIZE", {{"M", mega}, {"K", mega >> 10U}, {"G", mega << 10U}},
                &Options::max_memory,
-               "stop if memory exceeds SIZE, for example 500M or 2G (default: 4G for states, 2G for decision diagrams, "
-               "at most the memory of the machine)"),
+               "stop if the memory of this process exceeds SIZE, for example 500M or 2G (default: 4G for states, 2G "
+               "for decision diagrams, at most the memory of the machine)"),
         time(OptionGroup::Timeout, "timeout", &Options::timeout_ms, "stop after TIME, for example 90s or 5min"),
         choice<DiagnosticFormat>(
             OptionGroup::Always, "diagnostics", {{"text", DiagnosticFormat::Text}, {"json", DiagnosticFormat::Json}},
@@ -438,7 +459,8 @@ std::vector<Option> options_for_all() {
             &Options::colour,
             "colour of verdicts, errors and warnings (default: auto, which uses colour on a terminal)"),
         toggle(OptionGroup::Always, "quiet,q", &Options::quiet,
-               "print no warnings and no list of files; `check` prints failures only"),
+               "print neither warnings nor the list of written files; `check` prints only unexpected and unknown "
+               "verdicts"),
         toggle(OptionGroup::Always, "help,h", &Options::help, "show this help"),
         renamed("without", {OptionGroup::Ablations, "ablate", "CORRECTION", "", disable_corrections, true}),
         list(OptionGroup::Always, "operand", "", &Options::operands, ""),
