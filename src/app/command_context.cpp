@@ -84,8 +84,8 @@ std::optional<Model> read_model(Id<Source> file, const std::string& path, Comman
 
 namespace {
 
-/// Returns the element with the name `wanted`; without a name, the only element of the table. If there is no such
-/// element, adds an error that lists the candidates.
+/// Returns the element with the name `wanted`. If `wanted` is empty, returns the only element of the table. Adds an
+/// error that lists all elements if no element has this name, or if no name is given and the choice is ambiguous.
 template <class T>
 std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::string>& wanted, std::string_view kind,
                             std::string_view option, CommandContext& job) {
@@ -100,8 +100,8 @@ std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::stri
     return {};
 }
 
-/// True if the loop declares every constant that `--set` names. With `--all`, each constant must exist in at least one
-/// loop, which read_text checks.
+/// True if the loop declares every constant that `--set` names. With `--all`, the result is always true: read_text
+/// checks that each constant exists in at least one loop.
 bool has_constants_set(const ClosedLoop& loop, CommandContext& job) {
     if (job.options.all) return true;
     std::vector<std::string> known;
@@ -114,7 +114,7 @@ bool has_constants_set(const ClosedLoop& loop, CommandContext& job) {
     return true;
 }
 
-/// Reports programs with timers if `--cycle` requests cycle time zero for their controllers.
+/// Reports each PLC program that has timers, if `--cycle` requests cycle time zero. Returns false after an error.
 bool has_cycles_required(const Model& model, const ClosedLoop& loop, CommandContext& job) {
     if (job.options.cycle == CycleTime::Task) return true;
     const std::size_t errors = job.diagnostics.errors();

@@ -36,7 +36,7 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Comman
                                                   : check(loop, options);
 }
 
-/// Decides the properties of a transition system with the selected engine; the default is the portfolio.
+/// Decides the properties of a transition system with the selected engine; the default is the portfolio engine.
 std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options) {
     switch (job.options.engine) {
     case Engine::Embedded:
@@ -101,7 +101,7 @@ bool keep_requested(const std::vector<std::string>& requested, Report& report, D
     return true;
 }
 
-/// Tries remedies (other options) if a limit ended the check of a loop.
+/// If a limit ended the check of a loop, checks the open properties with other options (remedies).
 void try_remedies(const Model& model, CommandContext& job, const ResourceLimits& bounds, CheckOptions options,
                   Deadline end, Decided& decided) {
     if (!decided.loop.valid() || bounds.interrupted() || !job.options.disabled_corrections.empty()) return;
@@ -111,10 +111,11 @@ void try_remedies(const Model& model, CommandContext& job, const ResourceLimits&
                             job.options.engine == Engine::Timed;
     const LimitedCheck check{model, decided.loop, how, decided.timed, by_default, options};
     decided.trials = tried_remedies(check, decided.report, end);
-    keep_memory_back();  // a trial may have used the reserve
+    keep_memory_back();  // a check with other options may have used the reserved memory
 }
 
-/// Reports controllers that are PLC programs, because `--why` removes transitions, actions and terms of charts.
+/// Reports each controller that is a PLC program: `--why` removes transitions, actions and terms, which only charts
+/// have. Returns false after an error.
 bool consists_of_charts(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
     for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
         if (model.charts[controller.chart].program)
@@ -145,7 +146,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     const auto begin = std::chrono::steady_clock::now();
     const auto reserved = trial_time(of_chart ? Deadline{} : deadline);
     if (deadline) options.limits.deadline = *deadline - reserved;
-    // With --why, half of the time limit is reserved for the dependencies of the proofs.
+    // With --why, half of the time limit is reserved for finding the elements on which the proofs depend.
     CheckOptions of_check = options;
     if (job.options.why) of_check.limits.deadline = share_of(options.limits.deadline, 2);
     Decided decided;

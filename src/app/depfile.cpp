@@ -12,9 +12,9 @@ namespace grafverif::app {
 
 namespace {
 
-/// Rules by which a reader of depfiles parses file names. A backslash must escape the characters in `escaped`.
-/// Backslashes before the characters in `doubling` must be doubled. A name cannot contain, begin with, or end with the
-/// characters in `never`, `never_first` and `never_last`.
+/// Rules by which a reader of depfiles parses file names. A backslash must precede each character in `escaped`. Each
+/// backslash before a character in `doubling` must be doubled. A name cannot contain a character in `never`, begin with
+/// a character in `never_first`, or end with a character in `never_last`.
 struct Rules {
     std::string_view escaped, doubling, never, never_first, never_last;
 };
@@ -22,8 +22,8 @@ struct Rules {
 constexpr Rules rules_of(DepfileSide side, DepfileReader reader) {
     const bool result = side == DepfileSide::Result;
     switch (reader) {
-    // These rules also exclude or escape the characters of patterns, order-only prerequisites, wildcards (Make keeps a
-    // backslash before a wildcard), grouped targets and archives.
+    // These rules also exclude or escape the characters by which Make denotes patterns, order-only prerequisites,
+    // wildcards, grouped targets and archives. Make keeps a backslash before a wildcard.
     case DepfileReader::Make:
         return result ? Rules{" #:%", " #:%", "*?[\t;=", "~", "&)"} : Rules{" \t#:|", " \t#:|", "*?[;=", "~", " \t\\)"};
     case DepfileReader::Ninja: return {" #:", " ", "\t\"&'*;<>?^`|", "", ":\\"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// External programs that read AIGER and that `check` runs: ABC from the PATH, and a program that the user names.
+// Runs an external model checker that reads AIGER: ABC from the PATH, or the command given by `--engine-command`.
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -27,7 +27,7 @@ constexpr const char *model_file = "model.aig", *witness_file = "witness", *inva
     throw Undecided{UnknownReason::Disagrees, std::string(word(UnknownReason::Disagrees)) + ": " + why};
 }
 
-/// A query to an external program, in a separate temporary folder.
+/// One call of an external program, with its files in a separate temporary folder.
 class HwmccQuery {
 public:
     HwmccQuery(const Circuit& circuit, Gates::Literal bad, const pdr::LimitMonitor& watch,
@@ -64,7 +64,8 @@ private:
     TemporaryFolder folder_ = TemporaryFolder();
 };
 
-/// Runs ABC: `bmc3` searches short counterexamples for a tenth of the remaining time; then `pdr` decides.
+/// Runs ABC: `bmc3` searches for short counterexamples during a tenth of the remaining time; then `pdr` decides the
+/// property.
 pdr::PdrAnswer query_abc(const std::string& program, const HwmccQuery& question) {
     using Seconds = std::chrono::duration<double>;
     const auto deadline = question.watch().deadline();

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 struct Listed {
     std::string model = {};
     bool is_loop = true;
-    Property property = {};  ///< an empty name denotes the complete model
+    Property property = {};  ///< without a name, the entry denotes the check of the complete model
 };
 
 /// Returns the selected properties of the loop, or nothing after an error.

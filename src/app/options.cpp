@@ -73,10 +73,11 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
     // True if the engine can check timed and untimed models.
     const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
-        return "`--stats` is supported only by the embedded timed engine; remove `--stats` or the other option";
+        return "`--stats` is supported only by the embedded timed engine; remove `--stats`, or the options that select "
+               "another engine or the untimed model";
     if (options.why && (options.check_untimed || !(open || options.engine == Engine::Timed)))
-        return "`--why` is supported only by the embedded timed engine for closed loops; remove `--why` or the other "
-               "option";
+        return "`--why` is supported only by the embedded timed engine for closed loops; remove `--why`, or the "
+               "options that select another engine or the untimed model";
     if (options.why && (options.format == Format::JsonLines || !options.disabled_corrections.empty()))
         return "`--why` is supported only in text and `--format json`, without `--ablate`; remove one of these "
                "options";
@@ -84,8 +85,8 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
     return {};
 }
 
-/// Checks that the value of an option that runs a command is a separate argument. Returns an error message otherwise.
-/// Shell patterns expand operands to names of files, and such a name must not run a command.
+/// Returns an error message if an option that runs a command is given as `--OPTION=COMMAND`. A shell pattern can expand
+/// to a file with such a name, and the name of a file must not run a command.
 std::string adjacent_command(const std::vector<po::option>& given, const std::vector<Option>& known) {
     for (const po::option& one : given)
         for (const Option& option : known)

@@ -47,8 +47,9 @@ bool is_no_input(const std::string& path, CommandContext& job) {
     return true;
 }
 
-/// Returns the format that the extension of `path` names, if it is a picture or document format that the command does
-/// not write: only `report` writes HTML, and it does not write SVG. The result is empty for any other extension.
+/// Returns the extension of `path` if it denotes a picture or document format that the command does not write;
+/// otherwise an empty string. `drawing` is true for `draw`, which writes SVG but not HTML; `page` is true for `report`,
+/// writes HTML but not SVG.
 std::string foreign_format(const std::filesystem::path& path, bool drawing, bool page) {
     constexpr std::array<std::string_view, 13> never = {"png",  "jpg", "jpeg", "gif", "webp", "bmp", "tif",
                                                         "tiff", "pdf", "ps",   "eps", "emf",  "docx"};
@@ -68,7 +69,7 @@ struct OutputStream {
     bool terminal = false;
 };
 
-/// Returns the output stream that `path` names; a null stream represents a file.
+/// Returns the output stream that `path` names. The stream is null if `path` names a file.
 OutputStream outlet_of(const std::filesystem::path& path, const Streams& streams) {
     if (names_output(path.string()))
         return streams.documents != nullptr ? OutputStream{streams.documents, streams.documents_screen.terminal}

@@ -85,8 +85,8 @@ void print_overview(std::ostream& out) {
            "FILE can be `-` for standard input, and an output can be `-` for standard output. Outputs are written "
            "completely or "
            "not at all.\n"
-           "Exit codes: 0 as expected; 1 unexpected verdict; 2 invalid input or usage; 3 unknown verdict, or stopped; "
-           "4 internal error.\n";
+           "Exit codes: 0 success, all verdicts as expected; 1 unexpected verdict or model error; 2 invalid input or "
+           "usage; 3 unknown verdict, or stopped by a limit or a signal; 4 internal error.\n";
 }
 
 ExitCode usage_error(const Streams& streams, const std::string& error_text, const std::string& help) {
@@ -132,7 +132,7 @@ bool about_bounds(const Diagnostic& diagnostic) {
            diagnostic.code == "bound-reached";
 }
 
-/// Combines the exit code of the command with that of its errors.
+/// Combines the exit code of the command with the exit code that follows from its errors.
 ExitCode exit_code(const CommandContext& job, ExitCode code) {
     if (!job.diagnostics.has_errors() || code == ExitCode::Failure) return code;
     const bool only_bounds = std::ranges::all_of(job.diagnostics.all(), [](const Diagnostic& diagnostic) {

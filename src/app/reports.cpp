@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if `text` ends in the same way as the findings of `analyse`: `press: 1 error, 2 notes`.
+/// True if the last line of `text` has the form of the last line of `analyse`, such as `press: 1 error, 2 notes`.
 bool ends_in_tally(std::string_view text) {
     if (!text.ends_with('\n')) return false;
     text.remove_suffix(1);

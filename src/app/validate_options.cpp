@@ -80,9 +80,11 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
                           (options.output && !accepts(verb, OptionGroup::OutputDirectory));
     if (several && one_form && !options.list && !accepts(verb, OptionGroup::OutputDirectory))
-        return fmt::format("{} the results of one file and one loop only; for several, use `--junit`, `--sarif`{}",
-                           options.format == Format::Json ? "JSON output contains" : "the output contains",
-                           accepts(verb, OptionGroup::Verdicts) ? " or `--json-lines`" : "");
+        return fmt::format(
+            "{} the results of one file and one loop only; for several files or loops, use `--junit`, "
+            "`--sarif`{}",
+            options.format == Format::Json ? "JSON output contains" : "the output contains",
+            accepts(verb, OptionGroup::Verdicts) ? " or `--json-lines`" : "");
     if (several && accepts(verb, OptionGroup::InPlace) && !options.in_place && !options.check)
         return "several FILEs require `--check` or `--in-place`; add one of them";
     if (options.list && (options.junit || options.sarif || options.trace_vcd || options.trace_svg))
