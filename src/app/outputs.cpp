@@ -48,8 +48,8 @@ bool is_no_input(const std::string& path, CommandContext& job) {
 }
 
 /// Returns the extension of `path` if it denotes a picture or document format that the command does not write;
-/// otherwise an empty string. `drawing` is true for `draw`, which writes SVG but not HTML; `page` is true for `report`,
-/// writes HTML but not SVG.
+/// otherwise an empty string. `drawing` is true for `draw`, which writes SVG but not HTML. `page` is true for `report`,
+/// which writes HTML but not SVG.
 std::string foreign_format(const std::filesystem::path& path, bool drawing, bool page) {
     constexpr std::array<std::string_view, 13> never = {"png",  "jpg", "jpeg", "gif", "webp", "bmp", "tif",
                                                         "tiff", "pdf", "ps",   "eps", "emf",  "docx"};
