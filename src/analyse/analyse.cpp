@@ -40,12 +40,13 @@ void add_structural(const Chart& chart, const Equations& equations, Analysis& re
         Finding made{"forcing-cycle", Finding::Level::Error, partial(cycle.front()),
                      path + ": forcing orders must not form a cycle", chart.forcing[cycle.front()].origin};
         for (std::size_t k = 1; k < cycle.size(); ++k)
-            made.related.push_back({chart.forcing[cycle[k]].origin, "the next order is here"});
+            made.related.push_back({chart.forcing[cycle[k]].origin, "the next forcing order of the cycle is here"});
         result.findings.push_back(std::move(made));
     }
 }
 
-/// True if a finding with this code describes an evolution that ends the run.
+/// True if findings with this code describe a model error, which aborts the run: a race, conflicting forcing orders, or
+/// a value that is undefined or out of range.
 bool is_break(std::string_view code) {
     return code == "action-race" || code == "out-of-range" || code == "no-value" || code == "forced-twice";
 }
@@ -55,10 +56,11 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
     return memory_limit_reached(options.max_memory);
 }
 
-/// The maximum work on a part if only queries about absorbing regions are open, in multiples of the first slice.
+/// The maximum work on one cone while only queries about absorbing regions are open, in multiples of the first slice.
 constexpr std::uint64_t most_for_paths = 16;
 
-/// Schedules the parts of a chart. The parts are searched alternately until no query is open or no part can continue.
+/// Schedules the searches of the cones ("parts") of a chart. The searches continue alternately, each with a limited
+/// slice of work, until no query is open or no search can continue.
 class ConeSchedule {
 public:
     ConeSchedule(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
@@ -77,7 +79,7 @@ public:
     void run() {
         for (auto slice = options_.first_slice; questions_.any_open() && continue_searches(slice); slice *= 4)
             if (slice >= most_for_paths * options_.first_slice && questions_.only_traps_open()) {
-                obstacle_ = "the search for paths back exceeds its budget";
+                obstacle_ = "the search for absorbing regions exceeds its budget";
                 break;
             }
         result_.questions = questions_.all().size();
@@ -124,8 +126,9 @@ private:
         return any && !stopped_;
     }
 
-    /// Decides further queries after all parts are complete, if the parts together contain the complete chart. In this
-    /// case, an instant that never ends in the chart also never ends in at least one of the parts.
+    /// Decides further queries if the searches of all proper cones are complete and these cones together contain the
+    /// complete chart. In this case, if an instant of the chart never ends, then it also never ends in at least one of
+    /// these cones.
     void add_up() {
         for (const ConeSearch& part : parts_)
             if (!whole(part) && (!part.complete || part.doubtful)) return;
@@ -160,9 +163,9 @@ private:
                                    [](const Query& question) { return !question.decided && is_break(question.code); });
     }
 
-    /// Continues the search of part `k`. Under stability search, the search starts with a less expensive
-    /// over-approximation, in which inputs change before every evolution. An event that does not occur in the
-    /// over-approximation never occurs.
+    /// Continues the search of part `k`. Under stability search, a less expensive over-approximation is searched first,
+    /// in which inputs may change before every evolution. An event that does not occur in the over-approximation never
+    /// occurs in the chart.
     void continue_search(std::size_t k, std::uint64_t slice) {
         ConeSearch& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
@@ -173,7 +176,7 @@ private:
         spend(part, slice, [&](BddSpace& space) { look_at(k, space); });
     }
 
-    /// Runs `look`; returns true if it ran to completion.
+    /// Runs `look` with at most `slice` units of work. Returns true if `look` was completed.
     template <class Look>
     bool spend(ConeSearch& part, std::uint64_t slice, const Look& look) {
         if (is_over()) {
@@ -226,8 +229,9 @@ private:
         if (is_contradictory(machine)) return;
         PathSearch search(machine, options_.mode);
         ChartAnalyzer analyzer(chart_, equations_, options_, machine, search, questions_, result_);
-        // The work of the search and of the examination of points. If the examination took more work than the search,
-        // the new points are examined later, together with the points of the next instants.
+        // The work of the search (`searching`) and of the examination of points by the queries (`looking`). If the
+        // examination took more work than the search, the new points are examined later, together with the points of
+        // the next instants.
         std::uint64_t searching = 0, looking = 0;
         try {
             while (!search.done()) {
@@ -289,11 +293,11 @@ void accept(const Chart& chart, Analysis& result) {
 void add_notes(const Equations& equations, const AnalyseOptions& options, Analysis& result) {
     result.notes.emplace_back(options.mode == ExecutionMode::StabilitySearch
                                   ? "inputs change only between stable situations (IEC 60848); cycle time is zero"
-                                  : "one evolution per cycle, inputs sampled in each");
+                                  : "each cycle samples the inputs and executes one evolution");
     if (!equations.timers.empty() && !options.instability_only)
         result.notes.emplace_back(
-            "a path back may depend on the order of timer expiries; absorbing regions caused only by durations are "
-            "not detected");
+            "a path back may require an order of timer expiries that the durations exclude; absorbing regions caused "
+            "only by durations are not detected");
     if (std::ranges::any_of(result.findings, is_break, &Finding::code))
         result.notes.emplace_back(
             "the exploration stops at races, contradictory orders and out-of-range values; elements reported as dead "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluates the queries during the search, and computes the runs that show the findings.
+// Evaluates the queries during the search, and computes the runs that demonstrate the findings.
 #include "analyse/chart_analyzer.hpp"
 
 #include <algorithm>

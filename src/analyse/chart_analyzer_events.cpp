@@ -42,8 +42,8 @@ void ChartAnalyzer::instability() {
 // -- races, and values that are undefined or out of range -------------------------------------------------------------
 
 void ChartAnalyzer::expect_breaks() {
-    // Decides queries without findings: the queries about every stored variable of the cone, and the queries about all
-    // conditions if the cone contains all conditions.
+    // Queries for which no fault is found are decided at the end of the search. These are the queries about every
+    // stored variable of the cone and, if the cone contains the complete chart, the query about its conditions.
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
             for (const char* code : {"action-race", "out-of-range", "no-value"})
@@ -123,7 +123,7 @@ void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
         if (!is_constant(equations_.exprs[write.value].op)) continue;
         (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
     }
-    std::vector<Bdd> layers{// the evolutions that store the value, and the evolutions that follow
+    std::vector<Bdd> layers{// points whose evolution stores the value, followed by their successors
                             machine_.transient(search_.fresh() & stores)};
     Bdd seen, hit;
     while (!layers.back().is_false() && hit.is_false()) {
@@ -143,8 +143,9 @@ void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
                            "`" + variable.name + "` can be " + (value ? "set and reset" : "reset and set") +
                                " in one instant, so the plant never receives the first value",
                            variable.origin);
-    for (const Equations::Write& write : stored.writes) made.related.push_back({write.origin, "an action on it"});
-    if (!show(made, path_along(points), {}, "both occur in the last instant", certain()))
+    for (const Equations::Write& write : stored.writes)
+        made.related.push_back({write.origin, "this action stores a value in the output"});
+    if (!show(made, path_along(points), {}, "both values are stored in the last instant", certain()))
         return uncertain_.push_back(question);
     question->decided = keep(std::move(made));
 }
@@ -161,11 +162,11 @@ void ChartAnalyzer::expect_branches() {
             Finding made =
                 finding("branches-together", name(first),
                         "`" + name(first) + "` and `" + name(second) +
-                            "` leave one step and can be cleared simultaneously; make their conditions exclusive",
+                            "` leave the same step and can be cleared simultaneously; make their conditions exclusive",
                         chart_.transitions[second].origin);
             made.related.push_back({chart_.transitions[first].origin, "`" + name(first) + "` is here"});
             return show(made, prefer_unbroken(seen), {.fired = {first, second}},
-                        "both are cleared in the last instant") &&
+                        "both transitions are cleared in the last instant") &&
                    keep(std::move(made));
         });
     }
@@ -207,8 +208,8 @@ void ChartAnalyzer::expect_forcing() {
         expect("forced-twice", k, machine_.conflicts()[k], [this, k](const Bdd& seen) {
             const std::string partial = conflict_subject(chart_, equations_, equations_.conflicts[k]);
             Finding made = finding("forced-twice", partial,
-                                   "this order and another one that is active with it can force `" + partial +
-                                       "` into different situations",
+                                   "this order and another order that is active at the same time can force `" +
+                                       partial + "` into different situations",
                                    equations_.conflicts[k].origin);
             return show(made, seen, {.fault = true}, "both orders become active") && keep(std::move(made));
         });

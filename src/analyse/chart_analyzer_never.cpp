@@ -74,8 +74,8 @@ bool ChartAnalyzer::sign_seen(const Sign& sign) {
     return false;
 }
 
-/// True if the complete chart, and not only this cone, has a run to an element of `points`. False if no event times
-/// were found for the run.
+/// Returns true if the interpreter confirms that the complete chart, and not only this cone, has a run to a point of
+/// `points`. Returns false if no event times were found for the run.
 bool ChartAnalyzer::confirmed(const Bdd& points) {
     const std::optional<Path> path = search_.path_to(points);
     if (!path) return false;
@@ -126,8 +126,8 @@ void ChartAnalyzer::dead_transitions() {
     for (const Transition id : chart_.transitions.ids()) dead_transition(id);
 }
 
-/// Returns the first conjunct of the condition that is false whenever the transition is enabled, as text. Only
-/// conjuncts in which all variables have names in the chart are considered. The text is empty if there is no such
+/// Returns, as text, the first conjunct of the transition condition that is false whenever the transition is enabled.
+/// Only conjuncts in which all variables have names in the chart are considered. The text is empty if there is no such
 /// conjunct.
 std::string ChartAnalyzer::false_part(Transition id) {
     const Exprs& exprs = equations_.exprs;

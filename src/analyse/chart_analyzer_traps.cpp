@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Queries about events that are impossible after some points, based on absorbing regions ("traps"). All points are
-// known; therefore, an event to which no path leads is impossible. The graph of the points contains every run of the
-// chart. It also contains other runs, in which timers expire in orders that are impossible for any times. Therefore,
-// the result is valid for all times. A region that is absorbing only because of durations is not found.
+// Queries about events that are impossible after some points, based on absorbing regions ("traps"). All reachable
+// points are known. Therefore, an event is impossible after a point if no path leads from this point to the event. The
+// graph of the points contains every run of the chart. It also contains spurious runs, in which timers expire in an
+// order that is impossible for some or all durations. Therefore, a finding is valid for all durations of the timers. A
+// region that is absorbing only because of durations is not found.
 //
-// If an evolution aborts or an instant does not end, the event may occur in the unknown continuation. Therefore, no
-// finding is reported for points from which such a point is reachable.
+// If a run aborts in an evolution, or if one of its instants never ends, the event might occur in the unknown
+// continuation of the run. Therefore, no finding is reported for points from which such an evolution or instant is
+// reachable.
 //
-// A step, transition or value is dead in the absorbing regions that do not contain it. One region, or several regions
-// with the same dead elements, form one trap. A trap is reported with a path to a point after which all of its dead
-// elements are dead. If neither of two elements is always dead when the other one is dead, the two elements have
-// separate paths. An element that occurs only once in a run belongs to a start-up or final phase, and the finding is a
-// note.
+// An element (a step, transition or stored value) is dead in an absorbing region if its event occurs at no point of the
+// region. All regions with the same dead elements form one trap. A trap is reported with a path to a point after which
+// all of its dead elements are dead. If neither of two elements is always dead when the other one is dead, the two
+// elements have separate paths. An element whose event occurs at most once in a run belongs to a start-up or final
+// phase; the finding about this element is a note.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -81,8 +83,9 @@ void ChartAnalyzer::find_traps() {
     if (region != nullptr) report_regions(all, terminal, sound, terminal.reached() & ~unknown, regions.size());
 }
 
-/// Records that the event of the query can recur. For a part, the query remains open, because a part may have runs that
-/// the chart does not have. It is decided on the complete chart, or if it is proved that no such runs exist.
+/// Records that the event of the query can recur. If the machine represents only a cone, the query remains open,
+/// because a cone may have runs that the chart does not have. The query is then decided on the complete chart, or by a
+/// proof that every run of the cone is a run of the chart.
 void ChartAnalyzer::mark_live(Query& question) const {
     (machine_.whole() ? question.decided : question.seen_in_part) = true;
 }
@@ -102,7 +105,7 @@ bool ChartAnalyzer::has_dead_points(Passing& each, const TerminalRegions& termin
     return !each.dead_points.is_false();
 }
 
-/// Reports traps. Regions with the same dead elements form one trap.
+/// Reports all traps. All regions with the same dead elements form one trap.
 void ChartAnalyzer::report_never_again(const std::vector<Passing>& dead, const TerminalRegions& terminal,
                                        const std::vector<Bdd>& regions) {
     std::map<std::vector<const Passing*>, Bdd> traps;
@@ -146,7 +149,8 @@ void ChartAnalyzer::report_trap(const std::vector<const Passing*>& dead, const B
             for (const Passing* each : left) {
                 const Bdd both = first & each->dead_points;
                 const bool nested = both == first || both == (each->dead_points & within);
-                // Two elements that can each be dead together with the first one need not be dead at a common point.
+                // Two elements that can each be dead together with the leader need not be dead together at a common
+                // point.
                 if ((!shown && !nested) || (goal & each->dead_points).is_false()) continue;
                 goal &= each->dead_points;
                 group.insert(each);
@@ -229,8 +233,8 @@ void ChartAnalyzer::keep_trap(Finding made, const std::vector<const Passing*>& o
     if (shown) keep(std::move(made));
 }
 
-/// Reports regions without dead elements: several regions, or one region if an infinite run outside of the region
-/// exists.
+/// Reports absorbing regions without dead elements. If the complete graph has only one absorbing region, this region is
+/// reported only if some run clears transitions infinitely often without entering it.
 void ChartAnalyzer::report_regions(const std::vector<Passing>& dead, const TerminalRegions& terminal, const Bdd& sound,
                                    const Bdd& known, std::size_t regions) {
     Query& question = *questions_.open("region-never-left", 0);

@@ -92,7 +92,8 @@ std::vector<Numbers> subjects(const Equations& equations) {
     return all;
 }
 
-/// Marks `open` and the variables on which they depend; returns the number of marked variables.
+/// Marks the variables in `open` and all variables on which they depend, directly or indirectly. Returns the number of
+/// marked variables.
 std::size_t mark_cone(const Dependencies& reads, Numbers open, Cone& cone) {
     std::size_t marked = 0;
     while (!open.empty()) {
@@ -151,7 +152,7 @@ private:
     /// Determines the cones of all queries. Returns false if there are too many cones, or too many variables to visit.
     bool find_all() {
         const Numbers component = reads_.components();
-        // This set contains sets of components, because all queries about one component have the same cone.
+        // The known cones, as sets of components: all queries about variables of one component have the same cone.
         std::set<std::set<std::uint32_t>> known;
         std::size_t visits = 0;
         for (const Numbers& subject : subjects(equations_)) {

@@ -14,9 +14,9 @@ using Variable = Equations::Variable;
 
 constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
 
-/// Tests, in one pass over all terms, if one variable is a counter. Terms whose value is the variable, or the variable
-/// plus a constant, may occur only in certain terms: the values of these terms depend only on the order of the variable
-/// relative to constants.
+/// Tests, in one pass over all terms, if one variable is a counter. Call a term whose value is the variable, or the
+/// variable plus a constant, a dependent term. Dependent terms may occur only in terms whose values depend only on
+/// comparisons of the variable with constants.
 class Reader {
 public:
     Reader(const Equations& equations, const Equations::Stored& stored)
@@ -92,7 +92,7 @@ private:
         else good_ = good_ && depends_on_it_[term.index];
     }
 
-    /// Checks that values of the variable are not used in any other term.
+    /// Checks that no output and no other stored variable has a dependent term as its value.
     void check_other_uses() {
         const auto refuse = [&](Id<Expr> term) { good_ = good_ && !(term.valid() && depends_on_it_[term.index]); };
         for (const Equations::Output& output : equations_.outputs) refuse(output.value);

@@ -14,8 +14,8 @@ struct DifferenceConstraint {
     std::int64_t least = 0;
 };
 
-/// Returns the constraints of one clock on the event times. They restrict the age of the watched level of the clock at
-/// each sampling of inputs.
+/// Returns the constraints of one clock on the event times. The constraints restrict the age of the watched level of
+/// the clock at each sampling of inputs.
 std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, const Machine& machine,
                                                  const Path& path) {
     std::vector<DifferenceConstraint> result;

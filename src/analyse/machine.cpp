@@ -222,8 +222,8 @@ void Machine::add_stored() {
     }
 }
 
-/// Returns the conditions for faults in the new value of a stored variable. If two forcing orders conflict (outside of
-/// `obeyed`), the evolution is undefined, and no further fault is reported for it.
+/// Returns the conditions for faults in the new value of a stored variable. Outside of `obeyed`, two forcing orders
+/// conflict; the evolution is then undefined, and no further fault is reported for this evolution.
 Machine::FaultCondition Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
     const Type type = equations_.variables[stored.variable].type;
     const std::optional<Counter>& counter = counters_[stored.variable.index];
@@ -304,7 +304,8 @@ void Machine::add_timers() {
     }
 }
 
-/// Stability is defined as in derive: no transition is cleared, and the values remembered for edges are unchanged.
+/// Adds the conditions of stability, as the module derive defines it: no transition is cleared, and the values
+/// remembered for edges are unchanged.
 void Machine::add_stability() {
     for (std::size_t k = 0; k < fires_.size(); ++k)
         if (!fires_[k].is_false()) calm_.push_back(~fires_[k]);

@@ -66,7 +66,7 @@ std::vector<std::pair<OrderId, Id<Chart::Step>>> orders_on_enclosed(const Chart&
     std::vector<std::pair<OrderId, Id<Chart::Step>>> found;
     for (const OrderId order : chart.forcing.ids()) {
         Id<Chart::PartialChart> partial = chart.forcing[order].forced;
-        std::set<std::uint32_t> seen;  // a cycle of enclosures ends the traversal
+        std::set<std::uint32_t> seen;  // stops the traversal if the enclosures form a cycle
         while (partial.valid() && seen.insert(partial.index).second) {
             const Chart::PartialChart& here = chart.partial_charts[partial];
             if (!here.owner.valid()) break;
@@ -94,8 +94,8 @@ std::string conflict_subject(const Chart& chart, const Equations& equations, con
     for (const Chart::ForcingOrder& order : chart.forcing) {
         if (order.origin.source != conflict.origin.source || order.origin.begin != conflict.origin.begin) continue;
         if (subject.empty()) subject = chart.partial_charts[order.forced].name;
-        // The orders in copies of a step have the same position. The condition states that the step of the order is
-        // active.
+        // Copies of a step contain copies of its forcing order with the same source position. The condition of each
+        // copy states that its step is active.
         const std::vector<Id<Expr>> needed = conjuncts(equations.exprs, equations.steps[order.step.index].next);
         const auto is_needed = [&](Id<Expr> term) { return std::ranges::find(active, term) != active.end(); };
         if (std::ranges::all_of(needed, is_needed)) return chart.partial_charts[order.forced].name;

@@ -56,9 +56,10 @@ TEST(Findings, AsTextHaveLocationRunAndAcceptedFindings) {
     const Analysed made = analysed(std::string(two_buttons));
     std::ostringstream out;
     print_findings(made.analysis, made.sources, Colour::Plain, out);
-    EXPECT_NE(out.str().find("two buttons.grafcet:9:5: warning: `t0` and `t1` leave one step"), std::string::npos)
+    EXPECT_NE(out.str().find("two buttons.grafcet:9:5: warning: `t0` and `t1` leave the same step"), std::string::npos)
         << out.str();
-    EXPECT_NE(out.str().find("shortest trace: both are cleared in the last instant"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("shortest trace: both transitions are cleared in the last instant"), std::string::npos)
+        << out.str();
     EXPECT_NE(out.str().find("accepted: the chart does not depend on the input `spare` [input-never-read]: later"),
               std::string::npos);
     EXPECT_NE(out.str().find("two_buttons: 1 warning, 1 accepted"), std::string::npos) << out.str();
@@ -150,8 +151,8 @@ TEST(Findings, AsSarifAreAValidLog) {
     const auto& results = log["runs"][0]["results"];
     ASSERT_EQ(results.size(), 2U);
     EXPECT_EQ(results[0]["message"]["text"],
-              "`t0` and `t1` leave one step and can be cleared simultaneously; make their conditions exclusive. "
-              "Inputs: a, b at 0 s: both are cleared in the last instant");
+              "`t0` and `t1` leave the same step and can be cleared simultaneously; make their conditions exclusive. "
+              "Inputs: a, b at 0 s: both transitions are cleared in the last instant");
     EXPECT_EQ(results[1]["suppressions"][0]["justification"], "later");
 }
 
