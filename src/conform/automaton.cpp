@@ -6,14 +6,14 @@
 // In every_cycle mode, each move that changes something is an evolution of the automaton.
 //
 // With stability search, the inputs of a move that is not stable are kept constant and followed through transient
-// states. The moves of each of these states split the set of inputs. They are disjoint and cover all inputs. Therefore,
-// each input has exactly one path, and a set of inputs becomes smaller along a path. A path ends with a stable move (an
-// arrival), or when it revisits one of its states. In the latter case, the path cycles forever, because the next state
-// is unique for constant inputs: total instability. The number of states is finite. Therefore, one of the two cases
-// occurs for every input.
+// states. The moves of each state partition the set of inputs: they are disjoint and cover all inputs. Therefore, each
+// input has exactly one path, and the set of inputs that follow a path becomes smaller along the path. A path ends with
+// a stable move (an arrival), or when it revisits one of its states. In the latter case, the path cycles forever,
+// because the next state is unique for constant inputs: total instability. The number of states is finite. Therefore,
+// one of the two cases occurs for every input.
 //
-// Marks of timers are kept along a path, because no time passes on it. The marks are recorded in the resulting
-// evolution.
+// The marks of timers (fresh, falling) are kept along a path, because no time passes on the path. The marks are
+// recorded in the resulting evolution.
 #include "conform/automaton.hpp"
 
 #include <algorithm>
@@ -54,8 +54,8 @@ struct Followed {
     }
 };
 
-/// Follows the moves in `first` and returns the results. `origin` is the location in which they start, if any. A stable
-/// move to `origin` is not an arrival.
+/// Follows the moves in `first` and returns the results. `origin` is the location in which the moves start, or
+/// `no_state`. A stable move to `origin` is not an arrival.
 Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId origin = no_state) {
     struct Leg {
         StateId state = 0;
@@ -90,7 +90,7 @@ Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId ori
     return result;
 }
 
-/// Merges cycles through the same states. Each resulting cycle begins with its state of least number.
+/// Merges cycles through the same states. Each resulting cycle begins with its state that has the smallest number.
 std::vector<Loop> merged(std::vector<Loop> loops) {
     for (Loop& loop : loops) std::ranges::rotate(loop.states, std::ranges::min_element(loop.states));
     std::ranges::stable_sort(loops, {}, &Loop::states);
@@ -328,8 +328,8 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     return inputs;
 }
 
-/// Excludes impossible combinations of outputs of timers with the same observed term: the output of a timer that rises
-/// later and falls earlier implies the output of the other timer.
+/// Excludes impossible combinations of outputs of timers that observe the same term. If one timer has a rise time at
+/// least as long and a fall time at most as long as another timer, its output implies the output of the other timer.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)

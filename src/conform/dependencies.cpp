@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes the value of a term for the case that no transition fires: firing conditions in the term are replaced by
 // `false`, and the result is simplified by constant folding. If the next value of a variable is then the variable
-// itself, the variable changes only if a transition that the next value reads fires. Similarly, if a race condition
-// becomes `false`, the race requires such a transition.
+// itself, the variable changes only if a transition that the next value reads fires. Similarly, if the condition of a
+// race is then `false`, the race occurs only if a transition that the condition reads fires.
 #include "conform/dependencies.hpp"
 
 #include <algorithm>
@@ -48,7 +48,8 @@ private:
         return firing_of_[static_cast<std::size_t>(leaf.value)];
     }
 
-    /// Adds `guarded` and `unguarded`. The first operand of a firing condition is an upstream step, if there is one.
+    /// Adds `guarded` and `unguarded`. The first operand of a firing condition is an upstream step, if the transition
+    /// has an upstream step.
     void add_guards(Dependencies& result) const {
         result.guarded.resize(layout_.fields.size());
         std::vector<std::optional<std::uint32_t>> field_of(equations_.variables.size());

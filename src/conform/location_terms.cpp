@@ -48,8 +48,8 @@ LocationCondition LocationTerms::condition(Id<Expr> term, const Values& at) {
     return {std::move(found.function->bits.front()), std::move(found.function->undefined)};
 }
 
-/// Handles the most frequent case: a conjunction or disjunction in which each operand reads either only inputs or none;
-/// an operand without inputs has a constant value in the location.
+/// Handles the most frequent case: a conjunction or disjunction in which each operand reads either only inputs or no
+/// inputs. An operand that reads no inputs has a constant value in the location.
 std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term, const Values& at) {
     const Op op = equations_.exprs[term].op;
     if (kinds_[term.index] != Kind::Mixed || (op != Op::And && op != Op::Or)) return {};

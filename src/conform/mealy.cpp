@@ -259,7 +259,8 @@ private:
             if (const Bdd both = set & staying; !both.is_false()) add_transition(from, to, both, wait);
     }
 
-    /// Returns the time until a timer output rises or a fall time has elapsed; 0 if no timer is running.
+    /// Returns the time until the next timer event (a timer output rises or a fall time has elapsed), or 0 if no timer
+    /// is running.
     std::int64_t next_end(const Place& place) const {
         std::int64_t next = 0;
         const auto consider = [&next](std::int64_t wait) { next = next == 0 ? wait : std::min(next, wait); };

@@ -9,7 +9,8 @@
 //             of the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp)
 //             are unchanged.
 //   stable    A part is split by the stability condition of the equations. If it holds, nothing changes.
-//   levels    The levels that timers observe are terms over the new values and the inputs. They split the parts again.
+//   levels    The levels that timers observe are terms over the new values and the inputs. The values of these levels
+//             split the parts again.
 //
 // Each step is a partition. Therefore, the moves are disjoint and cover the initial set: the assumed inputs that are
 // consistent with the known timer outputs. All steps read the state before the evolution, `at`, which is constant. If
@@ -60,7 +61,8 @@ std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves)
     return moves;
 }
 
-/// Sorts the moves, stable ones first. Moves that lead to the same state by different sets of transitions are merged.
+/// Sorts the moves so that the stable moves are first. Moves that lead to the same state by different sets of
+/// transitions are merged.
 std::vector<StateMove> merged(std::vector<StateMove> moves) {
     std::ranges::stable_partition(moves, &StateMove::stable);
     std::vector<StateMove> result;

@@ -83,8 +83,9 @@ private:
         return std::uint64_t{state} * combinations_ + inputs;
     }
 
-    /// Adds one arc per state and input combination. A transition that stays in its state needs no separate step if
-    /// another transition arrives with the same inputs and keeps them, or if a wait follows.
+    /// Adds one arc per state and input combination. A transition that stays in its state needs no separate arc in two
+    /// cases: another arc arrives in this state with the same inputs and stays there, or a wait with these inputs
+    /// starts in this state. In both cases, the option `one_cycle_each` must not be set.
     void list_all() {
         combinations_ = 1;
         for (const MealyMachine::Variable& input : machine_.inputs)
@@ -132,8 +133,8 @@ private:
         to_cover_ = static_cast<std::uint64_t>(std::ranges::count(entered, true));
     }
 
-    /// Returns the inputs under which the machine stays in the target of `arrival` with the same output. The output may
-    /// differ if states were merged.
+    /// Returns the inputs under which the machine stays in the target of `arrival` with the same output. If states were
+    /// merged, the output in the state may differ from the output on arrival; such inputs are not included.
     const Bdd& staying(const MealyMachine::Transition& arrival) {
         const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
