@@ -18,7 +18,8 @@ Network::Template& automaton_of(Network& network, Id<Network::Process> process) 
     return network.templates[network.processes[process].automaton];
 }
 
-/// The variables that an instance writes. For each variable: the flags that the instance sets together with it.
+/// The variables that an instance writes. For each variable: the flags that the instance sets whenever it writes the
+/// variable.
 using WrittenVariables = std::map<std::uint32_t, std::vector<Network::Assignment>>;
 
 WrittenVariables written_by(const Network& network, const Network::Template& automaton) {

@@ -80,8 +80,8 @@ private:
         return values_[places_.at(term.index)];
     }
 
-    /// Applies the rule of the paper to a `term` whose value is not `wanted`. For a conjunction that should be true,
-    /// the causes are the false operands; for a disjunction, all operands.
+    /// Applies the rule of Beer et al. (causes.hpp) to a `term` whose value is not `wanted`. For a conjunction that
+    /// should be true, the causes are the false operands; for a disjunction, all operands.
     void by_rule(Id<Expr> term, bool wanted, std::vector<bool>& causes) const {
         const Op op = exprs_[term].op;
         if (op == Op::Not) return by_rule(exprs_.operands(term)[0], !wanted, causes);

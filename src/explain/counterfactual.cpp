@@ -10,7 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of edges within one instant. If more edges are taken, the loop is assumed to react infinitely often.
+/// Maximum number of edges within one instant. If more edges are taken, the loop is assumed to take edges forever
+/// without a delay.
 constexpr std::size_t most_at_once = 1000;
 
 bool is_free(const Network& network, const Move& move) {

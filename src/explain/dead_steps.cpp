@@ -68,7 +68,8 @@ private:
     /// Returns a term of the model that is true in every state in which `term` is true, or nothing if there is none.
     std::optional<Id<Expr>> bound_of(Id<Expr> term) {
         if (chart_.exprs[term].op != Op::Timed) return copy_of(term);
-        // A condition `t1/v` is true only if the output of its timer is true; `v/t2` can also be true otherwise.
+        // A condition `t1/v` is true only if the output of its timer is true. A condition `v/t2` can also be true while
+        // the output of its timer is false.
         const auto index = static_cast<std::uint32_t>(chart_.exprs[term].value);
         const auto& end = leaves_.ends[index];
         if (!end || chart_.time_conditions[{index}].fall_ms != 0) return {};

@@ -39,8 +39,8 @@ auto& condition_of(ChartOrConst& chart, const TermPlace& place) {
     unreachable();
 }
 
-/// Adds the places of the operands of all conjunctions and disjunctions in `term`, which may itself be one of them.
-/// `place` is the place of `term`.
+/// Adds the places of the operands of all conjunctions and disjunctions in `term`, including the operands of `term`
+/// itself if it is a conjunction or disjunction. `place` is the place of `term`.
 void collect_operands(const Exprs& exprs, Id<Expr> term, const TermPlace& place, std::vector<TermPlace>& found) {
     const Op op = exprs[term].op;
     if (!is_list(op) && op != Op::Not) return;

@@ -23,8 +23,8 @@ using Values = std::vector<std::int64_t>;  // value of each variable of the flat
 /// rejected.
 constexpr std::size_t most_extra_steps = 1000;
 
-/// Number of terms up to which the maximum number of steps is not reduced. For larger systems it is reduced, because
-/// the cost of a step depends on the number of terms.
+/// Number of terms up to which the maximum number of steps is not reduced. For larger systems, this maximum is reduced,
+/// because the cost of a step depends on the number of terms.
 constexpr std::size_t few_terms = 1000;
 
 /// A free variable of the module `main`.

@@ -15,7 +15,7 @@ namespace {
 
 using Event = ChartRun::Event;
 
-/// Returns the active steps of `controller`; `none` if there are none.
+/// Returns the active steps of `controller`, or `none` if no step is active.
 std::string situation_of(const ChartRun& run, const ChartRun::Controller& controller, const ChartRun::State& state) {
     std::string text;
     for (const Id<ChartRun::Step> step : state.situation)

@@ -10,7 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Adds a cause at one event. If an equal cause ends at `before` or later, extends this cause instead.
+/// Adds a cause at one event. If the run already has an equal cause that ends at `before` or later, extends that cause
+/// instead.
 void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     for (ChartRun::Cause& earlier : run.causes) {
         ChartRun::Cause same = earlier;
@@ -180,7 +181,7 @@ public:
     void mark(const Causes::Pair& pair) {
         const std::size_t moment = moments_[pair.state];
         mark(pair, moment, pair.state == 0 ? 0 : moments_[pair.state - 1]);
-        // The state before the loop is also the last state of each repetition.
+        // The state before the loop is also the last state of each repetition of the loop.
         if (run_.loop && moment + 1 == *run_.loop)
             mark(pair, run_.moments.size() - 1, moments_[shown_.states.size() - 1]);
     }
@@ -248,7 +249,7 @@ void mark(const Network& network, const std::vector<NetworkState>& states, const
     Marker marker(network, states, run);
     run.causes_exact = causes.exact;
     for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
-    // The event before the loop is also the last event of each repetition.
+    // The event before the loop is also the last event of each repetition of the loop.
     for (const Causes::Pair& pair : causes.pairs)
         if (run.loop && pair.state + 1 == *run.loop) marker.mark({pair.term, run.moments.size() - 1});
     std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);

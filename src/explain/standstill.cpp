@@ -100,7 +100,7 @@ std::string standstill_words(const Network& network, const Standstill& found) {
         text += (text.empty() ? "" : "; ") + blocker_words(network, blocker, names[blocker.process.index]);
     if (!text.empty())
         return (found.continued ? "after further edges without delay, " : "") + text +
-               "; add an edge that can leave the location by then, or relax the invariant";
+               "; add an edge that can leave the location when the invariant blocks time, or relax the invariant";
     for (const Id<Network::Process> id : found.repeating)
         text += fmt::format("{}`{}`", text.empty() ? "" : ", ", names[id.index]);
     if (text.empty()) return {};

@@ -58,13 +58,13 @@ public:
     }
 
 private:
-    /// Returns the index of the last entry into a location; the number of entries if there is none.
+    /// Returns the index of the last entry into a location, or the number of entries if the location was never entered.
     std::size_t last(std::string_view location) const {
         for (std::size_t k = entries_.size(); k-- > 0;)
             if (entries_[k].location == location) return k;
         return entries_.size();
     }
-    /// Returns the event of an entry; 0, the start of the observer, if the location was never entered.
+    /// Returns the event of an entry, or 0 (the start of the observer) if the location was never entered.
     std::size_t moment(std::size_t entry) const { return entry < entries_.size() ? entries_[entry].moment : 0; }
     std::int64_t time(std::size_t entry) const { return run_.moments[moment(entry)].after.time_ms; }
     std::string text_of(std::int64_t time) const {

@@ -126,7 +126,7 @@ closed_loop requested {
 const std::string blocked_belts =
     "`Belt` blocks time: location `moving`, invariant `t <= 2s`, no edge enabled (to `still` when `!M && t >= 1s`); "
     "`Other` blocks time: location `moving`, invariant `t <= 2s`, no edge enabled (to `still` when `!M && t >= 1s`); "
-    "add an edge that can leave the location by then, or relax the invariant\n";
+    "add an edge that can leave the location when the invariant blocks time, or relax the invariant\n";
 
 TEST(Explain, TimelockNamesEveryInstanceAndInvariantThatBlockTime) {
     ParseResult reading = read_string(stuck_belts, "c");
