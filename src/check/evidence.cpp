@@ -10,7 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// Checks that the states of a trace form a run, and determines in which states the given terms hold.
+/// Checks if the states of an external trace form a run of the system, and determines in which states each of the given
+/// terms holds.
 class ExternalTraceImport {
 public:
     ExternalTraceImport(const FlatSystem& flat, const ExternalTrace& external_trace, std::vector<Id<Expr>> terms)
@@ -26,7 +27,7 @@ public:
         return truths_[static_cast<std::size_t>(std::ranges::find(terms_, term) - terms_.begin())][state];
     }
 
-    /// True if each justice condition holds in some state of the loop.
+    /// True if the trace has a loop and each justice condition holds in some state of the loop.
     bool fair() const {
         return external_trace_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
                    for (std::size_t state = *external_trace_.loop; state < size(); ++state)
@@ -72,7 +73,8 @@ private:
         return {};
     }
 
-    /// Returns the first variable with a value in the state `to` that differs from its required value in `values`.
+    /// Returns the name of the first variable whose value in the state `to` differs from the value of its term `term`
+    /// in `values`. The result is empty if there is no such variable.
     std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term,
                         std::size_t to) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
@@ -93,7 +95,7 @@ private:
 /// True if `from` holds in some state, and `never` holds neither in this state nor in any later state, also when the
 /// loop is repeated.
 bool avoids(const ExternalTraceImport& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
-    std::size_t without = evidence.size();  // first state from which `never` is false up to the end
+    std::size_t without = evidence.size();  // first state such that `never` is false from this state to the end
     while (without > 0 && !evidence.holds(without - 1, never)) --without;
     if (without > loop) return false;
     for (std::size_t state = without; state < evidence.size(); ++state)

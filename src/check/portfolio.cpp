@@ -80,7 +80,7 @@ private:
         return true;
     }
 
-    /// Decides whether the solvers join the symbolic engine, and records the decision.
+    /// Decides if the solvers (PDR and BMC) start in addition to the symbolic engine, and records the decision.
     bool join_solvers() {
         const Lock lock(mutex_);
         const bool joins = !stop_ && (working_ != 0 || memory_was_short());
@@ -104,8 +104,8 @@ private:
         }
     }
 
-    /// Runs the engines sequentially. They first run for a bounded time each, and then up to the deadline. An engine
-    /// that is called again restarts its search.
+    /// Runs the engines sequentially: first each engine for a bounded time, and then each engine up to the deadline. If
+    /// `alone` is 0, the symbolic engine has no run of bounded time. The second run of an engine restarts its search.
     void in_sequence() {
         constexpr std::chrono::seconds look(1), longest(20);
         const auto at_most = [this](std::chrono::seconds time, std::size_t shares) {
@@ -126,7 +126,8 @@ private:
         return (!open_.empty() || decided_elsewhere_.empty()) && !is_faulty() && !is_stopped();
     }
 
-    /// True if the symbolic engine left a property open because three quarters of the memory were not sufficient.
+    /// True if a property is open because the symbolic engine reached its memory limit, and this limit was less than
+    /// `max_memory`.
     bool memory_was_short() const {
         return most_memory_ < options_.max_memory && can_continue() &&
                std::ranges::any_of(symbolic_.verdicts, [this](const Verdict& verdict) {
@@ -151,8 +152,8 @@ private:
 
     // -- the engines -------------------------------------------------------------------------------------------------
 
-    /// Returns the cancellation flag of the engines. If the engines run in threads, wait() also sets this flag when the
-    /// caller requests cancellation.
+    /// Returns the cancellation flag of the engines: `stop_` if the engines run in threads, otherwise the flag of the
+    /// caller. wait() sets `stop_` when the caller requests cancellation.
     const std::atomic<bool>* stop() const { return threaded_ ? &stop_ : options_.stop; }
 
     void report(const auto& change) {
@@ -214,15 +215,15 @@ private:
         if (circuits_.fault) stop_ = true;
     }
 
-    /// Stores the first verdict on a property. A later verdict that contradicts the first verdict is an internal
-    /// failure.
+    /// Stores the first verdict on a property. If a later verdict contradicts the first verdict, records an internal
+    /// failure and makes the verdict unknown.
     void take(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (!is_decided(verdict)) return;
         const auto [place, fresh] = first_.try_emplace(verdict.about.index, verdict, run);
         Verdict& first = place->second.first;
         if (fresh) {
             settle(verdict.about);
-            // After a violation, the probes for the vacuity of the property are not needed.
+            // If a property is violated, the probes for the vacuity of the property are not needed.
             for (const Id<Property> id : system_.properties.ids())
                 if (verdict.outcome == Outcome::Violated && probed_by(system_.properties[id]) == verdict.property)
                     settle(id);
@@ -231,7 +232,7 @@ private:
             failures_.push_back("the engines disagree on `" + verdict.property + "`: " + verdict_text(first) + ", " +
                                 verdict_text(verdict));
             first = verdict_on(verdict.about, system_.properties[verdict.about]);
-            set_unknown(first, UnknownReason::Failed, "this engine failed");
+            set_unknown(first, UnknownReason::Failed, "the engines returned contradictory verdicts");
             place->second.second.reset();
         }
     }
@@ -243,7 +244,8 @@ private:
 
     // -- the caller's thread -----------------------------------------------------------------------------------------
 
-    /// Waits until all threads have ended or `over` is true. Forwards cancellation by the caller and reports progress.
+    /// Waits until all engine threads have ended or `over()` is true. Forwards cancellation by the caller and reports
+    /// progress.
     template <class Over>
     void wait(const Over& over) {
         Lock lock(mutex_);
@@ -273,7 +275,8 @@ private:
         return result;
     }
 
-    /// Adds the reason of the other engine to an unknown verdict, if both engines support the property.
+    /// Adds the reason of `other`, the verdict of the solvers, to `verdict`, the unknown verdict of the symbolic
+    /// engine. If one of the engines does not support the property, `verdict` is unchanged.
     static void add_reason(Verdict& verdict, const Verdict& other) {
         if (verdict.obstacle == UnknownReason::Unsupported || other.obstacle == UnknownReason::Unsupported) return;
         verdict.reason = "symbolic: " + verdict.reason + "; pdr and bmc: " + other.reason;
@@ -283,18 +286,18 @@ private:
     const TransitionSystem& system_;
     const PortfolioOptions& options_;
     std::atomic<bool> stop_ = false;
-    std::atomic<std::uint64_t> worked_ = 0;  ///< number of operation steps of decision diagrams
+    std::atomic<std::uint64_t> worked_ = 0;  ///< number of steps of operations on decision diagrams
     std::vector<std::atomic<bool>>
         decided_elsewhere_;  ///< for each property of the system: true if its verdict is no longer needed
-    bool threaded_ = false;  ///< changes only while no thread is running
+    bool threaded_ = false;  ///< true if the engines run in threads; changes only while no engine thread is running
     /// Memory limit of the last run of the symbolic engine; read only when this run has ended.
     std::uint64_t most_memory_ = 0;
     bool has_tried_first_ = false;
 
-    std::mutex mutex_ = {};  ///< mutex for the following members
+    std::mutex mutex_ = {};  ///< protects the following members
     std::condition_variable changed_ = {};
     std::size_t working_ = 0;
-    bool joined_;  ///< true if engines other than the symbolic engine take part
+    bool joined_;  ///< true if the solvers run in addition to the symbolic engine
     std::unordered_set<std::uint32_t> open_ = {};
     std::unordered_map<std::uint32_t, std::pair<Verdict, std::optional<SystemRun>>> first_ = {};
     PdrResult symbolic_ = {}, circuits_ = {};

@@ -38,15 +38,16 @@ public:
         return std::ranges::all_of(operands, [this](Id<Expr> operand) { return has_value(operand); });
     }
 
-    /// True if the value of the k-th assignment of an edge is in the range of its target in every state. The guard is
-    /// considered only if the previous assignments do not change variables that the value reads.
+    /// True if the analysis shows that the value of the k-th assignment of an edge is always in the range of its target
+    /// variable. The analysis considers the guard of the edge only if no previous assignment changes a variable that
+    /// the value reads.
     bool stays_in_range(const Network::Edge& edge, const std::vector<Network::Assignment>& assignments,
                         std::size_t k) const {
         const Type& type = network_.variables[variable_of(assignments[k].target)].type;
         const Id<Expr> value = assignments[k].value;
         const Interval values = interval_of(value);
         if (type.boolean || (type.low <= values.low && values.high <= type.high)) return true;
-        std::map<std::int64_t, std::int64_t> now;  // current value of each variable that is read
+        std::map<std::int64_t, std::int64_t> now;  // current value of each variable that the value or a guard reads
         std::int64_t combinations = 1;
         const auto read = [&](Id<Expr> term) {
             for (const Id<Expr> leaf : leaves(network_.exprs, term)) {
@@ -97,7 +98,7 @@ private:
     }
 
     const Network& network_;
-    std::set<Id<Expr>> known_ = {};  // terms that have a value, and terms that are being examined
+    std::set<Id<Expr>> known_ = {};  // terms that always have a value, and terms that are being examined
 };
 
 }  // namespace
@@ -130,14 +131,15 @@ std::set<std::uint32_t> cells_that_may_err(const Network& network, const Network
                 if (network.race.valid() && network.exprs[target].value == network.race.index) {
                     for (const Id<Expr> reason : operands_of(network.exprs, assignments[k].value, Op::Or))
                         if (reason != target) {
-                            // the abstraction detects the reason if it contains one of the fragments that the reason
-                            // reads
+                            // `reason` is the condition of one possible race: a disjunct of the value that is assigned
+                            // to the race flag. An abstraction detects this race if it contains one of the fragments
+                            // that `reason` reads.
                             std::uint32_t cell = NetworkFragments::none;
                             for (const Id<Expr> leaf : leaves(network.exprs, reason))
                                 cell = std::min(cell, cell_of(leaf));
                             if (cell == NetworkFragments::none) cell = cells.of_process[id.index];
-                            // The reason reads nothing, because it is always true, or it only reads variables
-                            // without a fragment. Every abstraction contains it.
+                            // If `reason` is a constant, or reads only variables that belong to no fragment, every
+                            // abstraction detects the race.
                             if (cell == NetworkFragments::none) cell = 0;
                             found.insert(cell);
                         }

@@ -20,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-/// Name of the property that some state is quiescent, which is added to the first search of the complete network.
+/// Name of a probe that is added to the first search of the complete network: some reachable state is quiescent.
 constexpr const char* settled_probe = "some state is quiescent";
 
 using Cells = std::vector<std::uint32_t>;
@@ -56,8 +56,8 @@ public:
     void begin() {
         if (!has_local(network_, options_)) return search_complete();
         search_complete_model();
-        // If the first search found an error, or time does not pass, a property that holds by localization may be
-        // unknown or vacuous in the complete network.
+        // If the first search found a model error, or time passes in no explored state, a property that holds by
+        // localization may be unknown or vacuous in the complete network.
         if (limits_.local == 0 || !is_open() || !result_.errors.empty() || !result_.time_passes) return;
         collect_queries();
         if (tasks_.empty() && !race_) return;
@@ -85,8 +85,8 @@ private:
         bool concerns_errors() const { return requested.empty(); }
     };
 
-    /// A task without a result, with the other fragments that its fragments read. `known` is the number of invariants
-    /// that were known when the task was searched.
+    /// A task whose search did not decide all of its queries, with the omitted fragments that the fragments of the task
+    /// read. `known` is the number of invariants that were known when the task was searched.
     struct Open {
         Task task = {};
         Cells borders = {}, tied = {};
@@ -114,7 +114,7 @@ private:
     SearchScope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
 
-    Network network_;  // localization adds terms to its table
+    Network network_;  // localization adds terms to its table of terms
     const NetworkFragments cells_;
     const TimedOptions& options_;
     const LocalizationLimits limits_;
@@ -124,7 +124,7 @@ private:
     // The property of each verdict, if localization can decide the property.
     std::vector<std::optional<Property>> questions_ = {};
     std::deque<Task> tasks_ = {};
-    std::vector<Task> postponed_ = {};  // tasks whose searches ended at the bound or the deadline of the round
+    std::vector<Task> postponed_ = {};  // tasks whose searches ended at the state limit or the deadline of the round
     std::vector<Open> open_ = {};
     std::vector<Invariant> known_ = {};
     std::map<std::size_t, Verdict> found_ = {};  // verdicts found by localization
@@ -135,11 +135,11 @@ private:
     bool searched_whole_ = false;
     Deadline local_deadline_ = {};                                    // deadline of the searches of fragments
     std::uint64_t local_states_ = 0;                                  // number of states of all searches of fragments
-    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // total of all searches without an error
+    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // totals of all searches without an error
 };
 
-/// Explores a small number of states of the complete network. Often these are all reachable states. Otherwise many
-/// properties are decided by states near the initial state.
+/// Explores at most `limits_.whole` states of the complete network. In small models, these are all reachable states. In
+/// larger models, states near the initial state often suffice to decide a property.
 void LocalizationCheck::search_complete_model() {
     TimedOptions first = options_;
     first.max_states = std::min(options_.max_states, limits_.whole);
@@ -157,7 +157,7 @@ void LocalizationCheck::search_complete_model() {
     std::erase_if(result_.verdicts, [](const Verdict& verdict) { return verdict.property == settled_probe; });
 }
 
-/// True if a limit ended the search.
+/// True if some property is undecided because the search reached the state limit or was stopped.
 bool LocalizationCheck::is_open() const {
     return std::ranges::any_of(result_.verdicts, [](const Verdict& verdict) {
         return verdict.obstacle == UnknownReason::Bound || verdict.obstacle == UnknownReason::Stopped;
@@ -191,8 +191,8 @@ bool LocalizationCheck::about_race(const Property& property) const {
     return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
-/// A search that ends at the bound of a round is repeated in the next round. Therefore a small search does not wait for
-/// a large one.
+/// A search that reaches the state limit of a round is repeated in the next round, with a greater limit. Therefore a
+/// search with few states does not wait for a search with many states.
 bool LocalizationCheck::refine(std::uint64_t states, const Deadline& deadline) {
     if (tasks_.empty() && !race_) return false;
     if (const std::uint64_t bound = std::min(states, limits_.local); bound > round_) {
@@ -207,8 +207,9 @@ bool LocalizationCheck::refine(std::uint64_t states, const Deadline& deadline) {
     return !tasks_.empty() && round_ < limits_.local;
 }
 
-/// Performs the searches of one round. Verdicts are valid only if no model error is possible. Therefore the searches
-/// for model errors precede those that add fragments for a query, which may use all of the time.
+/// Performs the searches of one round. The verdicts of localization are valid only if no model error is possible in the
+/// complete network. The searches that add fragments for a query may use all of the time. Therefore the searches for
+/// model errors are performed first.
 void LocalizationCheck::search_round() {
     const auto search_tasks = [&] {
         while (!tasks_.empty()) {
@@ -217,7 +218,8 @@ void LocalizationCheck::search_round() {
             search(std::move(task));
         }
     };
-    // adds fragments to the open tasks that `selects` selects, until each has a result or cannot be continued
+    // adds fragments to the open tasks for which `selects` is true, until each of these tasks has a result or cannot be
+    // extended
     const auto search_wider = [&](const auto& selects) {
         search_tasks();
         for (;;) {
@@ -304,9 +306,9 @@ void LocalizationCheck::search(Task task) {
     if (!left.requested.empty()) open(std::move(left));
 }
 
-/// Uses a property that holds by localization as an invariant. If a model error is possible, no result of localization
-/// is reported. In each state of a run before the first error, the invariant holds, and the results that use the
-/// invariant hold.
+/// Adds a property that holds by localization to the invariants. If a model error is possible, no result of
+/// localization is reported. In each state of a run before the first model error, the invariant is true. Therefore
+/// results that were derived with the invariant are also valid in these states.
 void LocalizationCheck::know(const Property& property) {
     if (property.at_stable || about_race(property)) return;
     const Id<Expr> term = property.operands[0];
@@ -333,9 +335,9 @@ SearchScope LocalizationCheck::scope(const std::set<std::uint32_t>& searched, st
     return made;
 }
 
-/// Repeats a search if more invariants about the fragments that it reads are known. Otherwise adds fragments: first the
-/// fragments whose values the searched processes read, then all other fragments that are read, for example in the
-/// cycles of PLCs.
+/// Continues an open task. If new invariants about the omitted fragments that the task reads are known, the search of
+/// the task is repeated. Otherwise fragments are added to the task. The borders are added first; if all borders are in
+/// the task, all other fragments that the task reads are added, for example by the cycles of PLCs.
 void LocalizationCheck::go_on_with(Open open) {
     Task& task = open.task;
     const auto tells = [&](const Invariant& invariant) {
@@ -357,7 +359,7 @@ void LocalizationCheck::go_on_with(Open open) {
 }
 
 void LocalizationCheck::take_local() {
-    if (race_) {  // if races are possible, each fragment with a possible race has been searched
+    if (race_) {  // all fragments in which a race might occur have been searched
         Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
         none.scope = scope(faultless_, "cannot have a model error");
         if (!faultless_.empty()) {
@@ -377,8 +379,8 @@ void LocalizationCheck::take_local() {
     }
 }
 
-/// An unknown verdict on a property that was not requested (an undeclared `no timelock`) does not require the complete
-/// network. It is replaced if the complete network is searched for another property.
+/// Returns true if an unknown verdict requires a search of the complete network. An unknown verdict on the undeclared
+/// property `no timelock` does not require this search, but is replaced if another property requires it.
 bool LocalizationCheck::needs_whole() {
     if (searched_whole_ || !is_open()) return false;
     if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;
@@ -420,7 +422,7 @@ void LocalizationCheck::search_complete() {
         } else if (!ended_before) {
             std::vector<std::string> notes = std::move(verdict.notes);
             verdict = found;
-            // A note of an input abstraction states why it did not decide the property.
+            // Keeps the notes of an input abstraction, which state why the abstraction did not decide the property.
             for (std::string& note : notes)
                 if (verdict.outcome == Outcome::Unknown &&
                     std::ranges::find(verdict.notes, note) == verdict.notes.end())
@@ -437,8 +439,9 @@ void LocalizationCheck::search_complete() {
 
 namespace {
 
-/// Adds a note to verdicts about all states: the number of states that were searched for timelocks. The note is
-/// necessary because states that a timelock makes unreachable cannot violate a property.
+/// Adds a note to the verdicts about all states if the search for timelocks was incomplete: the number of states that
+/// were searched for timelocks. The note is necessary because a state that is unreachable only because of a timelock
+/// cannot violate a property.
 TimedResult with_time_reported(TimedResult result) {
     const auto time = std::ranges::find(result.verdicts, Pattern::NoTimelock, &Verdict::pattern);
     if (time == result.verdicts.end()) return result;
