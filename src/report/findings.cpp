@@ -49,7 +49,7 @@ void print_accepted(const Analysis& analysis, std::ostream& out) {
                                printable(*finding.accepted));
 }
 
-/// Returns text such as `X4`, `X5`. After the eighth name, only the number of further names is given.
+/// Returns a list of names such as `X4`, `X5`. After the eighth name, the list only states the number of further names.
 std::string subjects_text(const std::vector<std::string>& subjects) {
     constexpr std::size_t most = 8;
     std::string text;
@@ -58,7 +58,7 @@ std::string subjects_text(const std::vector<std::string>& subjects) {
     return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
 }
 
-/// Prints the undecided checks, one line for each code and each number of explored instants.
+/// Prints the undecided checks. Checks with the same code and the same extent of the search share one line.
 void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
     out << fmt::format("inconclusive: {} of {} checks; {}\n", analysis.open.size(), analysis.questions,

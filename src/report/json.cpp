@@ -21,8 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns a JSON number if the value fits into 64 bits, otherwise a string with its digits, because many JSON parsers
-/// do not support larger numbers.
+/// Returns a JSON number if the value fits into 64 bits. Otherwise returns a string with its digits, because many JSON
+/// parsers do not support larger numbers.
 Json number(const std::string& decimal) {
     if (decimal.empty()) return nullptr;
     std::uint64_t value = 0;
@@ -31,7 +31,7 @@ Json number(const std::string& decimal) {
     return read.ec == std::errc() && read.ptr == end ? Json(value) : Json(decimal);
 }
 
-/// Adds the constants of the loop with their current values, if it has any.
+/// Adds the constants of the closed loop with their current values. Adds nothing if the loop has no constants.
 void add_constants(Json& object, const CheckSettings& settings) {
     if (settings.constants.empty()) return;
     Json list = Json::array();
@@ -44,7 +44,7 @@ void add_constants(Json& object, const CheckSettings& settings) {
     object["constants"] = std::move(list);
 }
 
-/// Returns the table of a run, line by line.
+/// Returns the lines of the printed trace of a run.
 Json trace_text(const ChartRun& run, std::string_view end) {
     std::ostringstream text;
     print_trace(run, text);

@@ -99,7 +99,8 @@ Json act_json(const ChartRun::Act& act) {
             {"stable", or_null(act.stable)}};
 }
 
-/// Returns the values that differ from the previous state, each with its signal.
+/// Returns the values that differ from those in the previous state, each with the index of its signal; all values if
+/// there is no previous state.
 Json values_json(const ChartRun::State* before, const ChartRun::State& now) {
     Json list = Json::array();
     for (std::size_t i = 0; i < now.values.size(); ++i)

@@ -27,7 +27,7 @@ std::string run_text(const ChartRun& run, std::string_view end) {
     return std::move(text).str();
 }
 
-/// Returns the first lines of `text`, which build servers show initially.
+/// Returns the first lines of `text`. Build servers show only these lines until the user expands the entry.
 std::string first_lines(std::string_view text) {
     constexpr std::size_t shown = 6;
     std::size_t end = 0;
@@ -62,7 +62,7 @@ std::string result(const PropertyResult& answer, const std::optional<FilePlace>&
     return failure(word(verdict.outcome), message, where, answer.trace ? run_text(*answer.trace, end_of(verdict)) : "");
 }
 
-/// Returns the output of a case: the text of the property, and a note if it holds vacuously.
+/// Returns the output of a test case: the text of the property and, if the property holds vacuously, a note.
 std::string output(const PropertyResult& answer) {
     if (!answer.verdict.vacuous) return answer.text;
     return fmt::format("{}{}{}, vacuously: {}", answer.text, answer.text.empty() ? "" : "\n",

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double least_factor = 1.05;  // minimum factor of a listed component
+constexpr double least_factor = 1.05;  // minimum state space factor of a listed component or clock
 constexpr std::size_t most_lines = 12;
 
 std::string_view kind_word(StateProfile::Kind kind) {

@@ -25,7 +25,7 @@ std::string mode_text(const Controllers& controllers) {
 }
 
 /// Returns text such as `task cycle 10ms` or `task cycles: press 10ms, door 5ms..10ms, lamp zero`. The result is empty
-/// if all cycle times are zero.
+/// if no controller has a task cycle.
 template <class Controllers>
 std::string cycle_text(const Controllers& controllers) {
     std::vector<std::string> each;

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// True if the span is in a file of the user, and not in the built-in library.
+/// True if the span is in a file of the user; false if it is in the built-in library.
 bool is_of_files(const ReportSource& written, Span where) {
     return written.sources.contains(where.source) && !written.sources[where.source].name.starts_with('<');
 }
@@ -19,9 +19,9 @@ Id<Chart> chart_of(const ReportSource& written, Id<ChartRun::Controller> control
     return controller.index < controllers.size() ? controllers[{controller.index}].chart : Id<Chart>();
 }
 
-/// Returns the position of the element of the chart that corresponds to `id`, an element of its controller in the run.
-/// `list` has the elements of the controller, and `entities` those of the chart, in the same order. Returns null if
-/// there is none.
+/// Returns the position of the chart element that corresponds to `id`, an element of a controller in the run. `list`
+/// contains the elements of the controller; `entities` contains the elements of its chart in the same order. Returns
+/// null if the chart has no corresponding element.
 template <class T, class Entities>
 const Span* origin_in(const std::vector<Id<T>>& list, Id<T> id, const Entities& entities) {
     const auto found = std::ranges::find(list, id);
@@ -38,8 +38,8 @@ const Span* origin_of(const ReportSource& written, const ChartRun& run, Id<Chart
     return nullptr;
 }
 
-/// Returns the position of a step that is active after the row. If the row belongs to a controller, the step is a step
-/// of this controller.
+/// Returns the position of a step that is active after the row. If the run has several controllers, only steps of the
+/// controller of the row are considered. Returns null if there is no such step.
 const Span* origin_of_situation(const ReportSource& written, const ChartRun& run, const ChartRun::Row& row) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
         const Id<Chart> chart = chart_of(written, id);
@@ -72,8 +72,8 @@ const Span* origin_of_instance(const ReportSource& written, std::string_view nam
     return found == instances.end() ? nullptr : &found->origin;
 }
 
-/// Returns the position of the instance whose component contains the constraint `property`, such as
-/// `Door_constraint_1`; null if there is none.
+/// Returns the position of the instance whose component contains the constraint with this property name, such as
+/// `Door_constraint_1`; null if the name is not that of a constraint.
 const Span* origin_of_constraint(const ReportSource& written, std::string_view property) {
     const std::size_t name = property.rfind("_constraint_");
     return name == std::string_view::npos ? nullptr : origin_of_instance(written, property.substr(0, name));

@@ -32,7 +32,7 @@ std::string uri(std::string_view path) {
     return text;
 }
 
-/// Returns the column of byte `offset`, in characters.
+/// Returns the column, counted in characters, of the byte at `offset`.
 std::size_t column(const Source& source, std::uint32_t offset) {
     const std::size_t bytes = place(source.text, offset).column - 1;
     const std::string_view line = line_at(source.text, offset).substr(0, bytes);
@@ -54,7 +54,7 @@ Json location(Span where, const Sources& sources) {
 
 Json text_json(std::string_view text) { return Json{{"text", text}}; }
 
-/// Returns the index of the rule in the log. If the log does not contain the rule, adds it.
+/// Returns the index of the rule in the log; adds the rule if the log does not contain it.
 std::size_t rule_index(SarifLog& log, std::string_view id, std::string_view meaning, std::string_view level) {
     for (std::size_t index = 0; index < log.rules.size(); ++index)
         if (log.rules[index]["id"] == id) return index;
@@ -86,7 +86,7 @@ Json result(const Finding& finding, std::size_t rule, const Sources& sources) {
 constexpr std::string_view violated = "property-violated", holds = "property-holds", unknown = "property-unknown",
                            vacuous = "property-vacuous";
 
-/// Returns a row of the table in one line: `3 s: Lamp: dark; cleared t1; situation 2; outputs none`.
+/// Returns a row of the trace as one line: `3 s: Lamp: dark; cleared t1; situation 2; outputs none`.
 std::string row_text(const ChartRun& run, std::size_t index) {
     const Cells row = cells(run, index, index == 0);
     std::string text = row[0];
@@ -119,8 +119,8 @@ Json code_flow(const ChartRun& run, std::string_view end, const ReportSource& wr
     return {{"threadFlows", {{{"locations", std::move(locations)}}}}};
 }
 
-/// Returns a result. `kind` is `fail`, `open` (undecided property) or `review` (vacuous property). Only `fail` has a
-/// level.
+/// Returns a SARIF result. `kind` is `fail`, `open` (undecided property) or `review` (property that holds vacuously). A
+/// result of kind `fail` has the level `error`; all other results have the level `none`.
 Json result(std::string_view rule, std::size_t index, std::string_view kind, std::string_view message, Span where,
             const ReportSource& written) {
     Json object = {{"ruleId", rule},
@@ -161,7 +161,7 @@ void add_result(const Report& report, const PropertyResult& answer, const Report
         object["codeFlows"] = Json::array({code_flow(*answer.trace, end_of(verdict), written)});
     log.results.push_back(std::move(object));
     if (!open) return;
-    // As for the exit code, an undecided property counts only if it is declared.
+    // An unknown verdict makes the run unsuccessful only if the property is declared; the exit code uses the same rule.
     log.successful = log.successful && !verdict.declared;
     log.notifications.push_back(
         {{"level", "warning"}, {"message", text_json("unknown: " + message)}, {"associatedRule", {{"id", rule}}}});

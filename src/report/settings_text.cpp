@@ -16,7 +16,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns text such as `a, b, c and 46 more`.
+/// Returns the first names of a list, and the number of further names: `a`, `b`, `c` and 46 more.
 std::string some_of(const std::vector<std::string>& names) {
     constexpr std::size_t shown = 3;
     std::string words;
@@ -25,7 +25,8 @@ std::string some_of(const std::vector<std::string>& names) {
     return names.size() <= shown ? words : fmt::format("{} and {} more", words, names.size() - shown);
 }
 
-/// Returns the subsystems that a verdict omits, and the reason why this is sound.
+/// Returns text about the subsystems or fragments that were searched for a verdict, the omitted ones, and the reason
+/// why the verdict does not depend on the omitted ones.
 std::string scope_text(const SearchScope& scope) {
     if (scope.searched.empty() && scope.left_out.empty()) return {};
     const bool one = scope.searched.size() == 1;
@@ -43,7 +44,7 @@ void append(std::string& words, std::string_view more, std::string_view between)
     if (!more.empty()) words.append(words.empty() ? "" : between).append(more);
 }
 
-/// Returns the instances that an input abstraction replaced.
+/// Returns text about the instances that the input abstraction of a verdict reduced.
 std::string abstraction_text(const PropertyResult& answer) {
     const Verdict& verdict = answer.verdict;
     if (!verdict.abstraction) return {};
@@ -56,7 +57,7 @@ std::string abstraction_text(const PropertyResult& answer) {
     return words;
 }
 
-/// Returns the assumptions of all verdicts of a report.
+/// Returns text about the settings that are common to all verdicts of a report.
 std::string common_text(const CheckSettings& settings) {
     const std::string constants = settings.constants.empty() ? "" : "; " + constants_text(settings.constants);
     if (settings.untimed.empty())
@@ -68,8 +69,8 @@ std::string common_text(const CheckSettings& settings) {
                        settings.cycle.empty() ? "" : "; " + settings.cycle, constants);
 }
 
-/// The additional parts of a verdict: states, subsystems, implication for the timed loop, input abstraction. Each part
-/// may be empty.
+/// The texts about a single verdict: number of states, subsystems, implication for the timed loop, and input
+/// abstraction. Each of these texts may be empty.
 using Parts = std::array<std::string, 4>;
 Parts parts_of(const PropertyResult& answer) {
     const Verdict& verdict = answer.verdict;
@@ -77,8 +78,8 @@ Parts parts_of(const PropertyResult& answer) {
             abstraction_text(answer)};
 }
 
-/// Returns, for each part, the text that all results have in common; empty if the texts differ. Undecided properties
-/// for which no search was started are ignored.
+/// Returns, for each of the `Parts`, the text that all results have in common; empty if the texts differ. For the
+/// number of states, undecided properties for which no search was started are ignored.
 std::array<std::optional<std::string>, 4> agreed(const std::vector<const PropertyResult*>& answers) {
     std::array<std::set<std::string>, 4> values;
     for (const PropertyResult* answer : answers) {
@@ -102,7 +103,7 @@ std::string settings_text(const Report& report, const PropertyResult& answer) {
 
 SharedSettings shared_settings(const Report& report, const std::vector<const PropertyResult*>& answers) {
     SharedSettings settings{common_text(report.settings), {}};
-    std::map<std::string, std::size_t> known;  // index of the group, by text
+    std::map<std::string, std::size_t> known;  // maps the text of a group to its index
     const auto same = agreed(answers);
     for (const auto& part : same) append(settings.shared, part.value_or(""), "; ");
     for (const PropertyResult* answer : answers) {

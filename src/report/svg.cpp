@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From top to bottom, the layout consists of the title, the strips of columns, and the foot. A strip consists of a
-// header with slanted labels, the numbers of events and the times, and the rows in groups. All lengths are in pixels.
-// The assumed width of a character is `character`.
+// Draws the timing diagram of a run. From top to bottom, the diagram consists of the title, the strips of columns, and
+// the foot. A strip consists of a header and the rows in groups; the header contains slanted labels, the numbers of the
+// events, and the times. All lengths are in pixels. The constant `character` is the assumed width of a character.
 #include "report/svg.hpp"
 
 #include <fmt/format.h>
@@ -21,12 +21,12 @@ namespace {
 constexpr std::size_t character = 7, column_width = 36, row_height = 26, margin = 16;
 constexpr std::size_t longest_label = 56, longest_name = 32;
 constexpr std::size_t longest_strip = 40;            // maximum number of columns in a strip
-constexpr std::size_t wave_high = 5, wave_low = 20;  // positions within a row
-/// The space in hundredths of a pixel that a character adds to a label, upwards and to the right, at an angle of 60
-/// degrees.
+constexpr std::size_t wave_high = 5, wave_low = 20;  // vertical positions of the values true and false within a row
+/// Labels are drawn at an angle of 60 degrees. Each character extends a label upwards and to the right by these
+/// lengths, in hundredths of a pixel.
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
 
-/// One row of the diagram: a name and its value in each column.
+/// One row of the diagram: the name of a signal or step, and its value in each column.
 struct SignalRow {
     std::string name = {};
     bool boolean = true;
@@ -43,7 +43,7 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-/// One column for each row of the run in the selected range: the state after this row.
+/// The columns of the diagram: for each displayed row of the run in the selected range, the state after this row.
 using Columns = std::vector<const ChartRun::State*>;
 
 Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {
@@ -164,7 +164,7 @@ private:
         foot_ = std::move(lines);
     }
 
-    /// Returns the position of a column of the current strip.
+    /// Returns the x position of a column of the current strip.
     std::size_t x(std::size_t column) const { return left_ + (column - first_) * column_width; }
 
     void text(std::size_t x, std::size_t y, std::string_view kind, std::string_view words) {
@@ -173,7 +173,7 @@ private:
         body_ += "</text>\n";
     }
 
-    /// Draws the columns [first, end), starting at `y`. Returns the lower end.
+    /// Draws a strip with the columns [first, end), starting at `y`. Returns the y position of its lower end.
     std::size_t draw_strip(std::size_t first, std::size_t end, std::size_t y) {
         first_ = first;
         end_ = end;
@@ -232,7 +232,8 @@ private:
         }
     }
 
-    /// Draws a segment of a waveform; if `slope` is true, with the edge from the previous segment.
+    /// Draws a segment of the waveform of a Boolean signal. If `slope` is true, also draws the edge from the previous
+    /// segment.
     void draw_level(std::size_t begin, std::size_t end, bool high, bool slope, const std::string& kind, std::size_t y) {
         const std::size_t level = y + (high ? wave_high : wave_low);
         if (high)
@@ -243,7 +244,7 @@ private:
         body_ += fmt::format("<path class=\"wave {}\" d=\"{}H{}\"/>\n", kind, from, x(end));
     }
 
-    /// Draws a value as a box with slanted ends.
+    /// Draws the value of an integer signal as a box with slanted ends.
     void draw_value(std::size_t begin, std::size_t end, std::int64_t value, const std::string& kind, std::size_t y) {
         const std::size_t high = y + wave_high, low = y + wave_low, middle = (high + low) / 2, slant = 4;
         body_ += fmt::format("<path class=\"wave {} fill-{}\" d=\"M{} {}L{} {}H{}L{} {}L{} {}H{}Z\"/>\n", kind, kind,
@@ -255,13 +256,13 @@ private:
     const ChartRun& run_;
     std::string title_;
     Columns columns_ = {};
-    std::optional<std::size_t> loop_from_ = {};  ///< index of a column
+    std::optional<std::size_t> loop_from_ = {};  ///< index of the first column that is repeated forever
     std::vector<Group> groups_ = {};
     std::vector<std::string> labels_ = {}, foot_ = {};
-    std::vector<std::size_t> events_ = {};          ///< number of the event of each column
+    std::vector<std::size_t> events_ = {};          ///< for each column, the number of its event
     std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_ is the number of characters of the longest label
-    std::size_t first_ = 0, end_ = 0;               ///< columns of the current strip
-    std::string ground_ = {};                       ///< elements of the background
+    std::size_t first_ = 0, end_ = 0;               ///< the current strip contains the columns [first_, end_)
+    std::string ground_ = {};                       ///< SVG elements that are drawn first
     std::string body_ = {};
 };
 

@@ -19,8 +19,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t gutter = 2;      // columns before the table: the bar of a loop and the star of a cause
-constexpr std::size_t column_gap = 2;  // blanks between columns
+constexpr std::size_t gutter = 2;      // characters before the table: bar of a loop, star of a cause
+constexpr std::size_t column_gap = 2;  // number of blanks between columns
 constexpr std::size_t least_width = 8;
 
 void print_cells(const Cells& cells, const std::string& bar, const TableWidths& widths, std::ostream& out) {
@@ -44,8 +44,8 @@ void print_cells(const Cells& cells, const std::string& bar, const TableWidths& 
     }
 }
 
-/// Returns the widths of the columns. Each column is as wide as its contents, but the widest columns are reduced until
-/// the table fits into a line.
+/// Returns the widths of the columns. Each column is as wide as its longest entry. If the table does not fit into a
+/// line, the widest columns are reduced.
 TableWidths fitting(const ChartRun& run) {
     TableWidths widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
@@ -57,7 +57,8 @@ TableWidths fitting(const ChartRun& run) {
     for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > available;) {
         const auto widest = std::ranges::max_element(widths);
         const auto rest = sum - *widest;
-        // Reduces the widest column to the width of the second widest column, or by less if this is sufficient.
+        // Reduces the widest column to the width of the second widest column; a smaller reduction is made if the table
+        // then fits.
         std::size_t next = least_width;
         for (auto width = widths.begin(); width != widths.end(); ++width)
             if (width != widest) next = std::max(next, *width);
@@ -70,7 +71,7 @@ TableWidths fitting(const ChartRun& run) {
 
 bool in_loop(const ChartRun& run, std::size_t index) { return run.loop_from && index >= *run.loop_from; }
 
-/// Returns the visible rows in which a cause begins.
+/// Returns the indices of the displayed rows in which a cause of the violation begins.
 std::set<std::size_t> marked_rows(const ChartRun& run) {
     const std::vector<std::size_t> shown = shown_rows(run);
     std::set<std::size_t> marked;
@@ -82,7 +83,7 @@ std::set<std::size_t> marked_rows(const ChartRun& run) {
     return marked;
 }
 
-/// A row in printed form.
+/// The printed form of a row of the run.
 struct Line {
     std::size_t row = 0;
     Cells cells = {};
@@ -92,7 +93,7 @@ struct Line {
     std::string bar() const { return {in_loop ? '|' : ' ', marked ? '*' : ' '}; }
 };
 
-/// True if `later` repeats `line` after `delay_ms`.
+/// True if `later` is the same line as `line`, with a time that is later by `delay_ms`.
 bool repeats(const Line& line, const Line& later, std::int64_t delay_ms) {
     return later.time_ms - line.time_ms == delay_ms && line.cells[0].empty() == later.cells[0].empty() &&
            std::equal(line.cells.begin() + 1, line.cells.end(), later.cells.begin() + 1) &&
@@ -104,8 +105,8 @@ struct Repetition {
     std::size_t period = 1, copies = 1;
 };
 
-/// Returns the repetition of at least three copies, starting at `begin`, that covers the most lines. If there is none,
-/// returns a single line.
+/// Returns the repetition with at least three copies that starts at `begin` and covers the most lines. If there is no
+/// such repetition, returns a single line.
 Repetition repetition(const std::vector<Line>& lines, std::size_t begin) {
     constexpr std::size_t longest_period = 100;
     Repetition best;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints verdicts as text: their assumptions; failures with notes and traces; a table of all verdicts.
+// Prints verdicts as text: the settings of the check, the failures with their notes and traces, and a table of all
+// verdicts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ const char* undeclared(const Verdict& verdict) { return verdict.about.valid() ? 
 
 using Answers = std::vector<const PropertyResult*>;
 
-/// A reason or note, and the verdicts that have this text.
+/// The text of a reason or note, and the verdicts that have this text.
 struct Shared {
     std::string text = {};
     Answers answers = {};
@@ -45,7 +46,7 @@ public:
         all_[place->second].answers.push_back(&answer);
     }
     const std::vector<Shared>& all() const { return all_; }
-    /// Returns the entry of a text that was added.
+    /// Returns the entry of a text. The text must have been added.
     const Shared& operator[](const std::string& text) const { return all_[index_.at(text)]; }
 
 private:
@@ -61,7 +62,7 @@ std::string folded(const std::string& text, std::size_t indentation) {
     return lines;
 }
 
-/// A row of the final table.
+/// A row of the table of verdicts at the end of the output.
 struct Row {
     std::string property = {}, verdict = {}, place = {}, text = {};
     int colour = 0;  ///< colour of the verdict
@@ -121,8 +122,8 @@ private:
         return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
-    /// True if the note is printed before the verdicts. These are notes of properties that hold, and notes of several
-    /// properties. Other notes are printed after their verdict.
+    /// True if the note is printed before the verdicts: it belongs to a property that holds as expected, or to several
+    /// properties. Any other note is printed after its verdict.
     bool is_reported_above(const Shared& note) const {
         return note.answers.size() > 1 || in_table_only(*note.answers.front());
     }
@@ -181,7 +182,7 @@ private:
         return std::move(out).str();
     }
 
-    /// Prints a run. `end` is the text at the end of a trace that does not repeat.
+    /// Prints a trace. If its last events do not repeat, the text `end` is printed after the trace.
     static void print_reported(std::string_view what, const ChartRun& run, std::string_view end, std::ostream& out) {
         out << what << ":\n";
         print_trace(run, out);
@@ -194,7 +195,7 @@ private:
         out_ << '\n';
     }
 
-    /// Returns the rows of the table. All reached steps of one property share one row.
+    /// Returns the rows of the table. All steps that a property `reachable all steps` reaches share one row.
     std::vector<Row> rows() const {
         std::vector<Row> rows;
         std::set<std::string> families;
@@ -215,7 +216,8 @@ private:
         return rows;
     }
 
-    /// Returns `S (9 of 11 steps)`, or the name of the only step.
+    /// Returns text such as `S (9 of 11 steps)`. If the property has a verdict on only one step, returns the name of
+    /// this verdict.
     std::string steps_that_hold(const PropertyResult& first, const FamilySizes& families_that_hold) const {
         const std::string family = family_of(first);
         const std::size_t holding = families_that_hold.at(family), all = families_.at(family);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Invariants of a TestReport, and its output as JSON and JUnit XML.
+// Checks the invariants of a TestReport, and writes it as JSON and JUnit XML.
 #include "report/test_report.hpp"
 
 #include <fmt/format.h>

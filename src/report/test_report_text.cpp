@@ -18,7 +18,7 @@ namespace {
 
 using Variables = std::vector<TestSequence::Variable>;
 
-/// Returns text such as `s=1 h1=1 h2=0`.
+/// Returns the variables with their values, such as `s=1 h1=1 h2=0`.
 std::string named(const Variables& variables, const std::vector<std::int64_t>& values) {
     std::string text;
     for (std::size_t k = 0; k < variables.size(); ++k)

@@ -99,7 +99,7 @@ void TraceRowBuilder::add_event(std::size_t moment) {
         delay_ms_ += event.after.time_ms - run_.moments[moment - 1].after.time_ms;
         return;
     }
-    // A scan of a task cycle that changes nothing does not divide a delay.
+    // A delay is printed as one row, even if scans of a task cycle that change nothing occur during the delay.
     const bool scans = std::ranges::any_of(
         event.acts, [&](const Act& act) { return run_.controllers[act.controller].cycle.has_value(); });
     if (run_.searches && !scans) close_delay();
@@ -114,8 +114,8 @@ void TraceRowBuilder::add_event(std::size_t moment) {
             moment);
 }
 
-/// Adds a row for the sampling of each controller that has sampled an input which changes before the evolution that
-/// reads it.
+/// Adds a row for each controller that has sampled an input whose value changes in this event, before the evolution
+/// that reads the sample. The row states that the controller has sampled its inputs.
 void TraceRowBuilder::add_sampling_row(std::size_t moment) {
     const std::vector<std::int64_t>& before = run_.moments[moment - 1].after.values;
     const std::vector<std::int64_t>& after = run_.moments[moment].after.values;
@@ -167,7 +167,8 @@ void TraceRowBuilder::add_act_rows(std::size_t moment, const Act& act) {
     if (act.writes == Act::Writes::Yes || !run_.searches) close(index, moment);
 }
 
-/// Adds a row for an evolution in a run that counts steps. In such a run, each evolution is a phase.
+/// Adds a row for the phase of a PLC cycle that consists of these actions. If each evolution has a row (`searches` is
+/// false), a phase that is not an evolution and changes nothing has no row.
 void TraceRowBuilder::report_phase(std::size_t moment, const Act& act) {
     const OpenRow open = std::exchange(open_[act.controller.index], {});
     const bool internal = open.fired.empty() && !open.changed;

@@ -42,7 +42,7 @@ std::string choice_text(const Network& network, const NetworkState& state, const
 
 namespace {
 
-/// Returns a time condition such as `3s/X2`; only the duration if the observed term has no name.
+/// Returns the time condition of a timer, such as `3s/X2`. If the observed term has no name, returns only the duration.
 std::string timer_condition(const ChartRun::Timer& timer, bool value = true) {
     if (timer.watched.empty()) return duration_text(value && timer.rise_ms > 0 ? timer.rise_ms : timer.fall_ms);
     return time_text(timer.rise_ms, timer.watched, timer.fall_ms);
@@ -52,8 +52,8 @@ std::string step_text(const ChartRun::Step& step) {
     return (step.controller.empty() ? "" : step.controller + ".") + step.name.variable();
 }
 
-/// Returns the time condition in the notation of properties: if there are several controllers, the step name is
-/// qualified by its controller.
+/// Returns the time condition of a timer in the notation of properties. If there are several controllers, the name of
+/// the controller qualifies the name of the step.
 std::string timer_in_loop(const ChartRun& run, Id<ChartRun::Timer> id) {
     ChartRun::Timer timer = run.timers[id];
     for (const ChartRun::Controller& controller : run.controllers)
@@ -89,7 +89,7 @@ std::string cause_text(const ChartRun& run, const ChartRun::Cause& cause) {
 std::string causes_text(const ChartRun& run) {
     constexpr std::size_t most = 8;
     using Group = std::pair<std::string, std::vector<std::string>>;
-    std::vector<Group> groups;  // causes of each time or interval
+    std::vector<Group> groups;  // texts of times or intervals, each with the texts of its causes
     for (const ChartRun::Cause& cause : run.causes) {
         std::string when = "at " + event_text(run, run.moments[cause.first].after);
         const bool lasts = cause.first < cause.last;
@@ -98,7 +98,7 @@ std::string causes_text(const ChartRun& run) {
         else if (lasts) when = "from" + when.substr(2) + " on";
         auto group = std::ranges::find(groups, when, &Group::first);
         if (group == groups.end()) group = groups.insert(group, {std::move(when), {}});
-        // Causes after several events of one instant can have the same text.
+        // Causes that begin at different events of one instant can have the same text; this text is listed only once.
         std::string text = cause_text(run, cause);
         if (std::ranges::find(group->second, text) == group->second.end()) group->second.push_back(std::move(text));
     }

@@ -13,7 +13,7 @@ namespace grafverif {
 
 namespace {
 
-/// One variable of the dump and the last written value.
+/// A variable of the dump, and the value that was last written for it.
 struct Wire {
     bool boolean = true;
     std::string code = {};
@@ -36,7 +36,7 @@ constexpr std::array<std::pair<const char*, ChartRun::Role>, 4> scopes{{{"inputs
                                                                         {"internals", ChartRun::Role::Internal},
                                                                         {"plant", ChartRun::Role::Plant}}};
 
-/// Returns all values of a row in the order of the wires.
+/// Returns the values of all wires after a row of the run, in the order of the wires.
 std::vector<std::int64_t> all_values(const ChartRun& run, std::size_t index) {
     const ChartRun::State& state = run.after(run.rows[index]);
     std::vector<std::int64_t> list;
@@ -64,7 +64,7 @@ public:
             time = std::max(time + 1, run_.after(run_.rows[i]).time_ms * 1000);
             changes(i, time);
         }
-        out_ << fmt::format("#{}\n", time + 1000);  // shows the last step for one millisecond
+        out_ << fmt::format("#{}\n", time + 1000);  // viewers then show the last state for one millisecond
     }
 
 private:
@@ -80,7 +80,8 @@ private:
         out_ << "$upscope $end\n";
     }
 
-    /// Adds the steps: `G2.2` is X2 in a separate module G2.
+    /// Adds a wire for each step. A step of a named partial chart, such as `G2.2`, is the wire X2 in a separate module
+    /// G2.
     void steps() {
         out_ << "$scope module steps $end\n";
         for (const ChartRun::Step& step : run_.steps) {

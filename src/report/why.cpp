@@ -26,7 +26,8 @@ constexpr std::array kinds = {ProofExplanation::Kind::Transition, ProofExplanati
                               ProofExplanation::Kind::Term, ProofExplanation::Kind::Guard,
                               ProofExplanation::Kind::Edge};
 
-/// Maximum number of undecided elements of one type that are listed by name without `--verbose`.
+/// Without `--verbose`, at most this number of undecided elements of one type are listed by name; otherwise, only their
+/// number is printed.
 constexpr std::size_t most_open = 3;
 
 std::string listed(const Names& names, std::string_view last = ", ", std::string_view between = ", ") {
@@ -46,8 +47,8 @@ std::string nth_of(const ProofExplanation::ModelElement& element) {
     return element.nth > 1 ? fmt::format(" ({})", element.nth) : "";
 }
 
-/// Returns the name of an element in a list of elements of its type. In such a list, the elements of an instance are
-/// printed after the name of the instance (see by_instance).
+/// Returns the name of an element within a list of elements of the same type. The name of an edge or guard does not
+/// contain the name of its instance, because by_instance groups these elements by instance.
 std::string name_of(const ProofExplanation::ModelElement& element) {
     if (element.kind == ProofExplanation::Kind::Term)
         return fmt::format("`{}`{} of {}", element.name, nth_of(element), element.of);
@@ -56,7 +57,8 @@ std::string name_of(const ProofExplanation::ModelElement& element) {
 
 using Choice = bool (*)(const ProofExplanation::ModelElement&);
 
-/// Returns edges grouped by instance: their number, `Cups 2 of 6`, or their names, `Cups (off -> on, on -> off)`.
+/// Groups the chosen edges by instance. Returns, for each instance, the number of chosen edges, such as `Cups 2 of 6`;
+/// or, if `named` is true, their names, such as `Cups (off -> on, on -> off)`.
 Names by_instance(const std::vector<ProofExplanation::ModelElement>& edges, Choice chosen, bool named) {
     Names groups;
     for (auto first = edges.begin(); first != edges.end();) {
@@ -79,7 +81,8 @@ std::vector<ProofExplanation::ModelElement> of_kind(const ProofExplanation& why,
     return found;
 }
 
-/// Returns the result for a model without the elements with these names.
+/// Returns text about the model in which one of the elements with these names has no effect, such as `if t1 or t2 is
+/// never cleared`.
 std::string without(ProofExplanation::Kind kind, const Names& names) {
     const std::string list = listed(names, " or ");
     switch (kind) {
@@ -92,9 +95,10 @@ std::string without(ProofExplanation::Kind kind, const Names& names) {
     return {};
 }
 
-/// The elements of charts that the proof of a property needs, and the undecided elements.
+/// Texts about the elements of charts that the proof of a property needs, and about the elements for which this is
+/// undecided.
 struct OfCharts {
-    Names fails = {};  ///< names of elements without which the property fails, by type
+    Names fails = {};  ///< one text for each type of element, such as `if t1 or t2 is never cleared`
     Names open = {};
 };
 
@@ -150,8 +154,8 @@ bool is_free(const ProofExplanation::ModelElement& element) {
     return element.needed_by.empty() && element.open.empty();
 }
 
-/// Returns the number of elements of a type that at least one property needs, and lists the elements that no property
-/// needs.
+/// Returns text about the elements of one type: the number of elements that the proof of at least one property needs,
+/// and the names of the elements that no proof needs.
 std::string coverage_text(ProofExplanation::Kind kind, const std::vector<ProofExplanation::ModelElement>& elements,
                           bool verbose) {
     const auto covered = std::ranges::count_if(elements, is_needed), free = std::ranges::count_if(elements, is_free);
@@ -186,8 +190,8 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
     return listed(sentences, "; ", "; ");
 }
 
-/// Prints the proof cores. Properties with the same text are printed together, at the position of the first of these
-/// properties.
+/// Prints the proof cores. Properties with the same proof core text share one entry, which is printed at the position
+/// of the first of these properties.
 void print_proof_cores(const ProofExplanation& why, bool verbose, std::ostream& out) {
     std::vector<std::pair<Names, std::string>> sentences;
     for (const ProofExplanation::ProofCore& ground : why.grounds) {

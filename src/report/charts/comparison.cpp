@@ -18,14 +18,15 @@ namespace grafverif {
 
 namespace {
 
-/// Returns a value of a variable that is not Boolean, as a program writes it: `3`, `T#1500ms`, `Heating`.
+/// Returns the value of a non-Boolean variable in the notation of programs: `3`, `T#1500ms`, `Heating`.
 std::string value_text(const Comparison::Variable& variable, std::int64_t value) {
     if (variable.duration) return "T#" + duration_text(value);
     const bool named = value >= 0 && static_cast<std::size_t>(value) < variable.values.size();
     return named ? variable.values[static_cast<std::size_t>(value)] : std::to_string(value);
 }
 
-/// Returns the nonzero variables and all enumerations, such as `START, N = 3, Mode = Off`; `none` if there are none.
+/// Returns the variables with nonzero values and all enumerations, such as `START, N = 3, Mode = Off`. If there are no
+/// such variables, returns `none`.
 std::string standing(const std::vector<Comparison::Variable>& variables, const std::vector<std::int64_t>& values) {
     std::string text;
     for (std::size_t k = 0; k < variables.size(); ++k) {
@@ -36,7 +37,7 @@ std::string standing(const std::vector<Comparison::Variable>& variables, const s
     return text.empty() ? "none" : text;
 }
 
-/// Returns the outputs with different values in `a` and `b`.
+/// Returns the names of the outputs whose values in `a` and `b` differ.
 std::string differing(const Comparison& comparison, const Comparison::ScanOutputs& a,
                       const Comparison::ScanOutputs& b) {
     std::string text;
@@ -50,7 +51,8 @@ std::string result_text(const Comparison& comparison, const Comparison::ScanOutp
     return standing(comparison.outputs, answer.outputs) + (answer.situation.empty() ? "" : "  in " + answer.situation);
 }
 
-/// Prints the columns of the table, separated by two blanks. Long entries are wrapped.
+/// Prints one row of the table of scans. Columns are separated by two blanks. An entry that is wider than its column is
+/// wrapped.
 void print_row(const std::array<std::string, 4>& cells, const std::array<std::size_t, 4>& widths, std::ostream& out) {
     std::array<std::vector<std::string>, 4> lines;
     std::size_t most = 1;
@@ -104,7 +106,7 @@ std::string outcome_text(const Comparison& comparison, Colour colour) {
 
 bool has_program(const Comparison& comparison) { return comparison.programs[0] || comparison.programs[1]; }
 
-/// Returns the interpreters that replay a difference.
+/// Returns text that names the interpreters that replayed the difference.
 std::string_view replay_text(const Comparison& comparison) {
     if (!has_program(comparison)) return "under the rules of IEC 60848";
     return comparison.programs[0] && comparison.programs[1]
@@ -112,7 +114,7 @@ std::string_view replay_text(const Comparison& comparison) {
                : "under the rules of IEC 60848 and on the interpreter of programs";
 }
 
-/// Returns the definition of a scan.
+/// Returns text that defines the term "scan" for this comparison.
 std::string scan_text(const Comparison& comparison) {
     if (!has_program(comparison)) return fmt::format("one PLC cycle, mode {}", word(comparison.mode));
     const bool with_chart = !comparison.programs[0] || !comparison.programs[1];
@@ -128,7 +130,7 @@ std::string names_text(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Prints the assumptions of the verdict.
+/// Prints the assumptions under which the verdict of the comparison holds.
 void print_basis(const Comparison& comparison, std::ostream& out) {
     out << "  a scan is " << scan_text(comparison);
     if (comparison.interval_ms) out << fmt::format("; scans occur every {}", duration_text(*comparison.interval_ms));
@@ -152,7 +154,7 @@ void print_basis(const Comparison& comparison, std::ostream& out) {
         out << "  these outputs are not compared: " << printable(names_text(comparison.ignored)) << '\n';
 }
 
-/// Returns the claim of a proof that no scan distinguishes both.
+/// Returns the statement that is proved if no scan distinguishes the two sides.
 std::string equality_text(const Comparison& comparison) {
     return fmt::format("for all inputs{}, both write the same outputs in every scan, or both stop in the same scan",
                        comparison.resolution_ms > 0 && !comparison.interval_ms ? " and all times between scans" : "");

@@ -26,7 +26,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Maximum number of undecided or not monotone combinations of a property that are listed.
+/// For each property: maximum number of undecided combinations that are listed, and of non-monotone combinations that
+/// are listed.
 constexpr std::size_t most_listed_sets = 5;
 
 std::string joined(const std::vector<std::string>& names) {
@@ -35,28 +36,30 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Returns a combination such as `V_stuck + H_stuck`.
+/// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`.
 std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults) {
     std::string text;
     for (const std::size_t fault : faults) text += (text.empty() ? "" : " + ") + printable(analysis.faults[fault].name);
     return text.empty() ? "no fault" : text;
 }
 
-/// Returns combinations such as `V_stuck, V_stuck + H_stuck`.
+/// Returns the names of several combinations, such as `V_stuck, V_stuck + H_stuck`.
 std::string names_of(const FaultAnalysis& analysis, const std::vector<FaultSet>& sets) {
     std::string text;
     for (const FaultSet& faults : sets) text += (text.empty() ? "" : ", ") + names_of(analysis, faults);
     return text;
 }
 
-/// Returns text such as `minimality is unproved: V_stuck, H_stuck are unknown`; empty if the combination is minimal.
+/// Returns text such as `minimality is unproved: the verdicts for V_stuck, H_stuck are unknown`; empty if the
+/// combination is proved to be minimal.
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut) {
     if (cut.unknown_subsets.empty()) return "";
-    return "minimality is unproved: " + names_of(analysis, cut.unknown_subsets) +
-           (cut.unknown_subsets.size() == 1 ? " is" : " are") + " unknown";
+    return std::string("minimality is unproved: the verdict") + (cut.unknown_subsets.size() == 1 ? "" : "s") + " for " +
+           names_of(analysis, cut.unknown_subsets) + (cut.unknown_subsets.size() == 1 ? " is" : " are") + " unknown";
 }
 
-/// True if the row is printed. An undeclared `no timelock` is not printed if it holds in all checks.
+/// True if the row of a property is printed. The row of an undeclared `no timelock` is omitted if this property holds
+/// without faults and for all checked combinations.
 bool is_shown(const FaultAnalysis::Row& row) {
     return row.declared || row.without_faults != Outcome::Holds || !row.minimal.empty() || !row.open.empty();
 }
@@ -65,7 +68,7 @@ void print_table(const FaultAnalysis& analysis, std::ostream& out) {
     std::size_t width = columns_of("property");
     for (const FaultAnalysis::Row& row : analysis.rows)
         if (is_shown(row)) width = std::max(width, columns_of(printable(row.property)));
-    out << '\n' << padded("property", width) << "  minimal combinations of faults that violate it\n";
+    out << '\n' << padded("property", width) << "  minimal combinations of faults that violate the property\n";
     for (const FaultAnalysis::Row& row : analysis.rows) {
         if (!is_shown(row)) continue;
         std::string text;
@@ -99,14 +102,15 @@ void print_non_monotone(const FaultAnalysis& analysis, std::ostream& out) {
         if (row.non_monotone.empty()) continue;
         out << fmt::format("\n{}: further faults can restore the property\n", printable(row.property));
         for (std::size_t k = 0; k < std::min(row.non_monotone.size(), most_listed_sets); ++k)
-            out << fmt::format("    {} violates it, {} does not\n", names_of(analysis, row.non_monotone[k].violating),
+            out << fmt::format("    {} violates the property, {} does not\n",
+                               names_of(analysis, row.non_monotone[k].violating),
                                names_of(analysis, row.non_monotone[k].holding));
         if (row.non_monotone.size() > most_listed_sets)
             out << fmt::format("    and {} further combinations\n", row.non_monotone.size() - most_listed_sets);
     }
 }
 
-/// Returns the properties that the fault violates alone.
+/// Returns the properties that this single fault violates without other faults.
 std::vector<std::string> violated_by(const FaultAnalysis& analysis, std::size_t fault) {
     std::vector<std::string> names;
     for (const FaultAnalysis::Row& row : analysis.rows)
@@ -115,7 +119,7 @@ std::vector<std::string> violated_by(const FaultAnalysis& analysis, std::size_t 
     return names;
 }
 
-/// Returns the properties that the fault violates only together with other faults.
+/// Returns the properties that a minimal combination of this fault with other faults violates.
 std::vector<std::string> violated_with_others(const FaultAnalysis& analysis, std::size_t fault) {
     std::vector<std::string> names;
     for (const FaultAnalysis::Row& row : analysis.rows)
@@ -126,7 +130,7 @@ std::vector<std::string> violated_with_others(const FaultAnalysis& analysis, std
     return names;
 }
 
-/// True if all combinations with the fault have verdicts.
+/// True if, for every property, the verdicts without faults and on all combinations with the fault are known.
 bool is_decided(const FaultAnalysis& analysis, std::size_t fault) {
     return std::ranges::none_of(analysis.rows, [&](const FaultAnalysis::Row& row) {
         return row.without_faults == Outcome::Unknown ||
@@ -168,9 +172,9 @@ void print_effects(const FaultAnalysis& analysis, std::size_t index, std::ostrea
 void print_run(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut,
                std::ostream& out) {
     out << fmt::format("\n{}: violated by {}", printable(row.property), names_of(analysis, cut.faults));
-    if (!cut.from_power_on.empty()) out << ", from power-on: " << names_of(analysis, cut.from_power_on);
+    if (!cut.from_power_on.empty()) out << ", present from power-on: " << names_of(analysis, cut.from_power_on);
     out << '\n';
-    if (!cut.result.trace) return void(out << "    no run reaches such a state\n");
+    if (!cut.result.trace) return void(out << "    no run reaches a state that satisfies the property\n");
     print_trace(*cut.result.trace, out);
     const std::string_view end = end_of(cut.result.verdict);
     if (!cut.result.trace->loop_from && !end.empty()) out << "    " << end << '\n';
@@ -271,7 +275,8 @@ std::string faults_json(const FaultAnalysis& analysis, const Sources& sources) {
 
 namespace {
 
-/// Returns the formula of a gate: the disjunction of the minimal combinations. `events` are the names of the faults.
+/// Returns the formula of the gate of a property: the disjunction of its minimal combinations of faults. `events`
+/// contains the names of the faults.
 std::string formula_of(const FaultAnalysis::Row& row, std::span<const std::string> events) {
     if (row.minimal.empty()) return "      <constant value=\"false\"/>\n";
     const bool several = row.minimal.size() > 1;
@@ -296,7 +301,8 @@ std::string label(const std::string& text) {
     return xml + "</label>";
 }
 
-/// Returns comments about results for the property that the gate does not contain.
+/// Returns XML comments about the results for the property that its gate cannot express: unknown verdicts, unproved
+/// minimality, and non-monotone combinations.
 std::string gate_comments(const FaultAnalysis& analysis, const FaultAnalysis::Row& row) {
     std::string xml;
     if (!row.open.empty()) {

@@ -15,10 +15,12 @@ namespace {
 
 using ResultKind = MutantResult::Kind;
 
-/// Maximum number of undecided properties of a mutant that are listed by name.
+/// A mutant with at most this number of undecided properties lists them by name; otherwise, only their number is
+/// printed.
 constexpr std::size_t most_listed = 3;
 
-/// Number of mutants that were detected, and number of mutants that count. Refused and equivalent mutants do not count.
+/// `noticed`: number of detected mutants. `decided`: number of mutants that the score includes; refused and equivalent
+/// mutants are excluded.
 struct Score {
     std::size_t noticed = 0, decided = 0;
 };
@@ -39,8 +41,8 @@ Score of_specification(const Mutation& mutation) {
     return {noticed, noticed + count_of(mutation, ResultKind::Unnoticed)};
 }
 
-/// Returns the score of the test sequence. The score includes only mutants that are known to differ from
-/// the original.
+/// Returns the score of the test sequence. The score includes only mutants whose outputs are known to differ from those
+/// of the original.
 Score of_tests(const Mutation& mutation) {
     Score score;
     for (const auto& mutant_result : mutation.results) {
@@ -67,7 +69,8 @@ bool is_vacuous(const Mutation& mutation, const std::string& property) {
     return std::ranges::find(mutation.vacuous, property) != mutation.vacuous.end();
 }
 
-/// Returns the rounded percentage; 100 % and 0 % only if all mutants or no mutants were detected.
+/// Returns the rounded percentage of detected mutants. It is 100 % only if all mutants were detected, and 0 % only if
+/// no mutant was detected.
 std::string percent(const Score& score) {
     if (score.decided == 0) return "";
     const std::size_t rounded = (200 * score.noticed + score.decided) / (2 * score.decided);
@@ -83,15 +86,15 @@ std::size_t line_of(const Mutant& mutant, const Sources& sources) {
 void print_scores(const Mutation& mutation, std::ostream& out) {
     const char* const yet = not_checked(mutation) > 0 ? " so far" : "";
     const Score specified = of_specification(mutation), tested = of_tests(mutation);
-    // After a run that was stopped early, the list of properties may be empty although a loop contains the chart.
+    // If `mutate` was stopped early, the list of properties may be empty although a closed loop contains the chart.
     if (mutation.properties.empty() && not_checked(mutation) == 0)
         out << "no properties: no closed loop contains this chart\n";
     else
-        out << fmt::format("the specification detects {} of {}{}{}\n", specified.noticed, specified.decided,
+        out << fmt::format("the specification detects {} of {} mutants{}{}\n", specified.noticed, specified.decided,
                            percent(specified), yet);
     if (mutation.test_steps)
-        out << fmt::format("the test sequence ({} steps) detects {} of {}{}{}\n", *mutation.test_steps, tested.noticed,
-                           tested.decided, percent(tested), yet);
+        out << fmt::format("the test sequence ({} steps) detects {} of {} mutants{}{}\n", *mutation.test_steps,
+                           tested.noticed, tested.decided, percent(tested), yet);
     else if (!mutation.no_test.empty()) out << fmt::format("no test sequence [{}]\n", mutation.no_test);
     for (const std::string& property : mutation.properties)
         out << fmt::format("  {} detects {}{}{}\n", printable(property), notices(mutation, property), yet,
@@ -99,7 +102,8 @@ void print_scores(const Mutation& mutation, std::ostream& out) {
     std::string undecided;
     for (const std::string& property : mutation.undecided)
         undecided += (undecided.empty() ? "" : ", ") + printable(property);
-    if (!undecided.empty()) out << fmt::format("not considered, undecided for the original: {}\n", undecided);
+    if (!undecided.empty())
+        out << fmt::format("not considered, because the verdict on the original is unknown: {}\n", undecided);
 }
 
 void print_mutant(const Mutation& mutation, std::size_t index, const Sources& sources, std::ostream& out) {

@@ -24,9 +24,9 @@ std::string time_text(std::int64_t us) {
     return text + " s";
 }
 
-/// Returns the length of the last part of the recording, in which a deviation may not be found yet. An instant reads an
-/// input within the jitter, and its output is recorded within twice the jitter after that. In addition, the recording
-/// must be known for the jitter after the next instant.
+/// Returns the length of the final interval of the recording in which a deviation may remain undetected: four times the
+/// jitter. An instant reads an input within one jitter. The output of this instant is recorded within two further
+/// jitters. In addition, the recording must be known for one jitter after the next instant.
 std::int64_t undecided_us(const RecordingReport& report) {
     return std::min(4 * report.jitter_us, report.last_us - report.first_us);
 }
@@ -76,7 +76,7 @@ void print_recording(const RecordingReport& report, Colour colour, std::ostream&
                        jitter_text(report));
     const auto conforms = [](const RecordingVerdict& one) { return one.kind == RecordingVerdict::Kind::Conforms; };
     if (report.jitter_us != 0 && std::ranges::any_of(report.verdicts, conforms))
-        out << fmt::format("; the last {} are inconclusive", time_text(undecided_us(report)));
+        out << fmt::format("; the last {} of the recording are inconclusive", time_text(undecided_us(report)));
     out << '\n';
 }
 

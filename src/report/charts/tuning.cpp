@@ -25,7 +25,8 @@ using Row = Tuning::Row;
 using Indices = std::vector<std::size_t>;
 using Json = nlohmann::ordered_json;
 
-/// Maximum size of a map, in points. Larger grids are printed as tables of boxes.
+/// Maximum number of columns and of rows of a map; each point of the grid is one character. Larger grids are printed as
+/// tables of boxes.
 constexpr std::size_t widest_map = 40, tallest_map = 60;
 
 std::string range_text(const TunedConstant& constant, std::size_t first, std::size_t last) {
@@ -72,8 +73,8 @@ void print_boxes(const Tuning& tuning, const Row& row, std::ostream& out) {
     }
 }
 
-/// Prints one line per value of the first constant, and one column per value of the second. The point with the current
-/// values is in brackets.
+/// Prints the map of a property: one line per value of the first constant, and one column per value of the second
+/// constant. The point with the current values is in brackets.
 void print_map(const Tuning& tuning, const Row& row, std::ostream& out) {
     const TunedConstant &down = tuning.constants[0], &across = tuning.constants[1];
     const auto here_down = down.current_index(), here_across = across.current_index();
@@ -103,7 +104,7 @@ void print_margins(const Tuning& tuning, const Row& row, std::ostream& out) {
     }
 }
 
-/// Prints the reasons of unknown verdicts in a map, which has only a character per point.
+/// Prints the reasons of the unknown verdicts of a map. The map itself has only one character per point.
 void print_reasons(const Tuning& tuning, const Row& row, std::ostream& out) {
     std::set<std::uint32_t> reasons;
     for (const PointVerdict& each : row.verdicts)
@@ -112,8 +113,8 @@ void print_reasons(const Tuning& tuning, const Row& row, std::ostream& out) {
         out << fmt::format("    unknown: {}\n", printable(tuning.reasons[reason]));
 }
 
-/// True if the row must be printed: `no timelock` that the model does not declare only if it is violated, or if a model
-/// error makes its verdict unknown.
+/// True if the row of a property must be printed. The row of an undeclared `no timelock` is printed only if it is
+/// violated at a point, or if a model error makes its verdict at a point unknown.
 bool is_shown(const Tuning& tuning, const Row& row) {
     return row.declared || std::ranges::any_of(row.verdicts, [&](const PointVerdict& each) {
                return each.outcome == Outcome::Violated ||

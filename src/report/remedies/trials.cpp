@@ -14,7 +14,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns text such as `opposite holds (43470 states; valid for the timed loop)`.
+/// Returns the verdict on a property as text, such as `opposite holds (43470 states; valid for the timed loop)`.
 std::string decided_text(const PropertyResult& answer) {
     const Verdict& verdict = answer.verdict;
     const char* const outcome = verdict.outcome == Outcome::Holds ? "holds" : "is violated";

@@ -74,7 +74,7 @@ TEST(Mutate, ScoresOfARunThatWasStoppedAreThoseSoFar) {
     const std::string file = folder.write("gate.grafcet", gate);
     const Result stopped = grafverif({"mutate", file, "--timeout", "0s"});
     EXPECT_NE(stopped.out.find("not checked: stopped early\n"), std::string::npos) << stopped.out;
-    EXPECT_NE(stopped.out.find("the specification detects 0 of 0 so far\n"), std::string::npos) << stopped.out;
+    EXPECT_NE(stopped.out.find("the specification detects 0 of 0 mutants so far\n"), std::string::npos) << stopped.out;
     const Result whole = grafverif({"mutate", file, "--limit", "2"});
     EXPECT_EQ(whole.out.find("so far"), std::string::npos) << whole.out;
 }

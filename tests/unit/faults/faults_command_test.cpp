@@ -43,7 +43,7 @@ TEST_F(FaultsCommand, PrintsMinimalCombinationsEffectsAndRuns) {
           "rare        none\n", "On_held: On behaves as stuck\n    violates no property\n",
           "Off_held: Off behaves as stuck\n    violates never_both, lit\n",
           "never true if this fault is present from power-on: LAMP, X1\n", "never_both: violated by Off_held\n",
-          "lit: violated by On_dead, from power-on: On_dead\n"})
+          "lit: violated by On_dead, present from power-on: On_dead\n"})
         EXPECT_NE(result.out.find(part), std::string::npos) << part << '\n' << result.out;
 }
 

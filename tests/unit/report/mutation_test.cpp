@@ -22,16 +22,16 @@ std::string score(std::size_t noticed, std::size_t all) {
 }
 
 TEST(MutationReport, PercentagesAreRoundedToTheNearestInteger) {
-    EXPECT_EQ(score(26, 30), "the specification detects 26 of 30, 87 %");
-    EXPECT_EQ(score(1, 3), "the specification detects 1 of 3, 33 %");
-    EXPECT_EQ(score(1, 200), "the specification detects 1 of 200, 1 %");
+    EXPECT_EQ(score(26, 30), "the specification detects 26 of 30 mutants, 87 %");
+    EXPECT_EQ(score(1, 3), "the specification detects 1 of 3 mutants, 33 %");
+    EXPECT_EQ(score(1, 200), "the specification detects 1 of 200 mutants, 1 %");
 }
 
 TEST(MutationReport, OnlyAllMutantsAreAHundredPercentAndOnlyNoneAreZero) {
-    EXPECT_EQ(score(300, 300), "the specification detects 300 of 300, 100 %");
-    EXPECT_EQ(score(299, 300), "the specification detects 299 of 300, 99 %");
-    EXPECT_EQ(score(1, 300), "the specification detects 1 of 300, 1 %");
-    EXPECT_EQ(score(0, 300), "the specification detects 0 of 300, 0 %");
+    EXPECT_EQ(score(300, 300), "the specification detects 300 of 300 mutants, 100 %");
+    EXPECT_EQ(score(299, 300), "the specification detects 299 of 300 mutants, 99 %");
+    EXPECT_EQ(score(1, 300), "the specification detects 1 of 300 mutants, 1 %");
+    EXPECT_EQ(score(0, 300), "the specification detects 0 of 300 mutants, 0 %");
 }
 
 }  // namespace
