@@ -14,8 +14,8 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t deepest_expression = 1000;
-// Maximum length of an imported name in bytes. It is lower than the limit of 1,000 bytes for names, so that a prefix
-// and a number can be added.
+// Maximum length of an imported name in bytes. Names can have up to 1,000 bytes; the difference permits a prefix and a
+// number.
 constexpr std::size_t longest_name = 900;
 
 /// Reserved words, which are not allowed as names (see grammars/grafcet.yy).

@@ -55,7 +55,7 @@ void keep_comments(const st::File& file, std::string_view text, Draft& draft) {
     }
 }
 
-/// Reads the charts of `source`. The file is `broken` after an error.
+/// Reads the charts of `source`. After an error, the result is incomplete.
 tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, Diagnostics& diagnostics) {
     Draft draft(source, lossy, diagnostics);
     const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(sources[source].text.size())}, sources);
@@ -68,7 +68,7 @@ tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, 
     return draft.take();
 }
 
-/// Words with which files in the languages of IEC 61131-3 can begin, but .grafcet files cannot.
+/// Words that can begin a file in a language of IEC 61131-3, but not a .grafcet file.
 constexpr std::array first_text = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
                                    "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
 

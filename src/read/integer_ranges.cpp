@@ -37,7 +37,7 @@ public:
                                for (const tree::Assignment& one : transition.assignments) assignment(one);
                            },
                            [this](const tree::Partial& partial) { items(partial.items); },
-                           [](const tree::ReplicatedChartItems&) {},  // imported charts have none
+                           [](const tree::ReplicatedChartItems&) {},  // imported charts have no replications
                        },
                        item);
         }

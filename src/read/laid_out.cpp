@@ -43,7 +43,7 @@ public:
 private:
     Span next() { return {{}, std::exchange(position_, position_ + 2), position_ - 1}; }
 
-    /// Assigns a position to the next element, and to the comments before and after it.
+    /// Assigns a position to the element that begins at `where`, and to the comments before and after this element.
     void begin(Span& where, bool gap) {
         std::vector<tree::Comment> trailing;
         const auto hung = hung_.extract(where.begin);

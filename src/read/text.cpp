@@ -27,13 +27,14 @@ namespace grafverif {
 
 namespace {
 
-// Parses the input file and all files that it includes. Included files come first.
+// Parses the input file and all files that it includes. In the result, a file follows the files that it includes.
 
 std::string identity(const std::string& path, const ReadContext& context) {
     return context.identity ? context.identity(path) : path;
 }
 
-/// Returns `folder`/`written`, normalized if this denotes the same file: `link/../a` need not be `a`.
+/// Returns the path `folder`/`written`. The path is normalized if the normalized path denotes the same file: with a
+/// symbolic link `link`, `link/../a` and `a` may be different files.
 std::string joined(const std::filesystem::path& folder, const std::string& written, const ReadContext& context) {
     const std::filesystem::path path = folder / written;
     const std::string shorter = path.lexically_normal().generic_string();
@@ -116,8 +117,8 @@ bool is_new(ReadState& reading, std::unordered_map<std::string, Span>& seen, std
     return fresh;
 }
 
-/// True if the names of a declaration are resolved. Beyond errors, this also applies to repeated and broken
-/// declarations.
+/// True if the names in a declaration are to be resolved: the declaration is complete and its name is new, or the recorder
+/// also needs the references of faulty declarations.
 bool is_resolved(const ReadState& reading, bool fresh, bool broken) {
     return reading.record.beyond_errors() || (fresh && !broken);
 }
@@ -207,7 +208,7 @@ void read_parts(ReadState& reading, const tree::File& file) {
     }
 }
 
-/// Adds a component from the library if the library defines it and the input does not.
+/// Adds the component `name` from the library if the library defines this component and the input does not.
 void take_from_library(ReadState& reading, const std::string& name) {
     const LibraryEntry* const entry = library_entry(reading, name);
     if (entry == nullptr || reading.components.contains(name)) return;
@@ -269,7 +270,8 @@ void read_loops(ReadState& reading, const tree::File& file, const LoopContext& c
     }
 }
 
-/// Adds the declarations of the files to the model. Loops are omitted if declarations are `hidden`.
+/// Adds the declarations of the files to the model. If declarations are `hidden` (omitted because of an error), loops are
+/// not added, because they may refer to hidden declarations.
 void read_all(ReadState& reading, std::span<const tree::File> files, bool hidden) {
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
@@ -278,7 +280,7 @@ void read_all(ReadState& reading, std::span<const tree::File> files, bool hidden
         for (const tree::File& parsed : files) read_loops(reading, parsed, loops);
 }
 
-/// Records the declarations and references of files with errors.
+/// Records the declarations and references of all files although the files contain errors.
 void record_beyond_errors(std::span<const tree::File> files, Sources& sources, const ReadContext& context) {
     *context.references = {};
     Diagnostics ignored;

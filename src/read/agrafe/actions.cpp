@@ -14,7 +14,7 @@ using Kind = AgrafeEntity::Kind;
 bool is_action(Kind kind) { return kind == Kind::Action; }
 bool is_forceable(Kind kind) { return kind == Kind::Partial || kind == Kind::Expansion; }
 
-/// Returns the target variable of an action; invalid after an error.
+/// Returns the name of the variable that an action assigns. The name is invalid after an error.
 tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
     const pugi::xml_node variable = child(action, "variable");
     if (!variable) {
@@ -32,7 +32,8 @@ tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
     return reader.draft.name(reader.index[*found].name, reader.xml.where(variable, "variableDeclaration"));
 }
 
-/// True if an action whose type has no condition has one. Reports the condition, instead of ignoring it.
+/// True if an action has a condition although the type of the action does not permit conditions. Reports such a
+/// condition, so that it is not silently ignored.
 bool has_stray_condition(AgrafeReader& reader, pugi::xml_node action, std::string_view hint) {
     const pugi::xml_node term = child(action, "term");
     if (!term) return false;
@@ -55,9 +56,7 @@ std::optional<tree::Action> continuous(AgrafeReader& reader, pugi::xml_node acti
         return {};
     }
     if (conditional) made.condition = agrafe_term(reader, term);
-    else
-        has_stray_condition(reader, action,
-                            "write `continuousActionType=\"assignationCondition\"`, or remove the term");
+    else has_stray_condition(reader, action, "write `continuousActionType=\"assignationCondition\"`, or remove `term`");
     const auto length = [&] { return reader.draft.duration(time.rise_ms, reader.xml.where(action, "delayTime")); };
     switch (time.kind) {
     case AgrafeTime::Kind::None: break;
@@ -82,7 +81,7 @@ std::optional<tree::Action> stored(AgrafeReader& reader, pugi::xml_node action) 
     if (!assigned) reader.diagnostics().add(messages::missing_part(made.where, "this stored action", "`value`"));
     else made.assignment.value = agrafe_term(reader, assigned);
     const std::string type = value(action, "storedActionType");
-    const std::string_view hint = "write `storedActionType=\"event\"`, or remove the term";
+    const std::string_view hint = "write `storedActionType=\"event\"`, or remove `term`";
     if (type.empty() || type == "activation") {
         made.when = tree::StoredWhen::Activation;
         has_stray_condition(reader, action, hint);
@@ -122,9 +121,10 @@ std::optional<tree::Action> forcing(AgrafeReader& reader, pugi::xml_node action)
     if (made.to != tree::ForcedTo::Steps) return made;
     for (const std::size_t step : reader.references(action, "forcedSteps", "step", is_step)) {
         if (reader.index[step].partial != *forced)
-            reader.diagnostics().add(messages::misplaced_link(reader.xml.where(action, "forcedSteps"),
-                                                              "a step of another partial grafcet is forced",
-                                                              "force steps of the grafcet of the order"));
+            reader.diagnostics().add(
+                messages::misplaced_link(reader.xml.where(action, "forcedSteps"),
+                                         "this forcing order lists a step that is not in the forced partial grafcet",
+                                         "list only steps of the forced partial grafcet"));
         made.steps.push_back(reader.draft.name(reader.index[step].name, reader.xml.where(action, "forcedSteps")));
     }
     if (made.steps.empty()) made.to = tree::ForcedTo::Empty;

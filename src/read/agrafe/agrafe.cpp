@@ -219,22 +219,24 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     if (!term) {
         reader.diagnostics().add(
             messages::missing_part(transition.where, "this transition", "`term` for its condition"));
-        transition.condition = reader.draft.constant(false, transition.where);  // this error is already reported
+        transition.condition =
+            reader.draft.constant(false, transition.where);  // the missing or invalid term has been reported
         return transition;
     }
     const std::size_t errors = reader.diagnostics().errors();
     transition.condition = agrafe_term(reader, term);
     if (time.kind == AgrafeTime::Kind::Limited)
         reader.draft.refuse(reader.xml.where(one.node, "timeConditionType"), "a time-limited transition",
-                            "only actions are limited (IEC 60848); write the condition with its time");
+                            "write the time in the condition, because IEC 60848 limits only actions in time");
     else if (time.kind != AgrafeTime::Kind::None && transition.condition.valid())
         transition.condition = timed(reader, time, transition.condition, reader.xml.where(one.node, "delayTime"));
     if (!transition.condition.valid() && reader.diagnostics().errors() != errors)
-        transition.condition = reader.draft.constant(false, transition.where);  // this error is already reported
+        transition.condition =
+            reader.draft.constant(false, transition.where);  // the missing or invalid term has been reported
     return transition;
 }
 
-/// Checks that a partial grafcet that names its enclosing step is in the list of this step.
+/// Checks the attribute `enclosingStep` of a partial grafcet: the step that it names must list the partial grafcet.
 void check_enclosure(AgrafeReader& reader, std::size_t entity) {
     const AgrafeEntity& partial = reader.index[entity];
     if (!attribute(partial.node, "enclosingStep")) return;
@@ -269,8 +271,8 @@ void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
 }
 
 /// Converts each Boolean variable that continuous actions drive to an output, even if the file declares the variable as
-/// internal or without a type. The meaning is unchanged: conditions that name the variable read the steps that drive
-/// it.
+/// internal or without a type. The conversion preserves the meaning: in a condition, the name of an output stands for
+/// the activity of the steps whose actions drive the output.
 void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& chart,
                    const std::vector<std::vector<tree::Action>>& actions) {
     std::unordered_set<Id<tree::Word>> driven;
@@ -284,9 +286,9 @@ void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& ch
             variables.kind == tree::VariableKind::Internal || reader.without_kind.contains(variable.name.word);
         if (!open || variable.type != tree::TypeWord::None || !driven.contains(variable.name.word)) continue;
         variables.kind = tree::VariableKind::Output;
-        reader.diagnostics().add(
-            messages::chosen_kind(variable.where, file.text(variable.name), "output",
-                                  "it is driven by continuous actions; conditions read the steps instead"));
+        reader.diagnostics().add(messages::chosen_kind(
+            variable.where, file.text(variable.name), "output",
+            "continuous actions assign it; a condition that reads it depends on the steps of these actions"));
     }
 }
 
@@ -300,9 +302,9 @@ void fill_ranges(AgrafeReader& reader, const tree::File& file, tree::Chart& char
         if (variable.type != tree::TypeWord::Int) continue;
         const FoundRange range = found[next++];
         if (!range.exact)
-            reader.diagnostics().add(
-                messages::chosen_range(variable.where, file.text(variable.name), range.low, range.high,
-                                       "the meta-model does not define it, and the chart computes with it"));
+            reader.diagnostics().add(messages::chosen_range(
+                variable.where, file.text(variable.name), range.low, range.high,
+                "AGRAFE defines no ranges, and the chart uses the variable outside of comparisons with constants"));
         if (variables->kind == tree::VariableKind::Output && range.low < 0) {
             variables->kind = tree::VariableKind::Internal;
             reader.diagnostics().add(

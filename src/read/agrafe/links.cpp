@@ -46,7 +46,7 @@ void read_arc(AgrafeReader& reader, pugi::xml_node arc) {
     to.in.push_back(*source);
 }
 
-/// Returns the steps or transitions adjacent to a node, through synchronizations.
+/// Returns the steps or transitions that are linked to the node `start`, directly or through synchronizations.
 std::vector<std::size_t> beyond(const AgrafeReader& reader, std::size_t start, bool backwards) {
     std::vector<std::size_t> found, work = {start};
     std::unordered_set<std::size_t> seen = {start};

@@ -81,7 +81,7 @@ Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term) {
         reader.diagnostics().add(messages::missing_part(reader.xml.where(term), "this term", "`xsi:type`"));
     else
         reader.diagnostics().add(messages::bad_value(reader.xml.where(term, "type"), "type of this term", type,
-                                                     "a class of the meta-model `terms`"));
+                                                     "a class of terms of the AGRAFE meta-model, such as `And`"));
     return {};
 }
 
@@ -114,7 +114,7 @@ AgrafeTime agrafe_time(AgrafeReader& reader, pugi::xml_node node) {
     time.fall_ms = std::max<std::int64_t>(reset, 0) * factor;
     if (time.kind != AgrafeTime::Kind::Dependent && time.fall_ms != 0)
         reader.diagnostics().add(messages::without_effect(reader.xml.where(node, "resetTime"), "this reset time",
-                                                          "only `timeDependent` has two times"));
+                                                          "remove it, because only `timeDependent` has a reset time"));
     return time;
 }
 

@@ -8,7 +8,8 @@ namespace grafverif {
 
 namespace {
 
-/// Reads a body in Structured Text. For named transitions, `NAME := EXPRESSION;` is also accepted.
+/// Reads a condition in Structured Text: an expression or, for a named transition, an assignment
+/// `NAME := EXPRESSION;`.
 Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     const st::Text pieces = reader.xml.text(text);
     const std::string content = reader.xml.content(text);
@@ -35,7 +36,8 @@ Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span whe
                       "end it in one coil or variable");
         return {};
     }
-    reader.refuse(where, "a condition in a language other than Structured Text", "write it in Structured Text");
+    reader.refuse(where, "a condition in a language other than Structured Text, LD and FBD",
+                  "write it in Structured Text");
     return {};
 }
 
@@ -48,7 +50,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
     const std::size_t errors = reader.diagnostics().errors();
     Id<st::Expr> found;
     if (const pugi::xml_node reference = child(condition, "reference")) {
-        // The name denotes a transition of the POU, or otherwise a Boolean variable.
+        // If the POU has no transition of this name, the name denotes a Boolean variable.
         pugi::xml_node pou = transition;
         while (pou && !is(pou, "pou")) pou = pou.parent();
         const std::string wanted = st::capitals(value(reference, "name"));
@@ -61,7 +63,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
         found = body_condition(reader, inner, reader.xml.where(inner));
     } else if (child(condition, "connectionPointIn")) {
         found = PlcopenValues(reader, network).at(condition);
-    } else if (!children(condition, "connection").empty()) {  // form of a condition in version 1.01
+    } else if (!children(condition, "connection").empty()) {  // PLCopen XML, version 1.01
         for (const pugi::xml_node& connection : children(condition, "connection")) {
             const pugi::xml_node source = network.find(value(connection, "refLocalId"));
             if (!source)

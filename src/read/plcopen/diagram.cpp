@@ -19,7 +19,7 @@ namespace grafverif {
 
 namespace {
 
-/// The formal parameters of a standard function that interprets each input differently.
+/// The formal parameters of a standard function whose inputs are not interchangeable.
 struct Signature {
     std::string_view function = {};
     std::array<std::string_view, 3> inputs = {};
@@ -150,7 +150,7 @@ private:
         const pugi::xml_node node = network_.elements[i];
         if (depth > deepest) {
             reader_.refuse(reader_.xml.where(node), "a chain of more than " + std::to_string(deepest) + " calls",
-                           "assign a value between them to a variable");
+                           "assign an intermediate result to a variable");
             marks_[i] = Mark::Done;
             return;
         }
@@ -202,8 +202,8 @@ private:
         if (!is_marked(node, "storage")) return store(to, negated(node, flow), node);
         const bool sets = storage == "set";
         if ((!sets && storage != "reset") || reader_.flag(node, "negated")) {
-            reader_.refuse(reader_.xml.where(node, "storage"), "this storage of a coil",
-                           "use `set` or `reset`, not negated");
+            reader_.refuse(reader_.xml.where(node, "storage"), "the `storage` of this coil",
+                           "write `set` or `reset`, and do not negate the coil");
             return;
         }
         const Id<st::Expr> state = reader_.make(sets ? st::Op::True : st::Op::False, {}, reader_.xml.where(node));
@@ -241,7 +241,8 @@ private:
         }
         for (const pugi::xml_node& each : children(child(node, "inOutVariables"), "variable"))
             if (is_connected(each))
-                reader_.refuse(reader_.xml.where(each), "a variable passed by reference", "use an input and an output");
+                reader_.refuse(reader_.xml.where(each), "a variable passed by reference in a diagram",
+                               "use an input and an output of the block");
         check_type(node, name);
         if (!complete) return;
         st::Statement call{.kind = st::StatementKind::Call, .value = reader_.make(st::Op::Call, parts, where)};
@@ -265,7 +266,7 @@ private:
         const std::string edge = value(node, "edge");
         const Span where = reader_.xml.where(node, "edge");
         if (edge != "rising" && edge != "falling") {
-            reader_.refuse(where, "this edge", "use `rising` or `falling`");
+            reader_.refuse(where, "this value of `edge`", "write `rising` or `falling`");
             return {};
         }
         const std::string name = "edge@" + value(node, "localId") + "@" + std::to_string(unit_.variables.size());
@@ -286,7 +287,8 @@ private:
         if (is(node, "coil")) return wired(node, depth, "this coil");  // a coil has the value of its incoming line
         if (is(node, "outVariable")) return wired(node, depth, "this variable");
         if (is(node, "contact") && !is_marked(node, "storage")) return edge_contact(node, depth);
-        reader_.refuse(reader_.xml.where(node), "a `" + std::string(local_name(node.name())) + "` as a source",
+        reader_.refuse(reader_.xml.where(node),
+                       "a `" + std::string(local_name(node.name())) + "` as the source of a connection",
                        "write this network in Structured Text");
         return {};
     }
@@ -366,7 +368,7 @@ private:
             const std::string formal = value(each, "formalParameter");
             if (st::capitals(formal) == "ENO" || (!output.empty() && formal != output)) continue;
             if (!formal.empty() && st::capitals(formal) != "OUT" && st::capitals(formal) != type)
-                return unsupported(node, "an output of a function other than its result");
+                return unsupported(node, "a function output other than the result");
             return passes_on(each) ? negated(each, reader_.make(st::Op::Call, parts, where)) : Id<st::Expr>{};
         }
         return unsupported(node, "a connection to an output that this block does not have");
@@ -399,7 +401,7 @@ private:
         for (const std::string& name : variables(term))
             if (written->second.contains(name))
                 return reader_.refuse(reader_.file.exprs[term].where,
-                                      "a variable that the same network assigns before it reads it",
+                                      "a variable that one network first assigns and then reads",
                                       "use a network for each assignment, or give the elements an execution order");
     }
 

@@ -27,7 +27,7 @@ std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork
     bool joined = false;
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
-            const bool over = is(source, "jumpStep");  // CODESYS draws lines that continue after the jump of a branch
+            const bool over = is(source, "jumpStep");  // CODESYS also connects the outputs of jump steps
             if (over || !seen.insert(source.hash_value()).second) continue;
             const std::string_view kind = local_name(source.name());
             const bool on_the_way = is(start, "transition")
@@ -63,7 +63,7 @@ st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
     made.where = reader.xml.where(action);
     made.unread = attribute(action, "indicator") || child(action, "indicator");
-    if (reader.is_codesys_program() && value(action, "indicator").empty())  // CODESYS writes an empty attribute
+    if (reader.is_codesys_program() && value(action, "indicator").empty())  // CODESYS writes `indicator=""`
         made.unread = bool(child(action, "indicator"));
     // The default qualifier is N.
     if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));
@@ -132,11 +132,12 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
     }
 }
 
-/// Reports the negation of a step or action block, whose meaning is unspecified.
+/// Reports a negated step or action block, because PLCopen XML does not specify the meaning of this negation.
 void refuse_negation(PlcopenReader& reader, pugi::xml_node element) {
     if (reader.flag(element, "negated"))
         reader.refuse(reader.xml.where(element, "negated"),
-                      "a negated `" + std::string(local_name(element.name())) + '`', "negate conditions");
+                      "a negated `" + std::string(local_name(element.name())) + '`',
+                      "remove the attribute `negated`, and negate conditions instead");
 }
 
 void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const std::vector<Step>& steps,
@@ -228,7 +229,7 @@ bool is_connected(pugi::xml_node point) {
 
 std::vector<PlcopenLine> lines_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
     std::vector<PlcopenLine> lines;
-    if (is(point, "continuation")) {  // the line continues at the end of the connector with this name
+    if (is(point, "continuation")) {  // the line continues at the connector with the same name
         for (const pugi::xml_node& element : network.elements)
             if (is(element, "connector") && value(element, "name") == value(point, "name"))
                 lines.push_back({element, {}});
@@ -266,7 +267,7 @@ st::Transition transition_of(PlcopenReader& reader, const st::Unit& unit, const 
         !priority.empty())
         reader.diagnostics().add(
             messages::bad_value(reader.xml.where(element, "priority"), "`priority`", priority, "a whole number"));
-    for (const pugi::xml_node& from : upstream(reader, network, element, is_step, "put a step between them"))
+    for (const pugi::xml_node& from : upstream(reader, network, element, is_step, "put a step before the transition"))
         for (const Step& step : steps)
             if (step.node == from) made.from.push_back({step.name.word, made.where});
     made.condition = condition_of(reader, unit, network, element);
@@ -326,7 +327,7 @@ std::vector<st::Network> read_network(PlcopenReader& reader, const st::Unit& uni
                 continue;
             }
             for (const pugi::xml_node& from :
-                 upstream(reader, network, element, is_transition, "put a transition between them"))
+                 upstream(reader, network, element, is_transition, "put a transition before the step"))
                 made.transitions[transitions.at(from.hash_value())].to.push_back(target);
         }
         read_actions(reader, network, steps, made);

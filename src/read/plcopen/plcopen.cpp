@@ -79,8 +79,8 @@ st::Type type_of(PlcopenReader& reader, pugi::xml_node type) {
         if (name == "enum" && reader.of_program)
             for (const pugi::xml_node& value_node : children(child(one, "values"), "value")) {
                 if (attribute(value_node, "value"))
-                    reader.refuse(reader.xml.where(value_node, "value"), "a number of an enumeration value",
-                                  "remove it");
+                    reader.refuse(reader.xml.where(value_node, "value"), "an explicit number of an enumeration value",
+                                  "remove the attribute `value`");
                 made.values.push_back(reader.name(value(value_node, "name"), reader.xml.where(value_node, "name")));
             }
     }
@@ -141,8 +141,8 @@ void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
     }
 }
 
-/// Returns the `documentation` of a POU, and the comments and XML comments of its drawing. They are written before the
-/// chart.
+/// Returns the `documentation` of a POU, and the comments and XML comments of its drawing. The importer writes these
+/// texts before the chart.
 std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     std::string text;
     if (const pugi::xml_node documentation = child(pou, "documentation"))
@@ -237,7 +237,7 @@ std::optional<std::int64_t> milliseconds(const std::string& text) {
 /// Returns the interval of a task: a duration of IEC 61131-3 or of XML Schema.
 Id<st::Expr> interval_of(PlcopenReader& reader, pugi::xml_node task) {
     auto known = milliseconds(value(task, "interval"));
-    for (const pugi::xml_node& data : children(child(task, "addData"), "data")) {  // CODESYS states microseconds
+    for (const pugi::xml_node& data : children(child(task, "addData"), "data")) {  // settings of CODESYS
         const pugi::xml_node settings = child(data, "TaskSettings");
         const std::string kind = value(settings, "KindOfTask"), unit = value(settings, "IntervalUnit");
         if (!settings) continue;
@@ -293,7 +293,8 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     for (const pugi::xml_node& each : children(resource, "pouInstance")) instance(each, {});
 }
 
-/// True if CODESYS or a tool based on it wrote the file: it adds data in a separate namespace.
+/// True if CODESYS, or a tool based on CODESYS, wrote the file. Such a tool adds `data` elements
+/// whose names begin with the address of the vendor.
 bool is_codesys(pugi::xml_node root) {
     for (const pugi::xml_node& data : all_of(root, {"data"}))
         if (value(data, "name").starts_with("http://www.3s-software.com/plcopenxml/")) return true;

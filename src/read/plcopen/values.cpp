@@ -11,7 +11,8 @@ namespace grafverif {
 
 namespace {
 
-// The maximum number of values of one network. It is limited, because each connection copies the preceding expression.
+// The maximum number of values of one network. The limit is necessary because each connection copies the expression of
+// its source, so that the number of values can grow exponentially.
 constexpr std::size_t most_values = 100'000;
 
 struct Function {
@@ -56,12 +57,13 @@ Id<st::Expr> PlcopenValues::of(const PlcopenLine& line, std::size_t depth) {
     const Span where = reader_.xml.where(node);
     if (values_ > most_values) return {};
     if (depth > deepest) {
-        reader_.refuse(where, "a cyclic network, or one with more than " + std::to_string(deepest) + " levels",
-                       "simplify it");
+        reader_.refuse(where, "a network that has a cycle or more than " + std::to_string(deepest) + " levels",
+                       "simplify the network");
         return {};
     }
     if (++values_ > most_values) {
-        reader_.refuse(where, "a network whose elements share inputs too often", "assign shared values to variables");
+        reader_.refuse(where, "a network that is too large because shared inputs are copied",
+                       "assign shared values to variables");
         return {};
     }
     if (is(node, "inVariable")) return variable(node, "negated");

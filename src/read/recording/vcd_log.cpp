@@ -22,7 +22,7 @@ std::string_view first_word(std::string_view& rest) {
     return word;
 }
 
-/// Returns the value of a vector. Empty if a bit is unknown, or the value needs more than 63 bits.
+/// Returns the value of a vector. The result is empty if a bit is unknown or if the value needs more than 63 bits.
 std::optional<std::int64_t> vector_value(std::string_view digits, std::uint32_t bits, bool is_signed) {
     std::uint64_t value = 0;
     if (digits.empty()) return {};
@@ -45,7 +45,7 @@ std::string_view LogReader::word() {
     }
 }
 
-/// Returns the text up to `$end`.
+/// Returns the tokens up to `$end`, each followed by a blank.
 std::string_view LogReader::words_to_end() {
     words_.clear();
     for (std::string_view next = word(); !next.empty() && next != "$end"; next = word())
@@ -59,7 +59,7 @@ bool LogReader::open_vcd() {
         const std::string keyword(next);
         if (keyword.front() != '$')
             return fail(lines_.span(next),
-                        fmt::format("expected a declaration instead of `{}`; remove it", messages::clipped(keyword)));
+                        fmt::format("`{}` is not a declaration; remove it", messages::clipped(keyword)));
         std::string_view words = words_to_end();
         if (keyword == "$timescale" && !read_time_scale(words)) return false;
         if (keyword == "$var") declare(words);
@@ -94,8 +94,9 @@ bool LogReader::read_time_scale(std::string_view words) {
     else if (is_number && unit == "ns") ticks_per_us_ = 1'000;
     else if (is_number && unit == "ps") ticks_per_us_ = 1'000'000;
     else if (!is_number || unit != "us")
-        return fail(where(), fmt::format("the time scale `{}` is unknown; use 1, 10 or 100 s, ms, us, ns or ps",
-                                         messages::clipped(text)));
+        return fail(where(),
+                    fmt::format("the time scale `{}` is unknown; write 1, 10 or 100 with a unit: s, ms, us, ns or ps",
+                                messages::clipped(text)));
     return true;
 }
 
@@ -106,7 +107,8 @@ void LogReader::declare(std::string_view words) {
     Wire wire{.column = columns_.size(), .is_signed = type == "integer"};
     const auto [rest, failure] = std::from_chars(size.data(), size.data() + size.size(), wire.bits);
     if (failure != std::errc{} || wire.bits == 0 || name.empty()) {
-        fail(where(), "the variable has no valid size or no name; declare `$var wire 1 ! NAME $end`");
+        fail(where(),
+             "the variable has no name or no valid size; write its declaration as in `$var wire 1 ! NAME $end`");
         return;
     }
     if (columns_.size() >= most_columns || scopes_.size() > most_scopes) {
@@ -137,8 +139,8 @@ bool LogReader::next_vcd(LogRow& row) {
             const auto [rest, failure] = std::from_chars(next.data() + 1, end, ticks);
             if (failure != std::errc{} || rest != end || ticks < 0 ||
                 ticks / ticks_per_us_ > latest_log_us / us_per_tick_)
-                fail(lines_.span(next), fmt::format("`{}` is not a time; write `#` and a number of units of the time "
-                                                    "scale",
+                fail(lines_.span(next), fmt::format("`{}` is not a time; write `#` and a whole number of units of the "
+                                                    "time scale",
                                                     messages::clipped(next)));
             else
                 vcd_time_ = ticks / ticks_per_us_ * us_per_tick_ + ticks % ticks_per_us_ * us_per_tick_ / ticks_per_us_;
@@ -166,7 +168,8 @@ bool LogReader::next_vcd(LogRow& row) {
 void LogReader::change(LogRow& row, std::string_view value, std::string_view code) {
     const auto wires = wires_.find(code);
     if (wires == wires_.end()) {
-        fail(where(), fmt::format("no variable has the code `{}`; declare it", messages::clipped(code)));
+        fail(where(),
+             fmt::format("no variable has the code `{}`; declare a variable with this code", messages::clipped(code)));
         return;
     }
     for (const Wire& wire : wires->second) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block is converted to a Made separately, in
-// the order of the steps:
+// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block is converted separately, in the order of
+// the steps. Result for each qualifier, or for a list of statements:
 //
 //   N            a continuous action                        S, R     stored actions on activation
 //   D, L         a continuous action with a delay or limit  DS       a stored action after the time has elapsed
@@ -8,9 +8,9 @@
 //   SD, SL       the step sets a latch; the output is then true after (SD) or until (SL) the time has elapsed
 //   statements   stored actions for the assignments that bodies.cpp computes
 //
-// A latch is an internal variable, one for each output and qualifier, so that blocks of several steps share it. The
-// effect of R depends on all blocks, because it ends the effects of other blocks. Therefore R is completed last, with
-// the list of all blocks.
+// A latch is an internal variable. There is one latch for each output and type of qualifier, which the blocks of several
+// steps share. The conversion of R depends on all blocks, because R ends the effects of other blocks on its output.
+// Therefore, R is completed last, with the list of all blocks.
 #include <algorithm>
 #include <iterator>
 
@@ -62,8 +62,8 @@ Id<tree::Expr> timed(Draft& draft, std::int64_t milliseconds, const std::string&
     return draft.node(tree::Op::Divide, {draft.duration(milliseconds, where), draft.variable(watched, where)}, where);
 }
 
-/// Detects differences in the order of evaluation: actions of one SFC scan run sequentially, but in GRAFCET all of them
-/// read the previous values. Each type of difference is reported once per variable.
+/// Detects differences in the order of evaluation: an SFC executes the actions of a scan sequentially, but in GRAFCET all
+/// actions of an evolution read the previous values. Each type of difference is reported once per variable.
 class Order {
 public:
     /// Records an action at `where` that assigns `target` and reads `reads`. Returns the new differences.
@@ -72,18 +72,19 @@ public:
         if (elsewhere(target, where) && reported_.insert(target).second)
             found.push_back("several actions assign `" + target +
                             "`: if two of them are executed in one scan, the later one determines the value in the "
-                            "Sequential Function Chart, but here they race");
+                            "Sequential Function Chart, but in the imported chart they race");
         writers_.try_emplace(target, where.begin);
         for (const std::string& read : reads)
             if (elsewhere(read, where) && reported_.insert(read + "?").second)
                 found.push_back("`" + read +
                                 "` is read by one action and assigned by another: the Sequential Function Chart "
-                                "executes them sequentially, but here both read the previous value");
+                                "executes the actions sequentially, but in the imported chart both actions read the "
+                                "previous value");
         return found;
     }
 
 private:
-    /// True if an earlier action assigns the variable.
+    /// True if the first recorded action that assigns the variable is not the action at `where`.
     bool elsewhere(const std::string& variable, Span where) const {
         const auto writer = writers_.find(variable);
         return writer != writers_.end() && writer->second != where.begin;
@@ -184,9 +185,10 @@ private:
         if (is_one_of(q, {"P", "P1", "P0"})) return pulse(act);
         if (q == "SD" || q == "SL") return outlasting(act);
         if (q == "DS") {
-            sfc_.differs(where,
-                         "DS: if the time expires in the scan that deactivates the step, the output is set here, but "
-                         "not in a Sequential Function Chart");
+            sfc_.differs(
+                where,
+                "DS: if the time expires in the scan that deactivates the step, the imported chart sets the output, "
+                "but a Sequential Function Chart does not");
             return {{on_rise(draft_, act.output, true, timed(draft_, act.milliseconds, 'X' + act.step, where), where)},
                     {}};
         }
@@ -225,8 +227,8 @@ private:
     }
 
     /// Returns, per step, the actions that reset the latches of SD and SL, because R on an output also ends SD and SL
-    /// on the same output. Reports other actions on the output that the conversion of R does not suppress while its
-    /// step is active.
+    /// on the same output. Reports each output on which other actions may act while the step of R is active, because
+    /// the conversion of R does not suppress these actions.
     std::vector<std::pair<std::string, tree::StoredAction>> ended_by_resets(const std::vector<Act>& acts) {
         std::unordered_set<std::string> driven;  // outputs on which other actions may act while the step of R is active
         const bool parallel = has_parallel_steps();
@@ -236,8 +238,11 @@ private:
         for (const Act& act : acts) {
             if (act.qualifier != "R") continue;
             if (driven.erase(act.output) != 0)
-                sfc_.differs(act.where, "R of `" + act.output + "`: it overrides every other action on `" + act.output +
-                                            "` while its step is active; here it resets the stored value once");
+                sfc_.differs(
+                    act.where,
+                    "R of `" + act.output + "`: in a Sequential Function Chart, R overrides every other action on `" +
+                        act.output +
+                        "` while the step of R is active; in the imported chart, R resets the stored value once");
             for (const char* const suffix : {"_delayed", "_limited"})
                 if (const auto known = latch_of_.find(act.output + suffix); known != latch_of_.end())
                     ends.emplace_back(act.step, on_activation(draft_, known->second, false, act.where));
@@ -260,8 +265,7 @@ private:
         const bool repeated = q.empty() || q == "N";
         Made made;
         if (!repeated && !is_one_of(q, {"P", "P1", "P0"})) {
-            refuse(one.where, "a list of statements under the qualifier " + q,
-                   "use N, P1 or P0, or a Boolean variable");
+            refuse(one.where, "a list of statements with the qualifier " + q, "use N, P1 or P0, or a Boolean variable");
             return made;
         }
         const std::optional<SfcBody> body = body_of(sfc_, block);
@@ -302,12 +306,12 @@ private:
         for (const auto& [name, other] : body.effects)
             if (body.reads.contains(name) && depends_on(effect, name)) {
                 refuse(where, "`" + name + "`, whose value from the previous scan is read in every scan,",
-                       "use P1 to execute it once");
+                       "use P1 to execute the assignment once");
                 return {};
             }
         if (!boolean) {
             refuse(where, "the integer `" + target + "`, which is computed from other variables in every scan,",
-                   "use P1 to execute it once");
+                   "use P1 to execute the assignment once");
             return {};
         }
         std::vector<tree::Action> actions = once(where, target, effect, tree::StoredWhen::Activation);
@@ -317,9 +321,11 @@ private:
         for (const bool value : {true, false})
             if (const Id<tree::Expr> when = value ? set : clear; when.valid() && !is_constant(when))
                 actions.emplace_back(on_rise(draft_, target, value, when, where));
-        sfc_.differs(where, "N: the statements run in every scan; here `" + target +
-                                "` follows its term while the step is active, for the last time in the scan that "
-                                "deactivates the step");
+        sfc_.differs(where,
+                     "N: a Sequential Function Chart executes the statements in every scan; in the imported chart, `" +
+                         target +
+                         "` follows the assigned term while the step is active, and is assigned for the last time "
+                         "in the scan that deactivates the step");
         return actions;
     }
 

@@ -9,15 +9,15 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t most_terms = 200'000;  ///< maximum number of terms per body, which may grow through IF
+constexpr std::size_t most_terms = 200'000;  ///< maximum number of terms per body; IF and CASE copy terms
 constexpr int deepest_call = 20;
 
 class Execution {
 public:
     explicit Execution(Sfc& sfc) : sfc_(sfc), first_term_(sfc.draft.file().exprs.size()) {}
 
-    /// Returns the state after the statements, given the assignments `before` them, or nothing if a statement is
-    /// rejected.
+    /// Returns the assigned values after the statements, given the values assigned `before` the statements. The result is
+    /// empty if a statement is rejected.
     std::optional<SfcEffects> run(const st::Block& block, SfcEffects before, int calls) {
         std::optional<SfcEffects> state = std::move(before);
         for (const Id<st::Statement> id : block)
@@ -35,7 +35,7 @@ private:
 
     bool too_large() const { return sfc_.draft.file().exprs.size() - first_term_ > most_terms; }
     std::nullopt_t refuse_size(Span where) {
-        return refuse(where, "a body with too many cases", "split it into several actions");
+        return refuse(where, "a list of statements with too many cases", "split it into several actions");
     }
 
     SfcTerm term(Id<st::Expr> expr, const SfcEffects& state, SfcKind expected) {
@@ -53,7 +53,7 @@ private:
         case st::StatementKind::While:
         case st::StatementKind::Repeat: return refuse(statement.where, "a loop", "write out its iterations");
         case st::StatementKind::Return:
-        case st::StatementKind::Exit: return refuse(statement.where, "a jump out of the statements", "use `IF`");
+        case st::StatementKind::Exit: return refuse(statement.where, "a RETURN or EXIT statement", "use `IF`");
         }
         return {};
     }
@@ -62,7 +62,8 @@ private:
         const std::string path = path_of(sfc_.file, statement.target);
         const Span where = sfc_.file.exprs[statement.target].where;
         if (path.empty())
-            return refuse(where, "an assignment to a part of an array or pointer", "use a separate variable");
+            return refuse(where, "an assignment to an array element or a dereferenced pointer",
+                          "use a separate variable");
         const auto known = sfc_.by_name.find(st::capitals(path));
         SfcTerm value = term(statement.value, state,
                              known == sfc_.by_name.end() ? SfcKind::Boolean : sfc_.variables[known->second].kind);
@@ -77,7 +78,8 @@ private:
             node.value <= 1)
             value = {sfc_.draft.constant(node.value == 1, node.where), SfcKind::Boolean};
         if (target.kind != value.kind || target.kind == SfcKind::Time)
-            return refuse(where, "an assignment of a type other than BOOL and integers", "use variables of one type");
+            return refuse(where, "an assignment that mixes types, or whose variable is neither BOOL nor an integer,",
+                          "use variables of one type");
         if (target.kind == SfcKind::Integer) state[target.name] = {{}, {}, value.expr};
         else state[target.name] = {value.expr, sfc_.draft.constant(false, where), {}};
         return state;
@@ -92,19 +94,21 @@ private:
             if (action.opaque)
                 return refuse(statement.where, "a call of an action that is not in Structured Text",
                               "write it in Structured Text");
-            if (calls >= deepest_call) return refuse(statement.where, "an action that calls itself", "write it out");
+            if (calls >= deepest_call)
+                return refuse(statement.where, "an action that calls itself", "replace the call by statements");
             return run(action.body, std::move(state), calls + 1);
         }
-        refuse(statement.where, "a call of a function block", "replace it by Boolean and integer variables");
+        refuse(statement.where, "a call of a function block", "replace the block by Boolean and integer variables");
         return left_out(std::move(state));  // the results of the call become inputs of the chart
     }
 
-    /// Returns the state after a rejected statement: empty, or unchanged with `lossy`.
+    /// Returns the state after a rejected statement: with `--lossy` the unchanged state, otherwise nothing.
     std::optional<SfcEffects> left_out(SfcEffects state) const {
         return sfc_.draft.lossy() ? std::optional(std::move(state)) : std::nullopt;
     }
 
-    /// Returns the disjunction of `selector = label` or `low <= selector AND selector <= high` over the labels.
+    /// Returns the condition of a branch of CASE: a disjunction over the labels of the branch. The operand of a label is
+    /// `selector = label`, the operand of a range is `low <= selector AND selector <= high`.
     Id<tree::Expr> matches(const st::Statement& statement, const st::Branch& branch, const SfcEffects& state) {
         Id<tree::Expr> any = sfc_.draft.constant(false, branch.where);
         for (const Id<st::Expr> label : branch.conditions) {

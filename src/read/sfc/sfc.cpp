@@ -58,7 +58,7 @@ std::vector<SfcBranch> branches_of(Sfc& sfc, const st::Network& network) {
         if (written.condition.valid()) branch.condition = boolean_of(sfc, {written.from}, written.condition);
         if (!branch.condition.valid() && sfc.diagnostics().errors() == errors && sfc.draft.lossy())
             branch.condition = unknown_condition(sfc, written.where);
-        // The error has already been reported.
+        // The error in the condition has been reported.
         if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);
         branches.push_back(branch);
     }
@@ -97,8 +97,8 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
 }
 
-/// Returns the steps. If several steps have the same name, the first one gets the actions; this error has already been
-/// reported.
+/// Returns the steps. If several steps have the same name, the first of these steps gets the actions; the duplicate name
+/// has already been reported.
 std::vector<tree::ChartItem> steps_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
                                       const std::unordered_map<Id<st::Word>, std::string>& expansions) {
     std::vector<tree::ChartItem> items;
@@ -153,7 +153,8 @@ std::vector<tree::ChartItem> transitions_of(Sfc& sfc, const st::Network& network
             if (std::ranges::find(written.to, from.word, &st::Name::word) != written.to.end())
                 sfc.differs(transition.where, "this transition leads back to the step `" +
                                                   std::string(sfc.file.text(from)) +
-                                                  "`, which stays active here; its timers and actions do not restart");
+                                                  "`; in the imported chart, the step stays active, so that its timers "
+                                                  "and actions do not restart");
         items.emplace_back(std::move(transition));
     }
     return items;
@@ -183,19 +184,20 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
         if (output) range.low = std::min(range.low, variable->initial);
         one.range = tree::Range{sfc.draft.number(range.low, one.where), sfc.draft.number(range.high, one.where)};
         if (!range.exact && variable->wide)
-            sfc.diagnostics().add(messages::chosen_range(one.where, sfc.draft.text(one.name), range.low, range.high,
-                                                         "the range of its type exceeds that of charts"));
+            sfc.diagnostics().add(
+                messages::chosen_range(one.where, sfc.draft.text(one.name), range.low, range.high,
+                                       "the range of its type exceeds the range of integers in charts"));
         if (output && range.low != variable->initial) {
             declared->kind = tree::VariableKind::Internal;
-            sfc.diagnostics().add(
-                messages::chosen_kind(one.where, sfc.draft.text(one.name), "internal variable",
-                                      "an output would have the minimum of its range as initial value"));
+            sfc.diagnostics().add(messages::chosen_kind(one.where, sfc.draft.text(one.name), "internal variable",
+                                                        "an output would have the minimum of its range as initial "
+                                                        "value, not the initial value of the variable"));
         }
         if (declared->kind == tree::VariableKind::Internal) one.value = sfc.draft.number(variable->initial, one.where);
     }
 }
 
-/// Adds a step that is always active, with the actions that do not belong to another step.
+/// Adds a partial chart with one step that is always active and has the actions that no other step has.
 void add_always(Sfc& sfc, SfcActions& actions, tree::Chart& chart) {
     for (const std::string& latch : actions.latches) {
         tree::Variable variable;
@@ -251,8 +253,9 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
     add_ranges(sfc, chart);
     split_mixed_actions(draft, chart);
     draft.group_variables(chart);
-    draft.comment(chart.where,
-                  "// A Sequential Function Chart makes one evolution per scan: check it with `--mode every-cycle`.");
+    draft.comment(
+        chart.where,
+        "// A Sequential Function Chart makes one evolution per scan: check this chart with `--mode every-cycle`.");
     draft.declare(std::move(chart));
 }
 

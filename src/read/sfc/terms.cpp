@@ -50,14 +50,15 @@ SfcTerm refused(Sfc& sfc, Span where, std::string_view what,
     return {};
 }
 
-/// Returns the value of a variable: a constant, the value assigned earlier in the body, or the variable itself.
+/// Returns the value of a variable: its constant value, the term assigned earlier in the body, or the variable itself.
 SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, Span where, SfcKind expected) {
     const SfcVariable& variable = variable_of(sfc, path, where, expected, false);
     if (variable.kind == SfcKind::Bad)
         return refused(sfc, where, "`" + path + "`, which is not BOOL, integer or TIME,");
     if (variable.constant || variable.kind == SfcKind::Time) {
         if (variable.kind == SfcKind::Time && !variable.constant)
-            return refused(sfc, where, "the variable time `" + path + '`', "give it a constant value");
+            return refused(sfc, where, "the TIME variable `" + path + "` without a constant value,",
+                           "declare an initial value, and do not assign the variable");
         if (variable.kind == SfcKind::Boolean)
             return {sfc.draft.constant(variable.initial != 0, where), SfcKind::Boolean};
         if (variable.kind == SfcKind::Time) return {sfc.draft.duration(variable.initial, where), SfcKind::Time};
@@ -74,7 +75,7 @@ SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, 
             SfcKind::Boolean};
 }
 
-/// Translates `S1.X`; empty for any other expression.
+/// Translates `S1.X`. The result is empty for any other expression.
 std::optional<SfcTerm> step_flag(Sfc& sfc, const st::Expr& node) {
     if (node.op != st::Op::Member) return {};
     const st::Expr& owner = sfc.file.exprs[node.first];
@@ -83,11 +84,11 @@ std::optional<SfcTerm> step_flag(Sfc& sfc, const st::Expr& node) {
     if (member == "X" || member == "_X")
         return SfcTerm{sfc.draft.variable('X' + sfc.steps.at(owner.word), node.where), SfcKind::Boolean};
     if (member == "T" || member == "_T")
-        return refused(sfc, node.where, "the time of a step other than in a comparison", "compare it with a duration");
+        return refused(sfc, node.where, "the time of a step outside of a comparison", "compare it with a duration");
     return {};
 }
 
-/// Returns the step S1 in `S1.T`; invalid for any other expression.
+/// Returns the step S1 in `S1.T`. The result is invalid for any other expression.
 Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
     const st::Expr& node = sfc.file.exprs[expr];
     if (node.op != st::Op::Member) return {};
@@ -112,7 +113,7 @@ std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr
     const bool from_below = left.valid() ? node.op == st::Op::Greater || node.op == st::Op::GreaterEqual
                                          : node.op == st::Op::Less || node.op == st::Op::LessEqual;
     const bool ordered = node.op != st::Op::Equal && node.op != st::Op::NotEqual;
-    if (!ordered) return refused(sfc, node.where, "a time compared with `=`", "compare it with `>=`");
+    if (!ordered) return refused(sfc, node.where, "a step time compared with `=` or `<>`", "compare it with `>=`");
     const Id<tree::Expr> active = sfc.draft.variable('X' + sfc.steps.at(step), node.where);
     const Id<tree::Expr> elapsed =
         *time == 0 ? active
@@ -183,7 +184,7 @@ SfcTerm arithmetic(Sfc& sfc, const SfcScope& scope, Id<st::Expr> id, const st::E
         terms.push_back(term_of(sfc, scope, operand, SfcKind::Integer));
         if (terms.back().kind == SfcKind::Bad) return {};
         if (terms.back().kind != SfcKind::Integer)
-            return refused(sfc, node.where, "arithmetic on anything but integers");
+            return refused(sfc, node.where, "arithmetic with operands that are not integers");
     }
     Id<tree::Expr> all = terms.front().expr;
     if (node.op == st::Op::Negate) return {sfc.draft.node(tree::Op::Negate, {all}, node.where), SfcKind::Integer};
@@ -208,9 +209,9 @@ SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> id, SfcKind expect
         if (const auto flag = step_flag(sfc, node)) return *flag;
         if (const std::string path = path_of(sfc.file, id); !path.empty())
             return variable_term(sfc, scope, path, node.where, expected);
-        return refused(sfc, node.where, "a part of an array or pointer");
+        return refused(sfc, node.where, "an array element or a dereferenced pointer");
     case st::Op::Index:
-    case st::Op::Dereference: return refused(sfc, node.where, "a part of an array or pointer");
+    case st::Op::Dereference: return refused(sfc, node.where, "an array element or a dereferenced pointer");
     case st::Op::Call:
     case st::Op::Argument:
     case st::Op::Result:

@@ -130,7 +130,8 @@ void set_role(Sfc& sfc, SfcVariable& variable, const st::Variable& declared, boo
         variable.role = Role::Internal;
         if (output)
             sfc.diagnostics().add(messages::chosen_kind(declared.name.where, sfc.file.text(declared.name),
-                                                        "internal variable", "outputs have no initial value"));
+                                                        "internal variable",
+                                                        "an output cannot be declared with an initial value"));
     }
 }
 
@@ -152,7 +153,8 @@ void classify_variables(Sfc& sfc) {
     for (const st::Variable* one : declared) {
         const std::string key = st::capitals(sfc.file.text(one->name));
         const auto known = sfc.by_name.find(key);
-        if (known != sfc.by_name.end()) {  // VAR_EXTERNAL repeats a global variable, whose declaration has the value
+        if (known !=
+            sfc.by_name.end()) {  // VAR_EXTERNAL repeats a global variable; only the global declaration has the value
             SfcVariable& first = sfc.variables[known->second];
             if (one->section == st::Section::Global && one->constant && one->initial.valid() &&
                 first.role == tree::VariableKind::Input) {
@@ -191,7 +193,8 @@ SfcVariable& variable_of(Sfc& sfc, const std::string& path, Span where, SfcKind 
     variable.used = true;
     if (expected != SfcKind::Integer) variable.low = 0, variable.high = 1;
     variable.comment = path + ", declared elsewhere";
-    sfc.diagnostics().add(messages::chosen_kind(where, path, written ? "output" : "input", "it is declared elsewhere"));
+    sfc.diagnostics().add(
+        messages::chosen_kind(where, path, written ? "output" : "input", "the file does not declare it"));
     sfc.variables.push_back(std::move(variable));
     return sfc.variables.back();
 }

@@ -124,7 +124,7 @@ inline const std::string plcopen = R"(<?xml version="1.0" encoding="utf-8"?>
 )";
 
 inline const std::string plcopen_text =
-    R"(// A Sequential Function Chart makes one evolution per scan: check it with `--mode every-cycle`.
+    R"(// A Sequential Function Chart makes one evolution per scan: check this chart with `--mode every-cycle`.
 grafcet press {
     input start, stop;
     output down, lamp;

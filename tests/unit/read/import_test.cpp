@@ -224,7 +224,7 @@ TEST(Import, RejectsNetworksWithMemoryOrMissingWires) {
     const Case cases[] = {{block("AND", "edge=\"rising\"", "", ""), "an edge in the network"},
                           {block("AND", "", "", "storage=\"set\""), "a value stored in the network"},
                           {block("AND", "formalParameter=\"EN\"", "", ""), "with a separate enable condition"},
-                          {block("SUB", "", "", ""), "arithmetic on anything but integers"},
+                          {block("SUB", "", "", ""), "arithmetic with operands that are not integers"},
                           {block("NOT", "", "", ""), "number of inputs of this block"},
                           {contact("edge=\"falling\""), "an edge in the network"},
                           {contact("storage=\"reset\""), "a value stored in the network"},
@@ -252,7 +252,7 @@ TEST(Import, RejectsStatementsUnderQualifiersThatOutliveTheirStep) {
         std::string text = fixtures::sfc;
         text.replace(text.find("horn(P);"), 8, "work(" + std::string(qualifier) + ");");
         text.replace(text.find("END_PROGRAM"), 0, "ACTION work: lamp := go; END_ACTION\n");
-        EXPECT_NE(imported(text).rendered.find("a list of statements under the qualifier"), std::string::npos)
+        EXPECT_NE(imported(text).rendered.find("a list of statements with the qualifier"), std::string::npos)
             << qualifier;
     }
 }
