@@ -21,7 +21,7 @@ namespace {
 const char* const timelock_probe = "no timelock";
 const char* const deadlock_probe = "no deadlock";
 
-/// A search of a network that consists of some of the parts.
+/// The subnetwork of some parts (independent subsystems), and the result of the search of this subnetwork.
 struct SubsystemSearch {
     SubNetwork of = {};
     TimedResult result = {};
@@ -78,12 +78,13 @@ private:
     std::vector<SubsystemSearch> each_ = {};  // separate search of each part
     std::vector<OmittedSubsystem> neighbours_ = {};
     std::map<PartNumbers, SubsystemSearch> together_ = {};
-    // Queries that need the complete network, with their reasons.
+    // Indices of the queries that require a search of the complete network, with the reasons.
     std::vector<std::pair<std::size_t, std::string>> whole_ = {};
     TimedResult result_ = {};
 };
 
-/// Adds the figures of a search to the result, and keeps the profile of the search with the most states.
+/// Adds the numbers of states and transitions and the time of a search to the result, and keeps the profile of the
+/// search with the most states.
 void DecomposedCheck::count(const TimedResult& found) {
     result_.states += found.states;
     result_.transitions += found.transitions;
@@ -95,8 +96,8 @@ void DecomposedCheck::count(const TimedResult& found) {
     result_.profile = found.profile;
 }
 
-/// Searches the parts `chosen` for all queries that read exactly these parts, and for the queries that are decided for
-/// each part.
+/// Searches the subnetwork of the parts `chosen`. The search decides all queries that read exactly these parts, and the
+/// queries that are decided for each part separately.
 SubsystemSearch DecomposedCheck::search(const PartNumbers& chosen, bool premises, const Deadline& deadline) {
     SubNetworkBuilder builder(network_, parts_, chosen);
     bool deadlock_requested = false;
@@ -126,7 +127,8 @@ void DecomposedCheck::search_each() {
         each_.push_back(search({part}, true, share_of(options_.deadline, parts_.count - part)));
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
         const bool stopped = each_[part].verdict(timelock_probe).obstacle == UnknownReason::Stopped;
-        // The search used only its share of the time, and the deadline has not passed.
+        // The search ended after its share of the time, but the deadline has not passed. The search is repeated with
+        // the complete remaining time.
         if (stopped && options_.deadline && !is_over(options_.deadline))
             each_[part] = search({part}, true, options_.deadline);
         count(each_[part].result);
@@ -157,8 +159,8 @@ OmittedSubsystem DecomposedCheck::omitted(std::uint32_t part) const {
     return is;
 }
 
-/// True if an error of a part may be unreachable in the complete network. Such an error is reachable if time can pass
-/// in all other parts until the error occurs.
+/// True if a model error of a part may be unreachable in the complete network. A model error of a part is reachable in
+/// the complete network if, in each other part, time can pass until the error occurs.
 bool DecomposedCheck::errors_may_be_out_of_reach() const {
     for (std::uint32_t part = 0; part < parts_.count; ++part)
         for (std::uint32_t other = 0; other < parts_.count; ++other)
@@ -219,10 +221,10 @@ void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
     given.run = std::move(verdict.run);
 }
 
-/// Returns the outcome for which preservation must be checked. If a property is undecided only because of a model error
-/// or inexact time, this is the outcome that it would otherwise have. If a limit ended the search, this is an outcome
-/// that is preserved if time can pass forever in the other parts. In that case the complete network is also too large,
-/// so that it need not be searched.
+/// Returns the outcome for which preservation must be checked. For a property that is undecided only because of a model
+/// error or inexact time, the result is the outcome that the property would have without this obstacle. If a limit
+/// ended the search, the result is an outcome that is preserved if time can pass forever in the other parts. If that is
+/// the case, the complete network has at least as many states as the searched parts and need not be searched.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {
@@ -234,8 +236,8 @@ Outcome supposed(const Verdict& verdict) {
     }
 }
 
-/// True if a verdict on `chosen` is also the verdict on the complete network, or if the verdict on the complete network
-/// would also be unknown. Otherwise `why` receives the reason.
+/// True if the verdict on the parts `chosen` is also the verdict on the complete network, or if the verdict on the
+/// complete network would also be unknown. Otherwise `why` receives the reason.
 bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& verdict, const PartNumbers& chosen,
                               std::string& why) const {
     if (verdict.obstacle == UnknownReason::Stopped || verdict.obstacle == UnknownReason::Unsupported) return true;
@@ -245,7 +247,8 @@ bool DecomposedCheck::carries(const SubsystemQuery& question, const Verdict& ver
     return why.empty();
 }
 
-/// Converts the run of the verdict to a run of the complete network.
+/// Converts the run of the verdict to a run of the complete network. If the result would be too long, removes the run
+/// and adds a note.
 void DecomposedCheck::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& chosen, bool at_stable) const {
     if (!verdict.run) return;
     verdict.run =
@@ -281,7 +284,8 @@ void DecomposedCheck::answer(SubsystemQuery& question) {
     take(question, std::move(verdict));
 }
 
-/// Decides `no deadlock`, `no timelock` and `no_race`, which hold if they hold for each part.
+/// Decides `no deadlock`, `no timelock` or `no_race`. Each of these properties holds for the complete network if it
+/// holds for each part.
 void DecomposedCheck::result_of_each(SubsystemQuery& question) {
     const Pattern pattern = question.property.pattern;
     const std::string name = pattern == Pattern::NoTimelock   ? timelock_probe
@@ -335,7 +339,7 @@ void DecomposedCheck::search_complete() {
     }
 }
 
-/// Replaces an empty list of steps by the steps of every chart.
+/// Adds the steps of every chart to the operands of `property`, which has no operands.
 void name_steps(Network& network, Property& property) {
     for (const Id<Network::Variable> id : network.variables.ids())
         if (network.variables[id].role == Network::Role::Step)

@@ -125,8 +125,9 @@ void InterleavedCheck::answer(Id<Property> id) {
          std::move(run));
 }
 
-/// Decides `inevitable` or `leads to` if it holds in the search and another part can move forever: with abstract time,
-/// this part can prevent the progress of all others. Otherwise returns false.
+/// Decides `inevitable` or `leads to` in a system without clocks, if the property holds in the search and another part
+/// can move forever. In such a system, this other part can prevent the progress of all other parts. Returns false if
+/// the property is not decided.
 bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, Verdict& verdict,
                                       const std::vector<const OmittedSubsystem*>& rest) {
     if (preservation_class_of(verdict) != PreservationClass::Unavoidable) return false;
@@ -159,7 +160,7 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
     return true;
 }
 
-/// Decides a property that holds if it holds for each part.
+/// Decides a property that holds for the complete system if it holds for each part.
 void InterleavedCheck::result_of_each(Id<Property> id) {
     std::optional<Verdict> open;
     Verdict holds = verdict_on(id, system_.properties[id]);
@@ -208,7 +209,7 @@ void InterleavedCheck::search_complete() {
 
 // -- runs -------------------------------------------------------------------------------------------------------------
 
-/// Converts a run of the search to steps of the complete system.
+/// Converts a run of the searched parts to steps of the complete system.
 SubsystemRun InterleavedCheck::subsystem_run(const SubsystemResult& search, const FlatRun& run) const {
     const System& system = search.system;
     const FlatSystem& part = search.check->flat();
@@ -229,9 +230,9 @@ SubsystemRun InterleavedCheck::subsystem_run(const SubsystemResult& search, cons
     return made;
 }
 
-/// Converts a state of the complete system to a state of the searched part. A variable that does not belong to a part
-/// (a flag of action races) has a copy in each part. If the race has not occurred in the part, the copy has the initial
-/// value.
+/// Converts a state of the complete system to a state of the searched parts. A variable that does not belong to a part
+/// (a flag of action races) has a copy in each part. If no race has occurred in the searched parts, the copy has the
+/// initial value, although the flag may be set in `whole`.
 std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const std::vector<std::int64_t>& whole) {
     const std::vector<Id<FlatSystem::Variable>> in_complete =
         variables_in_complete(search.check->flat(), parts_.flat());
@@ -249,8 +250,8 @@ std::vector<std::int64_t> InterleavedCheck::here(SubsystemResult& search, const 
     return made;
 }
 
-/// Continues the run after the state in which the searched subsystems stop: the other subsystems move until they must
-/// also wait, or forever.
+/// Continues the run `made`, at whose end the searched parts stay in one state. The other parts `rest` move, one part
+/// after another, until each of them can only wait, or until one of them moves forever.
 SubsystemRun InterleavedCheck::extended(SubsystemRun made, const SubsystemStep& last, const PartList& rest) {
     const std::vector<std::int64_t> so_far = replayed(parts_.flat(), made).states.back();
     for (const std::uint32_t part : rest) {
@@ -265,7 +266,7 @@ SubsystemRun InterleavedCheck::extended(SubsystemRun made, const SubsystemStep& 
     return made;
 }
 
-/// Returns a run in which these parts, one at a time, move to quiescent states.
+/// Returns a run in which the parts `parts` move to quiescent states, one part after another.
 SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     SubsystemRun made;
     const std::vector<std::int64_t> first = replayed(parts_.flat(), {}).states.back();
@@ -279,7 +280,8 @@ SubsystemRun InterleavedCheck::settled(const PartList& parts) {
     return made;
 }
 
-/// Returns the run combined with runs of the other parts, or nullopt if the result would be too long.
+/// Combines `run`, a run of the searched parts, with runs of all other parts. If the result would be too long, returns
+/// nullopt and adds a note to the verdict.
 std::optional<FlatRun> InterleavedCheck::complete_run(const SubsystemResult& search, const FlatRun& run, bool at_stable,
                                                       Verdict& verdict) {
     SubsystemRun shown = subsystem_run(search, run);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A lasso can be divided into a stem and a loop after any tick that is not in its stem. If the loop of a part has k
-// ticks, and tick n is not in its stem, the actions after tick n + k are equal to those after tick n. Therefore the
-// number of ticks in the loop of the complete network is the least common multiple of the numbers of its parts.
+// A lasso is an infinite run that consists of a stem and a loop, which is repeated forever. The loop can be chosen to
+// start after any tick that is not in the stem. If the loop of a part has k ticks, and tick n is not in the stem of
+// this part, the actions of the part after tick n + k are equal to its actions after tick n. Therefore the joined run
+// has a loop whose number of ticks is the least common multiple of the numbers of ticks in the loops of all parts.
 #include "check/decomposition/join.hpp"
 
 #include <algorithm>
@@ -32,8 +33,8 @@ std::int64_t ticks(const Run& run, std::size_t first, std::size_t last) {
 std::int64_t stem_ticks(const Run& run) { return ticks(run, 0, run.loop.value_or(run.moves.size())); }
 std::int64_t loop_ticks(const Run& run) { return run.loop ? ticks(run, *run.loop, run.moves.size()) : 0; }
 
-/// Adds the events before time `end`, and at least those at time 0. The loop of a lasso, in which time passes, is
-/// repeated as often as necessary.
+/// Adds to `events` the events of `run` before time `end`, and the events of `run` at time 0 for every `end`. If `run`
+/// is a lasso, time must pass in its loop, and the loop is repeated until `end`.
 void add_fires(const Run& run, std::int64_t end, std::vector<TimedFire>& events) {
     std::int64_t time = 0;
     for (std::size_t i = 0;; ++i) {
@@ -119,7 +120,7 @@ std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Endi
 Run continued(const Network& network, Run run) {
     NetworkState state = initial_state(network);
     for (const Move& move : run.moves) perform(network, state, move);
-    std::map<std::vector<std::int64_t>, std::size_t> seen;  // number of moves before each state
+    std::map<std::vector<std::int64_t>, std::size_t> seen;  // maps each state to the number of moves before it
     while (run.moves.size() <= most_moves) {
         const auto [known, fresh] = seen.emplace(values_of(state), run.moves.size());
         if (!fresh) {

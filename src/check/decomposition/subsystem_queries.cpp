@@ -17,8 +17,8 @@ bool about_race(const Network& network, const Property& property) {
     return operand.op == Op::Variable && operand.value == network.race.index;
 }
 
-/// Returns the parts that the query reads. If the query reads a variable that has copies in several parts, the result
-/// contains all parts.
+/// Returns the parts that the operands of `property` read. If an operand reads a variable that has copies in several
+/// parts, the result contains all parts.
 PartNumbers read_by(const Network& network, const NetworkSubsystems& parts, const Property& property) {
     for (const Id<Expr> operand : property.operands)
         for (const Id<Expr> leaf : leaves(network.exprs, operand)) {
@@ -33,7 +33,7 @@ PartNumbers read_by(const Network& network, const NetworkSubsystems& parts, cons
     return parts_read(network, parts, property.operands);
 }
 
-/// Adds a separate query for each step.
+/// Adds to `list` a separate query for each step that `question` names.
 void add_steps(const Network& network, const NetworkSubsystems& parts, const SubsystemQuery& question,
                std::vector<SubsystemQuery>& list) {
     for (const Id<Expr> step : question.property.operands) {

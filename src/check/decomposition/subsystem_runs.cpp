@@ -12,7 +12,7 @@ using StepKind = SubsystemStep::Kind;
 
 constexpr std::size_t most_steps = 20'000;
 
-/// Iterates over the steps of a run.
+/// Iterates over the steps of a run. After the last step of a run with a loop, the first step of the loop follows.
 class RunCursor {
 public:
     explicit RunCursor(const SubsystemRun& run) : run_(run) {}
@@ -60,7 +60,8 @@ std::optional<SubsystemRun> side_by_side(const SubsystemRun& shown, const std::v
     std::vector<RunCursor> cursors;
     for (const SubsystemRun& other : others) cursors.emplace_back(other);
     SubsystemRun made;
-    // Combinations of positions in all runs, with the index of the first step that has these positions.
+    // Maps the positions of all cursors, each time that `shown` reaches the start of its loop, to the index of the next
+    // step of `made`.
     std::map<std::vector<std::size_t>, std::size_t> seen;
     const bool alone = shown.loop && shown.never_waits_again();
     for (RunCursor here(shown); !here.over() && made.steps.size() <= most_steps; here.go_on()) {

@@ -46,7 +46,8 @@ PartList SubsystemSearches::reads(const std::vector<Id<Expr>>& operands) const {
     return read.empty() ? PartList{0} : read;
 }
 
-/// True for a flag that several parts set. In the search of a single part, the part has a separate copy of the flag.
+/// True if `term` is a flag that several parts set. In the search of a single part, the part has a separate copy of the
+/// flag.
 bool SubsystemSearches::set_by_several(Id<Expr> term) const {
     if (system_.exprs[term].op != Op::Variable) return false;
     const Id<TransitionSystem::Symbol> symbol{static_cast<std::uint32_t>(system_.exprs[term].value)};
@@ -65,14 +66,16 @@ bool SubsystemSearches::about_each(const Property& property) const {
                                [&](Id<Expr> each) { return set_by_several(each) || reads({each}).size() == 1; });
 }
 
-/// Returns the disjuncts that concern this part, for a property of all parts.
+/// Returns the disjuncts of `property` that concern `part`. Requires that the property is decided for each part
+/// separately (see about_each).
 std::vector<Id<Expr>> SubsystemSearches::share(const Property& property, std::uint32_t part) const {
     std::vector<Id<Expr>> found = operands_of(system_.exprs, property.operands.front(), Op::Or);
     std::erase_if(found, [&](Id<Expr> each) { return !set_by_several(each) && reads({each}) != PartList{part}; });
     return found;
 }
 
-/// Returns the search of these parts, with all queries that read exactly these parts.
+/// Returns the search of the parts `chosen`, which decides all queries that read exactly these parts. The first call
+/// for these parts performs the search.
 SubsystemResult& SubsystemSearches::search(const PartList& chosen) {
     const auto [known, fresh] = searches_.try_emplace(chosen);
     SubsystemResult& made = known->second;
@@ -119,11 +122,12 @@ symbolic::InterleavingPremises& SubsystemSearches::interleaving(SubsystemResult&
     return *search.interleaving;
 }
 
-/// Determines the properties of a part on which a verdict about other parts depends.
+/// Determines the facts about a part on which the preservation of verdicts about other parts depends.
 void SubsystemSearches::know(SubsystemResult& search, PreservationClass claim, bool at_stable) {
     OmittedSubsystem& as = search.as;
     if (!as.searched || (claim == PreservationClass::Everywhere && !at_stable)) return;
-    // A query that reached the memory limit is repeated by the next call.
+    // If a computation reaches the memory limit, an exception skips the assignment of the flag `knows_...`, so that the
+    // next call repeats the computation.
     if (timed() && !search.knows_time) {
         as.never_locks = interleaving(search).never_locks();
         as.diverges = as.never_locks || interleaving(search).diverges();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Synthesizes conditions from the solution of a game. The search explores the states that are reachable under the
-// current conditions. If an evolution reaches a losing state, all conditions are recomputed for the explored states.
-// This is repeated until no evolution reaches a losing state. Two types of states are treated as losing: states that
-// the observations do not distinguish sufficiently, and states from which no marked state is reachable under the
-// conditions. If there are such states, the synthesis is restarted; the resulting conditions are sound and classified
-// as `Cautious`.
+// Synthesizes the conditions of a supervisor from the solution of a game (see game.hpp). The search explores the states
+// that are reachable under the current conditions. If an evolution reaches a losing state, all conditions are
+// recomputed for the explored states, and the exploration continues until no evolution reaches a losing state. Two
+// further types of states are treated as losing: states that the observations do not distinguish sufficiently, and
+// states from which no marked state is reachable under the conditions. If there are states of these types, the
+// synthesis is restarted; the resulting conditions are sound and classified as `Cautious`.
 #include "check/supervise/supervise.hpp"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ private:
     struct Terms {
         Id<Expr> evolves = {};
         std::vector<Id<Expr>> seen = {}, may = {}, effects = {};
-        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< terms `site_effects` of each permission
+        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< for each permission: term of each site, or invalid
     };
 
     Supervisor unknown(std::string why) {
@@ -159,7 +159,7 @@ private:
 
     // -- conditions over observations ---------------------------------------------------------------------------------
 
-    /// Returns the pairs in which a permission is refused because of these observations.
+    /// Returns the pairs of a state and permissions for which the observations `sights` refuse the permission `index`.
     Bdd refused(std::size_t player, std::size_t index, const Bdd& sights) const {
         if (sights.is_false()) return {};
         const Bdd states = seen_[player].states(sights);
@@ -173,9 +173,10 @@ private:
         return made;
     }
 
-    /// Returns a policy for the states of `within`. The permissions are decided one by one, those of transitions before
-    /// those of outputs, and as few as possible are refused. States without an allowed combination of permissions are
-    /// added to `none_left`.
+    /// Returns a policy for the states of `within`. The permissions are decided one after another: first those of
+    /// transitions, then those of outputs. A permission is refused for the observations of the states in which no
+    /// allowed pair grants the permission. States without an allowed combination of permissions are added to
+    /// `none_left`.
     Policy decided(std::size_t player, const Bdd& within, const LosingRegion& losing, Bdd& none_left) const {
         const std::vector<Bdd>& may = game_->may(player);
         Policy made{std::vector<Bdd>(may.size())};
@@ -192,7 +193,7 @@ private:
             made.obeyed &= obeyed;
             return obeyed;
         };
-        Bdd wanted = pairs;  // the pairs in which as many outputs as possible are permitted
+        Bdd wanted = pairs;  // the pairs in which no further output can be permitted
         for (std::size_t index = 0; index < may.size(); ++index)
             if (permission(player, index).output) wanted &= may[index] | ~game_->states(wanted & may[index]);
         for (std::size_t index = 0; index < may.size(); ++index)
@@ -268,7 +269,7 @@ private:
 
     // -- classification of the conditions -----------------------------------------------------------------------------
 
-    /// Returns the pairs in which the permission has an effect.
+    /// Returns the pairs of a state and permissions for which the permission `index` has an effect.
     Bdd relevant(std::size_t player, std::size_t index) const {
         const Bdd& may = game_->may(player)[index];
         const auto with = [&](const Bdd& f, bool value) {
@@ -281,7 +282,8 @@ private:
         return with(set, true) & ~with(set, false);
     }
 
-    /// Writes each condition and the classification. Returns false if a condition is too long.
+    /// Adds the conditions and their classification to the result. Returns false if a condition has more than
+    /// `most_products` terms.
     bool write(const LosingRegion& losing) {
         for (std::size_t player = 0; player < game_->players(); ++player) {
             const Bdd here = under_ & game_->ready(player);
@@ -351,7 +353,7 @@ private:
         std::vector<Bdd> permitted;  // states in which the permission is granted or has no effect
         Bdd above = Bdd::constant(true);
         for (std::size_t index = 0; index < may.size(); ++index) {
-            allowed &= may[index] | matters[index];  // a permission without effect is treated as granted
+            allowed &= may[index] | matters[index];
             permitted.push_back(game_->states(chosen & (may[index] | ~matters[index])));
             above &= implies(permitted.back(), may[index]);
         }
@@ -392,7 +394,8 @@ private:
         return std::move(result_);
     }
 
-    /// Adds a step to the first reachable stage before `stage`: a move, or an evolution under all permissions.
+    /// Appends a step from `state` to a stage before `stage`: a move if there is such a move, otherwise an evolution with
+    /// all permissions.
     void step(symbolic::Path& path, symbolic::State& state, const LosingRegion& losing, std::size_t stage) const {
         const Bdd only = model_->only(state);
         const auto go = [&](const Bdd& to, const Bdd& how) {
@@ -425,8 +428,8 @@ private:
     std::optional<StateSpace> model_ = {};
     std::optional<Game> game_ = {};
     std::vector<ObservationMap> seen_ = {};       ///< observation map of each player
-    std::vector<std::vector<Bdd>> effects_ = {};  ///< function of the effect, for each player and permission
-    /// Function of the effect, for each player, permission and site.
+    std::vector<std::vector<Bdd>> effects_ = {};  ///< for each player and permission: condition of its effect
+    /// For each player, permission and site: set of the steps in which the action of the site sets the output.
     std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};
     std::vector<std::vector<Bdd>> observed_ = {};  ///< observed functions of each player
     std::vector<Bdd> bads_ = {};                   ///< states of each bad term
