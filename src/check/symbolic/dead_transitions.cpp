@@ -55,7 +55,8 @@ private:
         if (value.op == Op::Variable) names_.emplace(value.value, name);
     }
 
-    /// True if a step from one of the states clears the transition, or if this is unknown.
+    /// True if a step from a state of `reachable_` clears the transition, or if the clearing condition is undefined in
+    /// such a state.
     bool is_cleared(const System::Controller& controller, const System::Named& transition) {
         Id<Expr> clears = flat_.symbols[transition.variable.index];
         if (controller.evolves.valid())
@@ -66,7 +67,8 @@ private:
         return !model_.image(reachable_, model_.steps_where(term.bits.front())).is_false();
     }
 
-    /// Returns the first conjunct of the condition that is false in all states of `reachable_`.
+    /// Returns the first conjunct of the condition that is a named variable or its negation and is false in all states
+    /// of `reachable_`. The result is empty if there is no such conjunct.
     std::string false_part(Id<Expr> condition) {
         std::vector<Id<Expr>> parts = {condition};
         if (flat_.exprs[condition].op == Op::And)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A choice is split if its values leave enough bits unchanged. If a value of the choice implies the values of other
-// choices, the other choices are replaced by these values before the unchanged bits are counted. For example, a process
-// that is not selected does not take an edge, and its bits are then unchanged.
+// Splits the steps of the transition relation by the values of choices. A choice is split if, on average over its
+// values, enough bits stay unchanged. If a value of the choice implies the values of other choices, the other choices
+// are replaced by these values before the unchanged bits are counted. For example, a process that is not selected does
+// not take an edge, so that its bits stay unchanged.
 #include "check/symbolic/event_clusters.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr double worth_splitting = 0.6;
 /// Maximum size, in nodes, of a condition that is used to show that a bit is unchanged.
 constexpr std::size_t most_joined_nodes = 100;
 
-/// A function with its support, which is stored because it is needed repeatedly.
+/// A function with its support. The support is stored because it is needed repeatedly.
 struct Read {
     Bdd function = {};
     std::vector<std::uint32_t> variables = {};
@@ -35,7 +36,8 @@ struct Read {
 
 struct Rules {
     std::vector<Read> conditions = {};
-    std::vector<std::pair<std::uint32_t, Read>> bits = {};  ///< each variable before a step, with its next value
+    /// Each state bit, with the function of its value after a step.
+    std::vector<std::pair<std::uint32_t, Read>> bits = {};
 };
 
 bool is_cube(const Bdd& f) {
@@ -76,7 +78,8 @@ public:
     }
 
 private:
-    /// Returns the rules that remain for each value of the word, or an empty list if no rule reads the word.
+    /// Returns the rules that remain for each value of the word; values without steps are omitted. The result is empty
+    /// if no condition reads the word.
     std::vector<Rules> by_value(const Rules& rules, const BddWord& word) const {
         const auto read = [&](const Read& each) { return each.reads_any(word.bits); };
         std::vector<Rules> parts;
@@ -87,8 +90,9 @@ private:
         return parts;
     }
 
-    /// Returns the rules for steps that satisfy literals of choices and their implications, without unchanged bits. The
-    /// result is empty if there is no such step.
+    /// Returns the rules for the steps that satisfy `literals`, a conjunction of literals of choices, and all literals
+    /// of choices that these steps imply. Bits that these steps leave unchanged are omitted. The result is empty if no
+    /// step satisfies `literals`.
     std::optional<Rules> under(const Rules& rules, Bdd literals) const {
         Rules left = rules;
         while (!literals.is_true()) {
@@ -110,7 +114,8 @@ private:
         return left;
     }
 
-    /// True if steps that satisfy the conditions never change the bit.
+    /// True if simple conditions (without choices, and with at most `most_joined_nodes` nodes) suffice to show that no
+    /// step changes the bit.
     bool stays(std::uint32_t bit, const Read& value, const std::vector<Read>& conditions) const {
         Bdd changes = value.function ^ space_.variable(bit);
         for (const Read& each : conditions)
@@ -121,7 +126,7 @@ private:
 
     const BddSpace& space_;
     const std::span<const BddWord> choices_;
-    std::vector<std::uint32_t> bits_ = {};  ///< bits of all choices, increasing
+    std::vector<std::uint32_t> bits_ = {};  ///< bits of all choices, in increasing order
 };
 
 }  // namespace

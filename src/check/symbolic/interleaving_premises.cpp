@@ -7,7 +7,7 @@ namespace grafverif::symbolic {
 
 namespace {
 
-/// Maximum number of states of a run.
+/// Maximum number of states of a run that `waiting_run` returns.
 constexpr std::size_t longest_run = 20'000;
 
 }  // namespace
@@ -61,14 +61,14 @@ std::vector<State> InterleavingPremises::moves_to(const State& from, const Bdd& 
         });
 }
 
-/// Adds all states except the last, each with the choices of the move to the next state.
+/// Adds to `run` all states except the last, each with the choices of the move to the next state.
 void InterleavingPremises::add_moves(const std::vector<State>& states, FlatRun& run) const {
     for (std::size_t i = 0; i + 1 < states.size(); ++i)
         run.states.push_back(model_.values(states[i], &states[i + 1], moves_));
 }
 
-/// Follows moves within `within` until a state is repeated. Requires that a move leads from each state of `within` to a
-/// state of `within`.
+/// Adds to `run` moves within `within`, until a state is repeated. Requires that a move leads from each state of
+/// `within` to a state of `within`.
 void InterleavingPremises::follow_moves(State from, const Bdd& within, FlatRun& run) const {
     std::map<State, std::size_t> seen;
     while (seen.emplace(from, run.states.size()).second) {

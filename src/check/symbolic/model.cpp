@@ -41,8 +41,8 @@ std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunctio
 
 /// Returns conjuncts, whose conjunction is true for exactly the assignments for which `condition` is true and defined.
 /// For example, `a -> b and not (c or d)` yields `a -> b`, `a -> not c` and `a -> not d`. Undefined operands need not
-/// be considered separately: if the complete condition is defined although an operand is undefined, an earlier operand
-/// determines its value.
+/// be considered separately: if `condition` is defined although an operand is undefined, an earlier operand determines
+/// the value of `condition`.
 std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> condition) {
     const BddTerm& whole = terms(condition);
     if (!whole.undefined.is_false()) return {whole.bits.front() & ~whole.undefined};

@@ -5,9 +5,9 @@
 // decreases with its number of operands, so that a wide disjunction does not force all its variables into one block.
 // Terms have separate positions, so that the variables of a large term need not be adjacent.
 //
-// The positions are the second eigenvector of the transition matrix of a random walk over the terms. It is computed by
-// power iteration. Starting with initial positions, each vertex is repeatedly moved to the mean position of its
-// neighbours, and the common mean is subtracted.
+// The vector of all positions is the second eigenvector of the transition matrix of a random walk over the terms. The
+// eigenvector is computed by power iteration: starting with initial positions, each vertex is repeatedly moved to the
+// mean position of its neighbours, and the weighted mean of all positions is subtracted.
 #include "check/symbolic/order.hpp"
 
 #include <algorithm>
@@ -59,7 +59,8 @@ private:
 
     double weight(std::size_t tie) const { return 1 / static_cast<double>(ties_[tie].size() - 1); }
 
-    /// Adds a vertex for each operator in the term, connected to its operands. The first vertices represent variables.
+    /// Adds a vertex for each operator in the term, connected to the vertices of its operands. The vertices with the
+    /// smallest indices represent the variables.
     void add(Id<Expr> root) {
         std::vector<Id<Expr>> open{root}, operators;
         while (!open.empty()) {
@@ -90,8 +91,8 @@ private:
         for (const std::uint32_t vertex : ties_.back()) weights_[vertex] += weight(ties_.size() - 1);
     }
 
-    /// Returns the initial positions: variables have the order of the system, and each term has the mean position of
-    /// its operands. Operands precede their term in the table.
+    /// Returns the initial positions. The variables have the order of the system, and each term has the mean position
+    /// of its operands. In the table of terms, operands precede the terms that contain them.
     std::vector<double> first_guess() const {
         std::vector<double> place(weights_.size());
         for (std::size_t vertex = 0; vertex < flat_.variables.size(); ++vertex)

@@ -32,8 +32,8 @@ Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal) {
 
 namespace {
 
-/// Computes can_stay without justice conditions: removes states without a successor in the set, and repeats this for
-/// the predecessors of removed states.
+/// Computes can_stay without justice conditions: removes the states that have no successor in the set, and repeats the
+/// removal for the predecessors of removed states.
 Bdd can_stay(const StateSpace& model, const Bdd& within) {
     Bdd result = within & model.preimage(within);
     for (Bdd removed = within & ~result; !removed.is_false(); result &= ~removed) {
@@ -58,7 +58,8 @@ Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>&
 
 namespace {
 
-/// Returns the rings around `from` in `within`, up to the first ring that intersects `goal`.
+/// Returns the states of `within` that are reachable from `from` in `within`, as rings of equal distance, up to the
+/// first ring that intersects `goal`.
 bdd::Rings rings_to(const StateSpace& model, const Bdd& from, const Bdd& within, const Bdd& goal) {
     bdd::Rings rings;
     rings.add(from & within);
@@ -73,10 +74,10 @@ void append(Path& path, const std::vector<State>& states) {
 }  // namespace
 
 Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice) {
-    // Each iteration extends the path through all justice conditions. If the path cannot be closed to a loop, its last
-    // state is in a later strongly connected component, in which the next iteration starts. There are finitely many
-    // components, so that the iteration terminates. Without justice conditions, the path may end in a state that a step
-    // leaves unchanged.
+    // Each iteration extends the path so that each justice condition holds in some state of the extension. If the path
+    // cannot be closed to a loop, its last state is in a later strongly connected component, in which the next
+    // iteration starts. There are finitely many components, so that the iteration terminates. Without justice
+    // conditions, the path may end in a state that a step leaves unchanged.
     Path path{{first}, {}};
     const Bdd still = justice.empty() ? staying & model.still() : Bdd();
     for (;;) {

@@ -52,7 +52,7 @@ std::vector<QueryResult> PropertyQueries::answers(const StateSpace* model, Reach
                                                   const SymbolicOptions& options) {
     std::vector<QueryResult> all;
     UnknownReason obstacle =
-        model == nullptr ? search.obstacle : UnknownReason::None;  // this reason applies to all following queries
+        model == nullptr ? search.obstacle : UnknownReason::None;  // this obstacle applies to all following queries
     std::string reason = search.reason;
     for (const PropertyQuery& question : questions_) {
         QueryResult found{verdict_on(question.about, of(question)), {}};
@@ -147,7 +147,7 @@ void PropertyQueries::decide_paths(QueryResult& found, const PropertyQuery& ques
         const Bdd dead = fair_ & ~can_reach(model, search.reached, p & fair_);
         if (dead.is_false()) return;
         verdict.outcome = Outcome::Violated;
-        verdict.notes.emplace_back("impossible from the last state of the trace");
+        verdict.notes.emplace_back("the condition is impossible from the last state of the trace");
         const std::vector<State> trace = shortest_trace(model, search, dead);
         found.run = run_of(model, {trace, {}});
         found.dead_state = trace.back();

@@ -67,15 +67,16 @@ void Check::note(const BddExhausted& exhausted) {
 void Check::count_states() {
     try {
         result_.states = count(search_.reached, model_->state_bits());
-    } catch (const BddExhausted&) {  // the number then remains unknown
+    } catch (const BddExhausted&) {  // the number of states remains unknown
     }
 }
 
 void Check::search() {
     const StateSpace& model = *model_;
     const std::uint64_t enough = space_.work() + options_.one_by_one;
-    // If a step assigns a value outside a range, its successor is not a state, and the search ends. Therefore each ring
-    // is checked for such steps before its successors are used.
+    // A step that assigns a value outside the range of a variable does not lead to a state, and the search ends at such
+    // a step. Therefore each ring (the states found at one depth) is checked for such steps before the successors of
+    // the ring are used.
     bool leaks = false;
     const auto keep_going = [&](bool kinds) {
         return [&, kinds](std::size_t depth) {
@@ -91,7 +92,8 @@ void Check::search() {
     search_.rings.add(model.initial());
     if (grow(model, search_.rings, model.invariant(), {}, keep_going(model.has_clusters())) && !leaks) {
         const Bdd closure = model.closure(search_.reached);
-        // Assignments that violate a range or the invariants may have successors although no run leads to them.
+        // The closure may contain assignments that violate a range or an invariant, and their successors, although no
+        // run leads to these successors. Such a closure is not used.
         if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
         else grow(model, search_.rings, model.invariant(), {}, keep_going(false));
     }

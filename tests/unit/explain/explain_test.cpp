@@ -295,7 +295,7 @@ TEST(Explain, DeadTransitionsAfterThePointOfNoReturnAreNamed) {
               "false), on (X1 stays false), trap (X0 stays false), wait (armed stays false)\n");
     const std::string untimed = notes(untimed_report_of(trap, "property again: always possible X1;"), "again");
     EXPECT_EQ(untimed,
-              "impossible from the last state of the trace\n"
+              "the condition is impossible from the last state of the trace\n"
               "after this trace, these transitions are never cleared again: go, back (X1 stays false), on (X1 stays "
               "false), wait (armed stays false)\n");
 }
