@@ -94,7 +94,7 @@ class Simulate(unittest.TestCase):
         terminal.await_text("> ")
         for name in ("session.txt", "session.txt"):
             terminal.type(f"save {name}\r")
-            terminal.await_text("saved; replay it with `--script session.txt`")
+            terminal.await_text("saved; replay the session with `--script session.txt`")
             terminal.await_text("> ")
         terminal.type("save no/such/folder/session.txt\r")
         terminal.await_text("! directory `no/such/folder` does not exist; create it or choose another one")

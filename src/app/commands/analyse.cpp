@@ -95,8 +95,8 @@ ExitCode analyse_program(const Program& program, const std::string& name, Comman
     return finish(std::move(*analysis), bounds, job, streams);
 }
 
-/// Analyses a program that is declared in `model`. If a loop executes it with another cycle than the interval of its
-/// task, any time may pass between two scans.
+/// Analyses a program that is declared in `model`. If a loop executes the program with another cycle than the interval
+/// of its task, the analysis assumes that any time may pass between two scans.
 ExitCode analyse_declared(const Model& model, Id<Chart> chart, CommandContext& job, const Streams& streams) {
     Program program = *model.charts[chart].program;
     for (const ClosedLoop& loop : model.loops)
@@ -107,8 +107,8 @@ ExitCode analyse_declared(const Model& model, Id<Chart> chart, CommandContext& j
     return analyse_program(program, model.charts[chart].name, job, streams);
 }
 
-/// Reads the program of a file; empty after an error. If the file contains charts, the first error has a note about the
-/// analysis of these charts.
+/// Reads the program of a file. The result is empty after an error. If the file contains Sequential Function Charts,
+/// the first error has a note about the analysis of these charts.
 std::optional<ProgramText> read_program_to_analyse(Id<Source> source, CommandContext& job) {
     Diagnostics found;
     auto program = read_program(source, job.sources, found);
@@ -181,13 +181,13 @@ CliCommand analyse_usage() {
         "partial charts forced twice or forced while enclosed; steps that are never active; transitions that are "
         "never\n"
         "or always cleared; outputs that are never set; inputs that are never read. A `constraint` in the chart and a\n"
-        "table of input pairs that are never true together (`variable1,variable2,reason`) exclude impossible inputs.\n"
-        "In a PLC program: statements that are never executed, conditions that are always or never true, outputs that "
-        "are\n"
-        "always assigned twice, blocks that are never called, timers that never elapse, and run-time faults.\n"
+        "table of input pairs that are never true together (--exclusions) exclude impossible inputs.\n"
+        "For a PLC program, reports statements that are never executed, conditions that are always or never true, and\n"
+        "outputs that are always assigned twice. Also reports blocks that are never called, timers that never elapse,\n"
+        "and run-time faults of the program.\n"
         "`accept CODE \"reason\";` in the chart accepts a finding. Exit code 1: a finding is not accepted; 3: no\n"
-        "finding, but the analysis is incomplete (--timeout, --max-memory, Ctrl-C); the output describes what was not\n"
-        "analysed.",
+        "finding, but the analysis is incomplete (--timeout, --max-memory, Ctrl-C). The output of an incomplete\n"
+        "analysis describes what was not analysed.",
         {"grafverif analyse samples/oven_door/oven_door.grafcet",
          "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
          "grafverif analyse charts/*.grafcet --all --sarif findings.sarif"},

@@ -15,8 +15,8 @@ namespace grafverif::app {
 
 namespace {
 
-/// Prints to the file given by `-o`, otherwise directly to standard output. The output is then not stored in memory,
-/// because an automaton may be large.
+/// Prints to the file given by `-o`, otherwise to standard output. Text for standard output is not stored in memory
+/// before it is printed, because an automaton may be large.
 template <class Print>
 void print_to_output(CommandContext& job, const Streams& streams, Print print) {
     if (!job.options.output) return print(streams.out);
@@ -99,22 +99,21 @@ CliCommand automaton_usage() {
 }
 
 CliCommand mealy_usage() {
-    return {"mealy",
-            "FILE",
-            1,
-            1,
-            "print the Mealy machine of a chart",
-            "Prints the Mealy machine: the location automaton with INIT merged into the location of the initial "
-            "situation,\n"
-            "and one output word for every combination of inputs in every state. Sets of inputs are printed as "
-            "conditions,\n"
-            "not as lists. For a chart with timers, the machine has\n"
-            "additional transitions in which time passes.\n"
-            "Formats: text, JSON, DOT (Graphviz), SVG.",
-            {"grafverif mealy samples/tanks/tanks.grafcet",
-             "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
-            {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatDiagram,
-             OptionGroup::Minimise, OptionGroup::Limits}};
+    return {
+        "mealy",
+        "FILE",
+        1,
+        1,
+        "print the Mealy machine of a chart",
+        "Prints the Mealy machine of a chart: the location automaton with one output word for every combination of\n"
+        "inputs in every state. INIT (the controller after power-on) is merged with the location of the initial\n"
+        "situation. Sets of inputs are printed as conditions, not as lists. For a chart with timers, the machine\n"
+        "has additional transitions in which time passes.\n"
+        "Formats: text, JSON, DOT (Graphviz), SVG.",
+        {"grafverif mealy samples/tanks/tanks.grafcet",
+         "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
+        {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::FormatDiagram, OptionGroup::Minimise,
+         OptionGroup::Limits}};
 }
 
 }  // namespace grafverif::app

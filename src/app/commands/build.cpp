@@ -81,12 +81,9 @@ CliCommand build_usage() {
         "  NAME.q    the queries only\n"
         "  NAME.smv  NuSMV model of the controller with free inputs and timers, or of the loop with --plant automata\n"
         "\n"
-        "Constructs that cannot be translated exactly are reported with their line, and nothing is written. After an "
-        "error or\n"
-        "a signal, either all files are written or none has changed (docs/reference/files.md). --depfile writes the "
-        "dependencies "
-        "for a\n"
-        "build system (docs/how-to/build-systems.md).",
+        "If a construct cannot be translated exactly, it is reported with its line, and no file is written. After an\n"
+        "error or a signal, either all files are written or no file has changed (docs/reference/files.md). --depfile\n"
+        "writes the dependencies for a build system (docs/how-to/build-systems.md).",
         {"grafverif build samples/testing_station/testing_station.grafcet",
          "grafverif build station.grafcet -o models --create-dirs --grain atomic --target uppaal",
          "grafverif build station.grafcet -o models --name station --depfile models/station.d",

@@ -51,12 +51,13 @@ void note_trace(const Report& report, CommandContext& job, const Streams& stream
         streams.err << "note: no verdict has a trace, so no trace file was written\n";
 }
 
-/// Adds a note if the expected verdicts of a loop may refer to its schedule, which timed models do not have.
+/// Prints a note if the loop declares a schedule: its expected verdicts may refer to an untimed model, because timed
+/// models have no schedule.
 void point_to_schedule(const ClosedLoop& loop, const CommandContext& job, const Streams& streams) {
     if (!loop.schedule || job.options.quiet) return;
     streams.err << fmt::format(
-        "note: `{}` declares a `schedule`, which applies only to untimed models; to check one, run `grafverif check {} "
-        "--untimed --plant automata`\n",
+        "note: `{}` declares a `schedule`, which applies only to untimed models; to check the untimed model, run "
+        "`grafverif check {} --untimed --plant automata`\n",
         loop.name, printable(job.options.operands[0]));
 }
 
@@ -102,8 +103,8 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
     return code;
 }
 
-/// Checks the model with cycle time zero, too, and adds a note to each verdict that differs. Returns false after an
-/// error.
+/// Also checks the model with cycle time zero, and adds a note to each verdict that differs with this cycle time.
+/// Returns false after an error.
 bool compare_with_cycle_zero(Model model, Decided& decided, CommandContext& job, ResourceLimits& bounds,
                              const Streams& streams) {
     remove_task_cycles(model);
@@ -175,10 +176,9 @@ CliCommand check_usage() {
         "check the properties of a closed loop and print counterexamples",
         "Check the properties of a closed loop and print a counterexample for each violation.\n"
         "\n"
-        "By default, the timed engine decides every property of the closed loop in FILE, and whether time can stop. "
-        "Settings\n"
-        "and assumptions are printed once, before the verdicts. Counterexamples are replayed under the rules of\n"
-        "IEC 60848 before they are printed.\n"
+        "By default, the timed engine decides every property of the closed loop in FILE, and whether time can stop.\n"
+        "The settings and assumptions of the check are printed once, before the verdicts. Each counterexample is\n"
+        "replayed under the rules of IEC 60848 before it is printed.\n"
         "\n"
         "Engines for the timed loop (--engine):\n"
         "  timed              embedded, explicit-state (default)\n"
@@ -193,22 +193,22 @@ CliCommand check_usage() {
         "  abc                external hardware model checker; --engine-command CMD for others\n"
         "The implication of an untimed verdict for the real plant is printed before the verdicts.\n"
         "\n"
-        "If a limit leaves a property open, other options are tried for a tenth of the time limit (docs/how-to/"
-        "large-models.md).\n"
+        "If a time or memory limit leaves a property undecided, the property is checked again with other options, for\n"
+        "at most a tenth of the time limit (docs/how-to/large-models.md).\n"
         "\n"
         "A closed loop can have PLC programs as controllers: `program NAME = \"FILE\";` (docs/how-to/\n"
         "check-program-with-plant.md).\n"
         "\n"
         "With --properties FILE, each FILE operand is a PLC program (IEC 61131-3) in Structured Text or PLCopen XML.\n"
-        "Its properties are decided for all input sequences, and counterexamples are replayed on an interpreter of\n"
-        "the program.\n"
+        "The properties are decided for all input sequences of the program, and counterexamples are replayed on an\n"
+        "interpreter of the program.\n"
         "\n"
-        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD\n"
-        "(--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before the check\n"
-        "starts (docs/how-to/ci.md).\n"
+        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); the first trace also\n"
+        "as VCD (--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before\n"
+        "the check starts (docs/how-to/ci.md).\n"
         "\n"
         "Exit codes:\n"
-        "  0  all verdicts as expected          3  a verdict is unknown, or the run was stopped\n"
+        "  0  all verdicts as expected          3  a verdict is unknown, or the check was stopped\n"
         "  1  unexpected verdict, model error   4  internal error\n"
         "  2  invalid input or usage",
         {"grafverif check samples/testing_station/testing_station.grafcet",

@@ -62,7 +62,7 @@ private:
     std::vector<std::thread> threads_ = {};
 };
 
-/// A folder for files that other programs display.
+/// A temporary folder for files that other programs display.
 class DisplayFolder {
 public:
     std::string keep(const std::string& name, const std::string& text) {
@@ -106,20 +106,19 @@ ExitCode lsp(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand lsp_usage() {
-    return {"lsp",
-            "",
-            0,
-            0,
-            "run a language server for editors: diagnostics, navigation, completion, verdicts",
-            "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start it "
-            "(docs/how-to/language-server.md\n"
-            "has the configuration). The text of a document that is open in the editor is used instead of the file on "
-            "disk,\n"
-            "also when another file includes it. No file is written. The server exits when the editor requests this, "
-            "or when\n"
-            "the editor terminates.",
-            {"grafverif lsp"},
-            {OptionGroup::Within, OptionGroup::Lsp}};
+    return {
+        "lsp",
+        "",
+        0,
+        0,
+        "run a language server for editors: diagnostics, navigation, completion, verdicts",
+        "Implements the Language Server Protocol 3.17 on standard input and output, for editors that start this\n"
+        "server (docs/how-to/language-server.md has the configuration). The text of a document that is open in the\n"
+        "editor is used instead of the file on disk, also when another file includes the document. The server\n"
+        "writes only temporary files, which other programs display. It exits when the editor requests this, or\n"
+        "when the editor terminates.",
+        {"grafverif lsp"},
+        {OptionGroup::Within, OptionGroup::Lsp}};
 }
 
 }  // namespace grafverif::app

@@ -31,7 +31,8 @@ ProgramResult execute_separately(const grafverif::mcp::CommandRun& run) {
     return run_program(words, run.input, {run.deadline, run.stop, largest_output, {}});
 }
 
-/// Executes a command in this process. It is used if the process executes other code, too (see Streams::alone).
+/// Executes a command in this process. This function is used if the process also executes other code (see
+/// Streams::alone).
 ProgramResult execute_here(const grafverif::mcp::CommandRun& run) {
     std::istringstream in(run.input);
     std::ostringstream out, err;
@@ -39,7 +40,7 @@ ProgramResult execute_here(const grafverif::mcp::CommandRun& run) {
     return {ProgramResult::End::Exited, static_cast<int>(code), std::move(out).str(), std::move(err).str()};
 }
 
-/// Returns the absolute paths of the folders; nothing after an error.
+/// Returns the absolute paths of the given folders, or nothing after an error.
 std::optional<std::vector<std::string>> folders_of(CommandContext& job) {
     const std::vector<std::string> here = {"."};
     std::vector<std::string> folders;
@@ -71,7 +72,7 @@ ExitCode mcp(CommandContext& job, const Streams& streams) {
         return streams.out.good();
     };
     if (!streams.alone) {
-        std::mutex one;  // commands in one process share its handlers of signals
+        std::mutex one;  // only one command at a time, because all commands of a process share its signal handlers
         environment.execute = [&one](const grafverif::mcp::CommandRun& run) {
             const std::lock_guard hold(one);
             return execute_here(run);
@@ -97,10 +98,11 @@ CliCommand mcp_usage() {
         any_number - 1,
         "run a server for assistants: read, draw, check, explain, simulate, analyse, compare, tune, faults, complete",
         "Implements the Model Context Protocol (2024-11-05, 2025-03-26, 2025-06-18) on standard input and output,\n"
-        "for programs that start it (docs/how-to/mcp.md has the configuration). Only files below the FOLDERs are\n"
-        "read (default: the current directory), and nothing is written. Each call of a tool is executed by a\n"
-        "separate process with its own limits of time and memory. --max-memory limits the server and is the largest\n"
-        "memory limit that a call can request (default: 8192M). The server exits when the client closes the stream.",
+        "for programs that start this server (docs/how-to/mcp.md has the configuration). Only files below the\n"
+        "FOLDERs are read (default: the current directory), and no file is written. A separate process with a time\n"
+        "limit and a memory limit executes each call of a tool. --max-memory limits the memory of the server, and is\n"
+        "the largest memory limit that a call can request (default: 8192M). The server exits when the client closes\n"
+        "standard input.",
         {"grafverif mcp", "grafverif mcp charts templates --timeout 2min"},
         {OptionGroup::Mcp}};
 }

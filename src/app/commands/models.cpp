@@ -53,8 +53,8 @@ std::optional<TransitionSystem> untimed_model(CommandContext& job) {
     return loop && keep_requested(model->loops[*loop], job) ? transition_system_of(*model, *loop, job) : std::nullopt;
 }
 
-/// Returns the untimed model for AIGER or BTOR2. It contains a query for each step if `--chart` is given, or if it has
-/// neither properties nor omitted properties.
+/// Returns the untimed model for AIGER or BTOR2. The model contains a query for each step if `--chart` is given, or if
+/// the model has neither properties nor omitted properties.
 std::optional<TransitionSystem> queried_model(CommandContext& job) {
     auto system = untimed_model(job);
     if (system && (job.options.chart || (system->properties.empty() && system->omitted.empty()))) query_steps(*system);
@@ -107,22 +107,21 @@ CliCommand uppaal_usage() {
 }
 
 CliCommand pins_usage() {
-    return {"pins",
-            "FILE",
-            1,
-            1,
-            "write the timed closed loop as a C file for LTSmin",
-            "Writes the timed closed loop of FILE, in integer time, as a C file with the partitioned next-state "
-            "interface (PINS)\n"
-            "of LTSmin. Its multi-core, symbolic and distributed engines handle state spaces that exceed the memory of "
-            "one machine.\n"
-            "The states are those that `check` explores. Each state property has a label with value 1 in states that "
-            "violate it\n"
-            "(for `reachable`: that satisfy it). Comments in the file describe how to build and run it.",
-            {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
-             "grafverif pins station.grafcet --grain atomic"},
-            {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Mode,
-             OptionGroup::Grain, OptionGroup::Cycle}};
+    return {
+        "pins",
+        "FILE",
+        1,
+        1,
+        "write the timed closed loop as a C file for LTSmin",
+        "Writes the timed closed loop of FILE, in integer time, as a C file with the partitioned next-state\n"
+        "interface (PINS) of LTSmin. The multi-core, symbolic and distributed engines of LTSmin handle state spaces\n"
+        "that exceed the memory of one machine. The states are those that `check` explores. Each state property has\n"
+        "a label with value 1 in states that violate the property (for `reachable`: that satisfy it). Comments in\n"
+        "the file describe how to compile it and how to run LTSmin.",
+        {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
+         "grafverif pins station.grafcet --grain atomic"},
+        {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Questions, OptionGroup::Mode,
+         OptionGroup::Grain, OptionGroup::Cycle}};
 }
 
 CliCommand nusmv_usage() {

@@ -28,7 +28,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Returns the chart given by `--chart`, otherwise all charts of the model. Empty after an error.
+/// Returns the chart given by `--chart`, otherwise all charts of the model. The result is empty after an error.
 std::vector<Id<Chart>> recorded_charts(const Model& model, CommandContext& job) {
     std::vector<Id<Chart>> charts;
     if (job.options.chart || model.charts.empty()) {
@@ -97,7 +97,7 @@ LogBlocks blocks_of(rpc::Receive receive) {
     };
 }
 
-/// Checks a log; standard input if `log` is null.
+/// Checks the log that `log` reads, or standard input if `log` is null.
 ExitCode check_log(LogBlocks log, const std::string& name, bool stop_early, CommandContext& job,
                    const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
@@ -163,8 +163,8 @@ CliCommand monitor_usage() {
             1,
             "check samples of a controller against its chart while they arrive",
             "Checks samples on standard input like `replay`, and ends at the first deviation, violated property or\n"
-            "invalid line. A deviation is found when samples cover four times the jitter after it. At the end of the\n"
-            "samples, or if the command is interrupted, the verdict is printed.",
+            "invalid line. A deviation is reported when the samples cover a period of four times the jitter after the\n"
+            "deviation. At the end of the samples, or if the command is interrupted, the verdict is printed.",
             {"recorder --csv | grafverif monitor press.grafcet --jitter 50ms"},
             {OptionGroup::Recording, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Format}};
 }

@@ -92,9 +92,9 @@ CliCommand report_usage() {
             "`analyse`, the\n"
             "drawn charts, the plant and the equations. A player replays each counterexample, witness and finding on "
             "the chart,\n"
-            "and the test sequence of --sequence. For a PLC program, it shows the statements of each scan with their "
-            "values.\n"
-            "A step of a trace has an address: report.html#P16/23.\n"
+            "and the test sequence of --sequence. For a PLC program, the player shows the statements of each scan with "
+            "their\n"
+            "values. Each step of a trace has an address, such as report.html#P16/23.\n"
             "The same input gives the same bytes; the report has a date only with --date. The exit codes are those of "
             "`check`.",
             {"grafverif report samples/testing_station/faulty.grafcet -o report.html",

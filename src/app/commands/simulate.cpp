@@ -129,7 +129,7 @@ private:
         } catch (const std::system_error& failure) {
             return failure.what();
         }
-        out_ << fmt::format("saved; replay it with `--script {}`\n", printable(file));
+        out_ << fmt::format("saved; replay the session with `--script {}`\n", printable(file));
         return {};
     }
 
@@ -244,8 +244,8 @@ private:
     Session& session_;
     Simulation& simulation_;
     const Streams& streams_;
-    std::map<std::uint32_t, ExpectationResult> expectations_ = {};  ///< expectations by line
-    std::string ended_ = {};                                        ///< the command that failed
+    std::map<std::uint32_t, ExpectationResult> expectations_ = {};  ///< results, by the line of the expectation
+    std::string ended_ = {};                                        ///< error of the command that ended the script
 };
 
 ExitCode follow_script(Simulation& simulation, const std::string& path, const Streams& streams, CommandContext& job) {
@@ -293,7 +293,7 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, C
         job.options.random_seed ? simulation.with_trace_rows(detail_of(job)) : simulation.recorded_run();
     if (job.options.random_seed) print_trace(run, streams.out);
     if (!problem.empty()) streams.out << "! " << printable(problem) << '\n';
-    const bool is_what_if = simulation.what_if_row().has_value();  // a run with forced steps need not follow the rules
+    const bool is_what_if = simulation.what_if_row().has_value();  // a run with forced steps may violate IEC 60848
     if (const auto found = is_what_if ? std::nullopt : disagreement(run, charts)) {
         streams.err << "grafverif: internal error: " << replay_failure("this run", *found) << '\n';
         return ExitCode::Failure;
@@ -312,7 +312,7 @@ ExitCode simulate_loop(const Model& model, CommandContext& job, const Streams& s
     const auto loop = chosen_loop(model, job);
     const auto network = loop ? network_of(model, *loop, job) : std::nullopt;
     if (!network) return ExitCode::Input;
-    // In a random walk, each edge is chosen separately.
+    // In a random walk, each edge is a separate choice.
     const std::vector<const Chart*> charts = charts_of(model, model.loops[*loop]);
     Simulation simulation(*network, charts, job.options.random_seed ? Detail::Everything : detail_of(job));
     return move(simulation, charts, job, streams);
@@ -341,16 +341,16 @@ CliCommand simulate_usage() {
         1,
         1,
         "simulate a closed loop or a chart interactively, by a script or at random",
-        "Runs the closed loop of FILE: choose the moves of the plant and its environment, set inputs, let time pass; "
-        "the\n"
-        "controller follows automatically. Commands come from standard input or from a script; with --verbose every "
-        "edge is a\n"
-        "choice. Without a closed loop, or with --chart, a chart alone runs, with inputs set by the user.\n"
-        "  NAME = VALUE       set an input to true, false or a number; of a chart alone also `NAME = VALUE, ...` "
+        "Runs the closed loop of FILE. Commands select the moves of the plant and its environment, set inputs, and\n"
+        "let time pass; the controller moves automatically. Commands come from standard input or from a script\n"
+        "(--script). With --verbose, every edge is a choice. If FILE has no closed loop, or with --chart, a chart "
+        "runs\n"
+        "alone, and commands set its inputs.\n"
+        "  NAME = VALUE       set an input to true, false or a number; `NAME = VALUE, ...` sets inputs of a chart "
         "together\n"
         "  wait 3s            let time pass (ms, s, min); without a duration: until the next automatic or possible "
         "event\n"
-        "  do INSTANCE [LOC]  take an enabled edge of the instance, or the one that leads to location LOC\n"
+        "  do INSTANCE [LOC]  take an enabled edge of the instance; with LOC, an edge that leads to this location\n"
         "  force STEP on|off  activate or deactivate the step; the run is then a what-if run, not a run of the model\n"
         "  expect CLAIM       check that CLAIM holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`;\n"
         "                     `expect within 5s CLAIM`: check that CLAIM becomes true within this time\n"

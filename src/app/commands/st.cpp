@@ -42,7 +42,7 @@ ExitCode write_if_proved(const Model& model, Id<Chart> chart, CommandContext& jo
     print_result(comparison, colour_on(to_output ? streams.err_screen : streams.out_screen, job.options), text);
     if (how.mode == ExecutionMode::StabilitySearch && code == ExitCode::Done)
         text << "  the program executes at most " << found->max_evolutions << " evolutions per scan\n";
-    if (code != ExitCode::Done) text << "  the program is not proved, so it is not written\n";
+    if (code != ExitCode::Done) text << "  the program is not proved equivalent to the chart, so it is not written\n";
     work_is_done();
     out << std::move(text).str();
     print_failures(comparison.failures, streams);
@@ -75,7 +75,8 @@ ExitCode st(CommandContext& job, const Streams& streams) {
 
 namespace {
 
-/// True if no header can be written next to the output: a stream, or another special file such as `/dev/null`.
+/// True if no header can be written next to the output, because the output is a stream or a special file such as
+/// `/dev/null`.
 bool receives_both_files(const std::string& output) {
     if (names_output(output) || own_descriptor(output)) return true;
     std::error_code failure;
@@ -109,9 +110,10 @@ CliCommand c_usage() {
         1,
         "generate C99 for a chart",
         "Writes a chart of FILE as a controller in C99, with the statements of the function block that `st` writes.\n"
-        "With -o NAME.c, the header is NAME.h; standard output receives both as one file. NAME_init sets the state\n"
-        "at power-on. NAME_scan executes one PLC cycle; its arguments are the state, the inputs and the time since\n"
-        "the previous cycle. The code uses only <stdbool.h> and <stdint.h>, and allocates no memory.",
+        "With -o NAME.c, the header is NAME.h. Without -o, code and header are written to standard output as one\n"
+        "file. NAME_init sets the state at power-on. NAME_scan executes one PLC cycle; its arguments are the state,\n"
+        "the inputs and the time since the previous cycle. The code uses only <stdbool.h> and <stdint.h>, and\n"
+        "allocates no memory.",
         {"grafverif c samples/tanks/tanks.grafcet -o tanks.c",
          "grafverif c samples/tanks/tanks.grafcet --mode every-cycle"},
         {OptionGroup::Output, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::MaxEvolutions}};
@@ -134,9 +136,10 @@ CliCommand st_usage() {
         "The dialect `codesys` has the formats of `iec`; only its reserved words differ.\n"
         "\n"
         "With --prove, `st` reads the generated text as a PLC program and compares it with the chart, as `compare`\n"
-        "does. The text is written only if both are proved equivalent. Exit code 1: different; 3: inconclusive\n"
-        "(--timeout, --max-memory, Ctrl-C). In both cases, nothing is written. Without --max-evolutions, the limit is\n"
-        "the first of 8, 16, ..., 128 with which the program stops in no scan that the chart completes.",
+        "does. The text is written only if program and chart are proved equivalent. Exit code 1: different; 3:\n"
+        "inconclusive (--timeout, --max-memory, Ctrl-C). With exit codes 1 and 3, no program is written. Without\n"
+        "--max-evolutions, the limit of evolutions per scan is the smallest of 8, 16, ..., 128 with which the program\n"
+        "completes every scan that the chart completes.",
         {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
          "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
          "grafverif st samples/tanks/tanks.grafcet --prove -o tanks.xml",

@@ -108,8 +108,8 @@ private:
         return first;
     }
 
-    /// Waits. With a real controller, the wait is slightly longer, because its clock may tick less often than that of
-    /// the test bench.
+    /// Waits for `wait_ms`. With `--clock real`, waits slightly longer, because the clock of the controller may tick
+    /// less often than the clock of the test bench.
     void wait(LineProcess& dialogue, std::int64_t wait_ms) const {
         if (options_.clock == Clock::Simulated) return dialogue.send("wait " + duration_text(wait_ms));
         constexpr std::chrono::milliseconds margin{20}, nap{50};
@@ -161,8 +161,8 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Runs the test; empty if the shell does not find the program. Throws std::system_error if the program cannot be
-/// started.
+/// Returns the report of the test, or nothing if the shell does not find the program. Throws std::system_error if the
+/// program cannot be started.
 std::optional<TestReport> run_test(const TestSequence& test, const BenchOptions& options) {
     TestBench bench(test, options);
     if (!bench.run()) return {};

@@ -43,8 +43,8 @@ CliCommand manual_usage() {
             0,
             1,
             "write a manual page",
-            "Writes the manual page of COMMAND, or of the program, in the format of `man`. Installed packages contain "
-            "all pages.",
+            "Writes the manual page of COMMAND in the format of `man`; without COMMAND, the page of the program.\n"
+            "Installed packages contain all pages.",
             {"grafverif manual check | man -l -"},
             {OptionGroup::Output}};
 }
@@ -55,7 +55,8 @@ CliCommand completion_usage() {
             1,
             1,
             "write a completion script for a shell",
-            "Writes a script that completes commands, options and their values. Installed packages contain it.",
+            "Writes a script that completes commands, options and the values of options. Installed packages contain\n"
+            "the scripts of all shells.",
             {"grafverif completion bash >~/.local/share/bash-completion/completions/grafverif",
              "grafverif completion zsh >~/.zfunc/_grafverif",
              "grafverif completion fish >~/.config/fish/completions/grafverif.fish"},

@@ -275,7 +275,7 @@ TEST(Simulate, SavesASessionAsAScriptWithExpectations) {
                                    "wait 1s\n1   // by its number\nwait 5min\nundo\nwait until X2\nundo\nwait 2s\n"
                                    "expect X0\nexpect X2\nnonsense\nBUTTON = false\nundo\nsave " +
                                        saved + "\n");
-    EXPECT_NE(typed.out.find("saved; replay it with `--script "), std::string::npos) << typed.out;
+    EXPECT_NE(typed.out.find("saved; replay the session with `--script "), std::string::npos) << typed.out;
     const std::string script = folder.read("saved.txt");
     EXPECT_EQ(script.substr(script.find('\n') + 1),
               "wait 1s\ndo Button idle\nexpect X1, not X0, LAMP\nwait 2s\nexpect X2, not X1, not LAMP\nexpect X2\n");

@@ -65,7 +65,7 @@ Command command_of(const std::vector<std::string>& words) {
     return command;
 }
 
-/// Records all inputs of the command. The command itself reports errors in them.
+/// Records all inputs of the command. Errors in the inputs are ignored here, because the command reports them.
 void note(const Command& command, FileWatcher& seen) {
     CommandContext job{.options = command.options};
     job.watch = &seen;
@@ -130,7 +130,7 @@ ExitCode watch(CommandContext& job, const Streams& streams) {
         FileWatcher seen;
         note(command, seen);
         const auto end = run_once(command, seen, interrupt.requested());
-        // The reader of standard output has closed the pipe.
+        // The command ended because the reader of standard output has closed the pipe.
         if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;
         if (end)
             print(fmt::format("{} {}; watching {} file{}, press Ctrl-C to stop",

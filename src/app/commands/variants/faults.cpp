@@ -22,17 +22,18 @@ namespace grafverif::app {
 
 namespace {
 
-/// Checks that the loop has faults, and not too many combinations. Returns false after an error.
+/// Checks that the loop has faults, and that the number of their combinations is within the limit. Returns false after
+/// an error.
 bool is_feasible(const ClosedLoop& loop, CommandContext& job) {
     const std::uint64_t order = job.options.faults.order;
     if (loop.faults.empty()) job.diagnostics.add(messages::no_faults(loop.origin, loop.name));
     if (order < 1 || order > most_faults)
         job.diagnostics.add(messages::bad_values({}, fmt::format("`--order {}` is not in 1..{}", order, most_faults),
-                                                 "use a smaller number of faults"));
+                                                 "use a number in this range"));
     else if (combination_count(loop, order) > most_combinations)
         job.diagnostics.add(
             messages::bad_values(loop.origin,
-                                 fmt::format("the faults of `{}` have more than {} combinations of at most {}",
+                                 fmt::format("the faults of `{}` have more than {} combinations of at most {} faults",
                                              loop.name, most_combinations, order),
                                  "reduce `--order`, or declare fewer faults"));
     return !job.diagnostics.has_errors();
@@ -87,23 +88,24 @@ ExitCode faults(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand faults_usage() {
-    return {"faults",
-            "FILE",
-            1,
-            1,
-            "find combinations of faults that violate the properties",
-            "Decides for each property of a closed loop in FILE which combinations of its declared faults violate it.\n"
-            "A fault makes an instance behave as another component, from power-on or from any later time. Prints the\n"
-            "minimal combinations of at most --order faults, each with a run, the effects of each fault, and\n"
-            "the steps and outputs that show it (docs/how-to/faults.md). Properties that are violated without faults\n"
-            "are not analysed.\n"
-            "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error,\n"
-            "or a property is violated without faults and not declared as `expected violated`; 3: some verdicts are\n"
-            "unknown (--timeout, Ctrl-C).",
-            {"grafverif faults station.grafcet", "grafverif faults station.grafcet --order 2 --openpsa tree.xml",
-             "grafverif faults station.grafcet --order 2 --property P15 --format json"},
-            {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,
-             OptionGroup::Grain, OptionGroup::Faults, OptionGroup::Verbose, OptionGroup::Format}};
+    return {
+        "faults",
+        "FILE",
+        1,
+        1,
+        "find combinations of faults that violate the properties",
+        "Decides for each property of a closed loop in FILE which combinations of its declared faults violate it.\n"
+        "A fault makes an instance behave as another component, from power-on or from any later time. Prints the\n"
+        "minimal combinations of at most --order faults, each with a run. Also prints the effects of each fault, and\n"
+        "the steps and outputs that show the fault (docs/how-to/faults.md). Properties that are violated without\n"
+        "faults are not analysed.\n"
+        "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error,\n"
+        "or a property is violated without faults and not declared as `expected violated`; 3: some verdicts are\n"
+        "unknown (--timeout, Ctrl-C).",
+        {"grafverif faults station.grafcet", "grafverif faults station.grafcet --order 2 --openpsa tree.xml",
+         "grafverif faults station.grafcet --order 2 --property P15 --format json"},
+        {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,
+         OptionGroup::Grain, OptionGroup::Faults, OptionGroup::Verbose, OptionGroup::Format}};
 }
 
 }  // namespace grafverif::app

@@ -47,8 +47,8 @@ std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
     return hash;
 }
 
-/// Returns the FNV-1a hash of all inputs of a result besides the mutant: the program, every file that was read,
-/// including library components, and the options. Limits are not included (see StateFile).
+/// Returns the FNV-1a hash of all data, except the mutant and the limits, on which a result depends: the version of
+/// grafverif, the files that were read, including library components, and the options. For limits, see StateFile.
 std::uint64_t hash_of_query(const CommandContext& job) {
     std::uint64_t hash = hashed(14695981039346656037U, GRAFVERIF_VERSION);
     for (const Source& source : job.sources) hash = hashed(hash, source.text);
@@ -78,8 +78,8 @@ bool depends_on_bounds(const MutantResult& mutant_result) {
     return mutant_result.kind == Kind::Unknown || !mutant_result.undecided.empty();
 }
 
-/// Reads a stored result; empty if the line does not contain one, or if the result depends on limits other than
-/// `bounds`.
+/// Reads the result that `line` stores. Returns nothing if the line does not contain a result, or if the result depends
+/// on limits other than `bounds`.
 std::optional<std::pair<std::string, MutantResult>> restored(const std::string& line, const std::string& bounds) {
     const auto json = nlohmann::json::parse(line, nullptr, false);
     if (!json.is_object()) return {};
@@ -108,7 +108,7 @@ std::chrono::milliseconds each_of(const Options& options) {
 }
 
 /// The results of a previous run and of this run. write_files replaces the file at the start, so that an unwritable
-/// file is rejected before the work, then at most once per second, and at the end.
+/// file is rejected before mutants are checked. It also replaces the file at most once per second, and at the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
@@ -185,7 +185,7 @@ void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
     all = std::move(chosen);
 }
 
-/// Checks all mutants in parallel. If the run is stopped, results of unchecked mutants are empty.
+/// Checks all mutants in parallel. If the run is stopped, the results of unchecked mutants are empty.
 class MutantChecks {
 public:
     MutantChecks(const MutantChecker& bench, Mutation& mutation, StateFile& state, const CommandContext& job,
@@ -197,8 +197,8 @@ public:
           limits_(limits),
           state_(state),
           left_(mutation.mutants.size()) {
-        // The hash includes the properties of the original, because the time limit determines which of them are
-        // decided.
+        // The hash includes the properties of the original that have their expected verdicts, because the time limit
+        // determines which properties are decided.
         for (const std::string& property : bench.properties()) question_ = hashed(question_, property);
     }
 
@@ -215,8 +215,8 @@ public:
     }
 
 private:
-    /// Maximum number of equal shares of the time that one mutant may use. Most mutants need less than one share, and a
-    /// mutant that needs many must not use the time of all others.
+    /// Maximum number of equal shares of the time that one mutant may use. Most mutants need less than one share. A
+    /// mutant that needs many shares must not use the time of all other mutants.
     static constexpr std::size_t most_shares = 8;
 
     bool stopped() const { return is_over(limits_.deadline, limits_.stop); }
@@ -283,7 +283,7 @@ bool write_survivors(const Mutation& mutation, const MutantChecker& bench, const
     for (std::size_t k = 0; k < mutation.mutants.size(); ++k) {
         if (!mutation.results[k] || mutation.results[k]->kind != Kind::Unnoticed) continue;
         const std::string name = fmt::format("{}{:03}-{}", folder, k + 1, mutation.mutants[k].kind);
-        Diagnostics none;  // has no errors, because the model was read before
+        Diagnostics none;  // remains without errors, because the model of the mutant was read before
         const std::optional<Model> reading = bench.model_of(mutation.mutants[k], none);
         const auto mutated = reading ? find_chart(*reading, mutation.chart) : std::nullopt;
         files.push_back({name + ".grafcet", mutation.mutants[k].text});
@@ -363,10 +363,11 @@ CliCommand mutate_usage() {
         1,
         "mutate a chart, and report which mutants its properties and tests detect",
         "Changes a chart of FILE by one plausible mistake at a time, for example a negated term, a wrong successor,\n"
-        "another duration or a missing action (docs/how-to/mutate.md lists all mistakes). Each mutant is proved\n"
-        "equivalent or not (see `compare`) and checked against the properties of the closed loops that contain the\n"
-        "chart (see `check`). The test sequence of the chart (see `testgen`) is also executed on it. Mutants that no\n"
-        "property detects are printed as differences of the text; --survivors also draws them.\n"
+        "another duration or a missing action (docs/how-to/mutate.md lists all mistakes). For each mutant, decides\n"
+        "whether it is equivalent to the chart (see `compare`). Then checks the mutant against the properties of the\n"
+        "closed loops that contain the chart (see `check`), and executes the test sequence of the chart (see\n"
+        "`testgen`) on the mutant. Mutants that no property detects are printed as differences of the text;\n"
+        "--survivors also writes drawings of these mutants.\n"
         "Exit code 1: a mutant is detected by no property; 3: incomplete (--mutant-timeout, --timeout, Ctrl-C).",
         {"grafverif mutate samples/oven_door/oven_door.grafcet",
          "grafverif mutate station.grafcet --chart press --limit 50 --seed 7 --state press.mutants --survivors press",

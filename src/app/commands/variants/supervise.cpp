@@ -67,7 +67,7 @@ std::string permissiveness_text(const Supervised& found) {
         listed(found.hidden));
 }
 
-/// True if the conditions are valid, but only because they disable an element of a chart.
+/// True if the conditions are valid, but disable a transition or an output of a chart completely.
 bool is_disabling(const Supervised& found) {
     return found.outcome == Supervisor::Outcome::Found &&
            !(found.disabled_transitions.empty() && found.disabled_outputs.empty());
@@ -289,8 +289,8 @@ CliCommand supervise_usage() {
         "conditions are computed on the untimed model with interleaved plant automata and grain atomic. -o writes the\n"
         "file with the conditions, after two engines have proved its properties. If no such conditions exist, a trace\n"
         "shows behaviour that no controller can prevent. Conditions that disable a transition or an output\n"
-        "completely are not written. Exit code 1: no such conditions exist, or they disable parts of a chart.\n"
-        "docs/how-to/supervise.md states the guarantees.",
+        "completely are not written. Exit code 1: no such conditions exist, or the computed conditions disable a\n"
+        "transition or an output completely. docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Supervision,

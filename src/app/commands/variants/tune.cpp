@@ -24,7 +24,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// A value of `--over`.
+/// A value of `--over`: `NAME=LOW..HIGH` or `NAME=LOW..HIGH:STEP`.
 struct WrittenRange {
     std::string name = {}, low = {}, high = {}, step = {};
     std::string values() const { return low + ".." + high; }
@@ -43,7 +43,7 @@ std::optional<WrittenRange> split(const std::string& text) {
     return complete ? std::optional(written) : std::nullopt;
 }
 
-/// Reads values of a constant.
+/// Reads the values of `--over`.
 class RangeReader {
 public:
     RangeReader(const ClosedLoop& loop, CommandContext& job) : loop_(loop), job_(job) {}
@@ -193,13 +193,13 @@ CliCommand tune_usage() {
         1,
         1,
         "decide for which values of constants the properties hold",
-        "Decides the properties of a closed loop in FILE for every combination of the values that --over gives to\n"
-        "constants of the loop. Prints for which values each property holds, and how far each current value is from\n"
-        "another verdict. The verdict at each point is the verdict of `check` with these values. Most models are not\n"
-        "checked: a verdict also follows from a network with more behaviour, or from a trace that is possible at\n"
-        "several points (docs/how-to/tune.md).\n"
-        "Exit code 0: each property has its expected verdict at each point; 1: not at some point; 3: some verdicts\n"
-        "are unknown (--timeout, Ctrl-C).",
+        "Decides the properties of a closed loop in FILE for every combination (point) of the values that --over\n"
+        "gives to constants of the loop. Prints for which values each property holds, and how far each current value\n"
+        "is from another verdict. The verdict at a point is the verdict of `check` with the values of this point.\n"
+        "Most points need no separate check: their verdicts follow from a network with more behaviour, or from a\n"
+        "trace that is possible at several points (docs/how-to/tune.md).\n"
+        "Exit code 0: each property has its expected verdict at each point; 1: a property has an unexpected verdict\n"
+        "at some point; 3: some verdicts are unknown (--timeout, Ctrl-C).",
         {"grafverif tune station.grafcet --over TEST=1s..20s",
          "grafverif tune station.grafcet --over TEST=500ms..4s:500ms --over N=1..8 --property P15 --format json"},
         {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,
