@@ -71,7 +71,7 @@ private:
         });
     }
 
-    /// True if the guard compares `value` with constants such that `value` is in the range.
+    /// True if the guard compares `value` with constants and can be true only if `value` is in `range`.
     bool kept_by_guard(Id<Expr> guard, Id<Expr> value, Type range) const {
         Interval bounds = interval(exprs_, value, types_);
         std::vector<Id<Expr>> conjuncts{guard};
@@ -90,9 +90,9 @@ private:
         return range.low <= bounds.low && bounds.high <= range.high;
     }
 
-    /// Returns `value`, or `kept` if it is undefined or outside the range. The fault is recorded unless the guard
-    /// excludes the fault. The range condition is always included, because a model checker also evaluates values that
-    /// do not occur in any run.
+    /// Returns `value`, or `kept` if `value` is undefined or outside the range of `target`. The fault is recorded
+    /// unless the guard excludes the fault. The range condition is always included, because a model checker also
+    /// evaluates values that do not occur in any run.
     Id<Expr> guarded(EdgeTerms& edge, Place target, Id<Expr> value, Id<Expr> kept) {
         const Type type = slots_.network.variables[target].type;
         const auto [safe, undefined] = total(exprs_, value, types_);

@@ -133,8 +133,8 @@ public:
         return exprs_.conjunction(all);
     }
 
-    /// Returns, for every location, the condition that its invariant holds after one more time unit; empty if there are
-    /// no invariants.
+    /// Returns one condition for each clock constraint of an invariant: if the automaton is in the location, the
+    /// constraint still holds after one more time unit.
     std::vector<Id<Expr>> wait() const {
         std::vector<Id<Expr>> waits;
         for (const Id<Network::Location> id : declared_.automaton().locations.ids())
@@ -316,7 +316,7 @@ void add_transitions(const Declared& declared, const std::vector<Id<Expr>>& guar
     if (declared.context.discipline == Discipline::Turns)
         list.push_back(exprs.apply(Op::NotEqual, stays, draft.leaf(made.turn)));
     if (!rounds) return;
-    made.done = draft.add("done", Type{}, System::StateSymbol{}, "true if it has moved in this round");
+    made.done = draft.add("done", Type{}, System::StateSymbol{}, "true if the automaton has moved in this round");
     const Id<Expr> turn = draft.leaf(made.turn), done = draft.leaf(made.done);
     const Id<Expr> had = exprs.conjunction(draft.leaf(made.round), exprs.disjunction(done, turn));
     draft.set(made.done, System::StateSymbol{exprs.constant(false), had});

@@ -5,7 +5,8 @@
 // Then the equations of each type define the values of the symbols. Equations are evaluated at three times, which
 // differ in the meaning of leaves:
 //   now     in a cycle: variables before the cycle, and sampled inputs; for firing conditions and next values
-//   after   after a cycle: activities and stored values after it, and sampled inputs; for equation (13), every cycle
+//   after   after a cycle: activities and stored values after the cycle, and sampled inputs; for equation (13), in the
+//           mode every_cycle
 //   first   in the first evolution: initial values and sampled inputs; no timer has expired
 //
 // State 0 is power-on. The first evolution is a separate step if it has a visible effect (a stored action, an output, a
@@ -205,8 +206,8 @@ private:
 
 // -- values -----------------------------------------------------------------------------------------------------------
 
-/// Returns a term with the value of `value` if it is defined and in the range of the variable, otherwise of `kept`.
-/// Adds a definition for the fault.
+/// Returns a term with the value of `value` if this value is defined and in the range of the variable, otherwise with
+/// the value of `kept`. Adds a definition for the fault.
 Id<Expr> guarded(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> value, Id<Expr> kept, bool at_first,
                  Faults& faults) {
     Exprs& exprs = draft.exprs;
@@ -263,7 +264,7 @@ void set_previous(Cycle& cycle, Draft& draft, Faults& faults) {
         cycle.set(cycle.read(previous.variable), off, cycle.total(cycle.now(previous.value), off, faults.conditions));
 }
 
-/// Sets the values that timers observe, which are those after the step.
+/// Sets the levels that timers observe to their values after the step.
 void set_watched(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next, Faults& faults) {
     if (!cycle.style().scans) return;
     const Id<Expr> off = draft.exprs.constant(false);
@@ -370,7 +371,7 @@ Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std:
                         "quiescent: another cycle with the same inputs would change nothing");
 }
 
-/// Sets the timers. While its step is active, a timer of a step may expire at any time that `elapse` permits. The timer
+/// Sets the timers. A timer of a step may expire while its step is active, at any time that `elapse` permits. The timer
 /// is reset when the step is deactivated or activated again. The outputs of other timers (with a second duration, or
 /// for another term) are free.
 void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
@@ -379,8 +380,8 @@ void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
     const Equations& equations = cycle.equations();
     for (const Equations::Timer& timer : equations.timers) {
         const Id<Symbol> end = cycle.read(timer.end);
-        const Id<Expr> now = draft.leaf(
-            draft.add(timer.name + "_elapses", Type{}, TransitionSystem::ChoiceSymbol{}, "timers that end in a step"));
+        const Id<Expr> now = draft.leaf(draft.add(timer.name + "_elapses", Type{}, TransitionSystem::ChoiceSymbol{},
+                                                  "timers that expire in a step"));
         const Id<Expr> ended = exprs.disjunction(draft.leaf(end), exprs.conjunction(cycle.elapses(), now));
         Id<Expr> value = exprs.conjunction(cycle.in_cycles(), now);
         if (const auto step = watched_step(equations, timer); step && timer.fall_ms == 0) {

@@ -6,8 +6,8 @@
 // Completeness: every run of the network is preserved, because in every state each process that can move may be chosen.
 // Soundness: only the abstraction of time adds runs. `none` (and, if clocks are counted, the tick) can be chosen only
 // if time can pass in the network, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its
-// process can move; otherwise `none` can be chosen. If clocks are counted, `none` can be chosen only in states without
-// successors, which are then repeated.
+// process can move. Otherwise, `none` can be chosen if time is abstract. If clocks are counted, a process can move or
+// time can pass; `none` can be chosen only in states in which neither is possible, and such a state is then repeated.
 //
 // The properties are those of the loop, translated to main (properties.hpp); the controllers of the network map the
 // names of the loop to main.
@@ -82,7 +82,7 @@ void wire_moves(const PlantInstances& plant, const MoveChoice& move, bool discre
     plant.wire(signals);
 }
 
-/// Conditions under which a process can move or time can pass, if clocks are counted.
+/// Conditions under which a process can move or time can pass. Both are invalid unless clocks are counted.
 struct Offers {
     Id<Expr> can_move = {}, can_wait = {};
 };
@@ -110,7 +110,7 @@ Offers add_offers(const PlantInstances& plant, const MoveChoice& move, bool disc
 // -- properties -------------------------------------------------------------------------------------------------------
 
 /// Adds the property of the network that has the name of `property` and refers to its observer (compose/observe.hpp),
-/// followed by its vacuity probes (ir/probes.hpp). If there is none, adds `property` itself.
+/// followed by its vacuity probes (ir/probes.hpp). If the network has no such property, adds `property` itself.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
     const Network& network = plant.context.network;
     const auto known = std::ranges::find(network.properties, property.name, &Property::name);

@@ -53,7 +53,8 @@ private:
         return is_program(k) && sides_[k].scan->elapsed == id;
     }
 
-    /// Returns the inputs of the first chart, or those of the first program in the order of its cells.
+    /// Returns the inputs of the first side: of a chart in the order of its variables, of a program in the order of its
+    /// memory cells.
     std::vector<Id<Equations::Variable>> first_inputs() const {
         std::vector<Id<Equations::Variable>> found;
         const auto add = [&](Id<Equations::Variable> id) {
@@ -107,8 +108,8 @@ private:
                                : exprs().integer(options_.interval_ms.value_or(0) / options_.unit_ms);
     }
 
-    /// Returns the argument for the parameter `turn` of a program. Under stability search without `settles`, it is true
-    /// only in the first step of a scan, so that the program executes one scan.
+    /// Returns the argument for the parameter `turn` of a program. Under stability search without `settles`, the
+    /// argument is true only in the first step of a scan, so that the program executes one scan.
     Id<Symbol> add_first_turn(Id<Symbol> turn) {
         if (!searches() || options_.settles || (!is_program(0) && !is_program(1))) return turn;
         fresh_ = main_.draft.add("fresh", Type{}, TransitionSystem::StateSymbol{exprs().constant(true), waits()},
@@ -116,7 +117,8 @@ private:
         return main_.draft.define("first_turn", exprs().conjunction(main_.draft.leaf(turn), main_.draft.leaf(fresh_)));
     }
 
-    /// Adds the time that passed before the scan, for a program that reads it. It is 0 in repetitions of the scan.
+    /// Adds the time that passed before the scan, for a program that reads it. The added variable is 0 in repetitions
+    /// of the scan.
     Id<Symbol> add_elapsed(std::size_t k) {
         const Type type = equations_[k]->variables[sides_[k].scan->elapsed].type;
         const Id<Expr> most = exprs().integer(type.high);

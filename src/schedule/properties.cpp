@@ -56,7 +56,7 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
         symbol);
 }
 
-/// Returns the reason why the model does not determine a property, or an empty string if it does.
+/// Returns the reason why the property cannot be decided on this model, or an empty string if it can be decided.
 std::string refusal(const LoopMeaning& meaning, const Property& property) {
     switch (property.pattern) {
     case Pattern::Watched:

@@ -19,8 +19,8 @@ const std::string power_on =
     "State 0 is power-on. The first step is the first evolution; if it changes nothing, it is omitted. ";
 
 const char* fair_runs =
-    "Verdicts assume fairness: each movement of the plant and each timer terminates, and urgent edges are not "
-    "postponed forever. Buttons, faults and other parts of the environment remain free. ";
+    "Verdicts on properties of runs assume fairness: each movement of the plant and each timer terminates, and urgent "
+    "edges are not postponed forever. Buttons, faults and other parts of the environment remain free. ";
 
 }  // namespace
 
@@ -79,17 +79,19 @@ std::string network_scope(const Network& network, const ScheduleOptions& options
             ", or time passes by one unit. Clocks count time units: the states are those of the timed closed loop in "
             "integer time. ";
         if (options.fairness) text += fair_runs;
-        return text + "Verdicts on `always`, `never`, `exactly one of`" + (options.fairness ? "" : " and `reachable`") +
-               " are valid for the timed loop in this grain if its clock constraints are closed; other verdicts are "
-               "valid for integer time only.";
+        return text +
+               "Verdicts on `always`, `never`, `exactly one of` and `reachable` are valid for the timed loop in this "
+               "grain if its clock constraints are closed; other verdicts are valid for integer time only.";
     }
     text +=
         "; if no urgent edge can be taken, a step may also change nothing. Time is not modelled: a timed edge may be "
         "taken at any time. ";
     if (options.fairness)
         return text + fair_runs +
-               "An `always`, `never` or `exactly one of` that holds here also holds in the timed closed loop of this "
-               "mode and grain. All other verdicts apply only to this model, under fairness: EF requires a fair run.";
+               "Verdicts on properties about single states do not depend on fairness: an `always`, `never` or `exactly "
+               "one of` that holds here also holds in the timed closed loop of this mode and grain, and a `reachable` "
+               "that is violated here is also violated in the timed loop. All other verdicts apply only to this model. "
+               "In a CTL formula, EF requires a fair run.";
     return text +
            "Every run of the timed closed loop of this mode and grain is also a run of this model. Therefore, an "
            "`always`, `never`, `exactly one of`, `inevitable` or `leads to` that holds here also holds in the timed "

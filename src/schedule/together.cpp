@@ -29,7 +29,7 @@ std::vector<Id<Symbol>> outputs(const ControllerInstances& controllers, const Cl
 }
 
 /// Sets the arguments `turn` and `elapse` of the controllers. Returns the conditions under which controllers run. The
-/// result is empty if they run in every step.
+/// result is empty if the controllers run in every step.
 std::vector<Id<Expr>> wire_moves(const ControllerInstances& controllers, const std::optional<Sequencer>& sequencer) {
     Draft& main = controllers.main.draft;
     const auto timed = [](const ControllerPart& part) { return !part.equations.timers.empty(); };
