@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Allocation of nodes. A small table that is full is doubled, because a collection would only delay this. In a larger
-// table, garbage is collected first, and the table is doubled if more than half of its nodes are alive. If the table
-// cannot grow, the collection must free at least a sixteenth of the nodes; otherwise collections would be repeated
-// without progress.
+// Allocation of nodes. A small table that is full is doubled, because a garbage collection would only delay the growth.
+// In a larger table, garbage is collected first, and the table is doubled if fewer than half of its nodes are free. If
+// the table cannot grow and the collection frees less than a sixteenth of the nodes, the operation fails with an error,
+// because further collections would be repeated without progress.
 #include "bdd/kernel.hpp"
 
 #include <algorithm>

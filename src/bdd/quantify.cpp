@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Quantification, and the relational product, which quantifies during the conjunction (Burch, Clarke and Long 1990).
 // The variables form a cube. Levels of the cube above the operands are skipped. If the cube has no further variable,
-// the function returns its operand, or the conjunction of its operands. If the result of the first branch of a
-// quantified variable is true, the other branch is skipped.
+// the result is the operand, or the conjunction of the two operands. If the result of the first branch of a quantified
+// variable is true, the other branch is skipped.
 #include <algorithm>
 #include <utility>
 

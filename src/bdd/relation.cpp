@@ -49,7 +49,8 @@ Relation::Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector
     end_after();
 }
 
-/// Conjoins all parts that read a choice and quantifies the choice, if the result is small.
+/// For each choice: conjoins all parts that read the choice and quantifies the choice, if the results have at most
+/// `part_size` nodes.
 void Relation::free_of_choices() {
     std::vector<std::uint32_t> left;
     for (const std::uint32_t choice : choices_) {
@@ -68,8 +69,8 @@ void Relation::free_of_choices() {
     choices_ = std::move(left);
 }
 
-/// Orders the parts greedily. Prefers a part that has many variables that no later part reads, because they can be
-/// quantified immediately, and that has few variables after a step.
+/// Orders the parts greedily. Prefers a part with many variables that no later part reads, because these variables can
+/// be quantified immediately, and with few variables after a step.
 void Relation::arrange() {
     if (parts_.size() > most_arranged) return;
     std::unordered_set<std::uint32_t> after;
@@ -99,7 +100,7 @@ void Relation::arrange() {
     parts_ = std::move(arranged);
 }
 
-/// Conjoins adjacent parts while the result is small.
+/// Conjoins adjacent parts while the result has at most `part_size` nodes.
 void Relation::join() {
     std::vector<Conjunct> joined;
     for (Conjunct& each : parts_) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Variable reordering by sifting (Rudell 1993) with groups (Panda and Somenzi 1995): each group is moved through all
 // positions by exchanges of adjacent levels, and placed at the position with the smallest number of nodes. The largest
-// groups are moved first. A direction is abandoned if the diagrams grow by a fifth.
+// groups are moved first. A group is not moved further in a direction if the diagrams are a fifth larger than at the
+// best position.
 //
 // An exchange rewrites the nodes of two levels in place. A node denotes the same function before and after the
 // exchange, so that handles remain valid. Between exchanges the space is consistent. Therefore reordering can be

@@ -2,7 +2,7 @@
 // Simplification under an assumption. `restricted` sets variables to constants (exact cofactor). `simplified` applies a
 // care set, outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). In the care set, variables
 // on which only the care set depends are quantified. If the care set is false in one branch of a variable, the result
-// is that of the other branch.
+// is the result of the other branch.
 #include <algorithm>
 
 #include "bdd/explicit_stack.hpp"

@@ -49,7 +49,7 @@ void check_writers(const Composition& composition, const ClosedLoop& loop, Diagn
     }
 }
 
-/// Reports an option that selects a mode that programs do not have.
+/// Reports the option `--mode stability-search` if a controller is a program, because programs do not have this mode.
 void check_mode(const ClosedLoop& loop, std::span<const Equations> equations, const ComposeOptions& options,
                 Diagnostics& diagnostics) {
     for (const Id<ClosedLoop::Controller> id : loop.controllers.ids())

@@ -12,7 +12,7 @@ namespace {
 using Location = Id<Network::Location>;
 using Procedure = Id<Network::Procedure>;
 
-/// Returns `condition`, and that no request to a timer is pending.
+/// Returns the conjunction of `condition` and the condition that no request to a timer is pending.
 Id<Expr> if_none_pending(Network& network, const ControllerParts& parts, Id<Expr> condition) {
     std::vector<Id<Expr>> guard{condition};
     for (const Id<Network::Variable> pending : parts.pending)
@@ -20,8 +20,9 @@ Id<Expr> if_none_pending(Network& network, const ControllerParts& parts, Id<Expr
     return network.exprs.conjunction(guard);
 }
 
-/// Returns the guard of the urgent edge `W -> P0`, with its variants: (!stable || EVOL_PL || EVOL_TI), and no request
-/// to a timer is pending. With a task cycle, this edge only continues a scan.
+/// Returns the guard of the urgent edge `W -> P0`: `!stable || EVOL_PL || EVOL_TI`, and no request to a timer is
+/// pending. Flags that the controller does not have are omitted, and ablations change the guard. With a task cycle,
+/// this edge only continues a scan.
 Id<Expr> cycle_guard(Composition& composition, const ControllerParts& parts) {
     Network& network = composition.network;
     std::vector<Id<Expr>> reasons;
@@ -116,9 +117,9 @@ private:
     }
     Id<Expr> units(std::int64_t milliseconds) { return network().exprs.integer(milliseconds / network().time_unit_ms); }
 
-    /// Adds the edges by which a cycle begins in W. With a task cycle, time begins a scan; an urgent edge continues a
-    /// scan that holds its inputs. The guard of the former is true whenever time can pass; it matters to models without
-    /// clocks.
+    /// Adds the edges by which a cycle begins in W. With a task cycle, an edge with a clock constraint begins a scan,
+    /// and an urgent edge continues a scan that holds its inputs. The guard of the first edge is true whenever time can
+    /// pass; this guard is necessary only for models without clocks.
     void begin_cycle(Location to, const std::vector<Procedure>& calls) {
         if (parts_.cycle) {
             std::vector<Network::Assignment> begin = sample_;

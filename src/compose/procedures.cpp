@@ -142,8 +142,9 @@ private:
             if (!parts_.sample_written[input.index] && !parts_.is_held(input)) list.push_back(forgotten(input));
     }
 
-    /// Returns one scan of a program: the first one, or a later one in evolve(). A scan with a run-time fault changes no
-    /// variable of the program, because its results are unspecified and no property must read them.
+    /// Returns the assignments of one scan of a program: of the first scan, or of a later scan in evolve(). A scan with
+    /// a run-time fault changes no variable of the program, because its results are unspecified and no property must
+    /// read them.
     Assignments scan(bool first) {
         TermCopier before = reading(!first);
         Assignments updates;

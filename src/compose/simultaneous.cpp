@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Terms with fewer nodes are repeated.
+/// Terms with fewer nodes are repeated instead of being stored in a scratch variable.
 constexpr std::uint64_t least_shared_size = 8;
 constexpr std::size_t not_overwritten = std::numeric_limits<std::size_t>::max();
 

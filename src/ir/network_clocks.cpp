@@ -14,13 +14,13 @@ std::int64_t constant(const Network& network, Id<Expr> bound) {
     return std::clamp(value.value_or(0), -ClockInterval::unbounded, ClockInterval::unbounded);
 }
 
-/// Returns the least value from which on the comparison has a constant result (see the header).
+/// Returns the least clock value from which on the result of the comparison is constant (see the header).
 std::int64_t cap_of(const ClockInterval& interval) {
     if (interval.high >= ClockInterval::unbounded) return std::max<std::int64_t>(interval.low, 0);
     return std::max<std::int64_t>(interval.high + 1, 0);
 }
 
-/// Sets `greatest` to `value` if that is greater. Returns true if this changes `greatest`.
+/// Sets `greatest` to `value` if `value` is greater. Returns true if this changes `greatest`.
 bool raise(std::int64_t& greatest, std::int64_t value) {
     if (value <= greatest) return false;
     greatest = value;

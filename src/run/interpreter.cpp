@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Rules 2 and 4: determines the transitions to clear. All of them are determined from the old situation.
+/// Rules 2 and 4: determines all transitions to clear from the old situation.
 void clear_transitions(const Chart& chart, const Levels& levels, const State& old, Reader& reader,
                        Evolution& evolution) {
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
@@ -35,7 +35,8 @@ void age(const std::vector<bool>& before, State& state) {
 }
 
 /// Rules 3 and 5: first deactivates steps, then activates steps, so that activation has priority. A step that was
-/// already active keeps its age. The hierarchy is applied last.
+/// already active keeps its age. Finally, the activities of macro-steps, enclosed charts and forced charts are adjusted
+/// to the hierarchy.
 void change_situation(const Chart& chart, const Levels& levels, const State& old, Evolution& evolution) {
     State& state = evolution.state;
     for (const Id<Chart::Transition> id : evolution.fired)

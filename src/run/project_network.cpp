@@ -102,7 +102,7 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
         const Network::Timer& timer = from.timers[k];
         const auto& words = from.words.timers[k];
-        const bool exact = timer.restarts;  // timers as in the papers are intentionally inexact
+        const bool exact = timer.restarts;  // timers as published in CEP13 are intentionally inexact
         timer_of_[timer.process.index] =
             run_.timers.add({from.words.name, words.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);

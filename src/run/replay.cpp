@@ -99,7 +99,7 @@ private:
     }
 
     /// Returns an error if a timer has expired too early, or has not expired although its duration has elapsed. At
-    /// exactly this time, the timer need not have expired.
+    /// exactly the end of the duration, both outputs of the timer are accepted.
     std::string timers_fault() const {
         for (std::size_t k = 0; k < timers_.size(); ++k) {
             if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
