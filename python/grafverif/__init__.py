@@ -126,7 +126,7 @@ class Step:
 
 
 class Trace(_Tabular):
-    """A trace of a loop or chart. If it is a lasso, it repeats forever from step `loop_from`."""
+    """A trace of a loop or chart. If the trace is a lasso, the steps from `loop_from` on repeat forever."""
 
     def __init__(self, document: dict[str, Any], text: str, svg: str):
         run = document["run"]
@@ -299,7 +299,7 @@ class Analysis(_Tabular):
     def __init__(self, text: str, document: dict[str, Any]):
         self.findings = [Finding(each["code"], each["level"], each["subject"], each["message"], each.get("line"),
                                  each["accepted"], each) for each in document["findings"]]
-        self.complete: bool = document["complete"]  #: True if the analysis ended before it reached a limit
+        self.complete: bool = document["complete"]  #: True if the analysis was completed, False if it reached a limit
         self.document = document
         self._text = text
 
