@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Call statements. A call of a function block or action becomes assignments to its inputs, the call, and assignments of
-// its outputs. A variable passed as VAR_IN_OUT is copied before and after the call, which is equivalent to a reference
-// because the block cannot name the variable otherwise.
+// its outputs. A variable passed as VAR_IN_OUT is copied before and after the call. The copies are equivalent to a
+// reference, because the block cannot name the variable in another way.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -12,7 +12,8 @@
 
 namespace grafverif::program {
 
-/// Returns the action of this unit or of an instance that a path names; empty if the path does not end in an action.
+/// Returns the action that `path` names: an action of this unit or of an instance. The result is empty if the path does
+/// not end in an action.
 std::optional<Reader::Callee> Reader::action(Id<st::Expr> path) {
     const st::Expr from = file_->exprs[path];
     if (from.op == st::Op::Name) {
@@ -102,7 +103,7 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
         if (program.units[block].variables[i].section == Variable::Section::InOut) shared.push_back(i);
     }
     std::vector<std::uint32_t> assigned;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> passed;  // cells of VAR_IN_OUT variables in this frame
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> passed;  // [begin, end) of variables passed as VAR_IN_OUT
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const st::Expr part = file_->exprs[parts[i]];
         const bool named_one = part.op == st::Op::Argument || part.op == st::Op::Result;
@@ -136,7 +137,7 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
             continue;
         }
         if (std::ranges::find(assigned, cell.variable->offset) != assigned.end()) {
-            reject(part.where, "a second value of this input", "give each input once");
+            reject(part.where, "a second value for this input", "pass one value for each input");
             continue;
         }
         assigned.push_back(cell.variable->offset);
@@ -161,7 +162,7 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
     for (const std::size_t one : shared)
         if (whole && std::ranges::find(assigned, program.units[block].variables[one].offset) == assigned.end())
             reject(from.where, "a call without a variable for `" + program.units[block].variables[one].name + "`",
-                   "pass one");
+                   "pass a variable");
     Statement made;
     made.kind = Statement::Kind::Invoke;
     made.place = found->place;

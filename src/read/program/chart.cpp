@@ -51,7 +51,7 @@ Id<Type> Reader::step_type(bool initial) {
     return type = program.types.add({Type::Kind::Block, "STEP", 0, 0, {}, id});
 }
 
-/// Adds a variable that statements cannot name. Returns its first cell.
+/// Adds a variable that statements cannot name. Returns the first cell of the variable.
 std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, Span where, Variable::Section section) {
     Unit& unit = program.units[id];
     Variable made;
@@ -66,8 +66,8 @@ std::uint32_t Reader::add_cells(Id<Unit> id, std::string shown, Id<Type> type, S
     return unit.variables.back().offset;
 }
 
-/// Adds a step or an action, with two of its members. A step can have the same name as an elementary variable; an
-/// action with the name of a variable is an error.
+/// Adds a step or an action. Statements can name its two variables `members`. A step can have the same name as an
+/// elementary variable; an action with the name of a variable is an error.
 std::uint32_t Reader::add_cells(Id<Unit> id, st::Name name, std::array<std::string_view, 2> members, Id<Type> type) {
     Scope& scope = scopes_[id.index];
     const auto old = scope.variables.find(name.word.index);
@@ -134,7 +134,7 @@ void Reader::declare_chart(std::size_t index) {
                                           transition.where, Variable::Section::Temporary));
 }
 
-// -- parts of statements ----------------------------------------------------------------------------------------------
+// -- terms and checks -------------------------------------------------------------------------------------------------
 
 /// Returns the cell of the variable X of a step.
 std::uint32_t Reader::cell_of(Id<st::Word> step) const {
@@ -183,7 +183,7 @@ void Reader::check(Id<Node> fault, Span where, Program::Body& body) {
 }
 
 /// Adds a check to each transition that may activate an active step according to the structure of the chart. `steps`
-/// contains the cells of X.
+/// contains, for each step, the cell of X.
 void Reader::check_transitions(const st::Network& network, const Chart& chart, const std::vector<std::uint32_t>& steps,
                                Program::Body& body) {
     const auto names = [](const std::vector<st::Name>& list, Id<st::Word> step) {
@@ -206,8 +206,8 @@ void Reader::check_transitions(const st::Network& network, const Chart& chart, c
     }
 }
 
-/// Adds checks that no two durations of an action are active together. `active` contains the condition of each
-/// duration.
+/// Adds checks that no two associations of an action with different durations are active at the same time. `active`
+/// contains, for each duration, the condition that an association with this duration is active.
 void Reader::check_durations(const Chart& chart, std::size_t index, const std::vector<Id<Node>>& active,
                              Program::Body& body) {
     if (!chart.checked_actions[index]) return;
@@ -216,8 +216,8 @@ void Reader::check_durations(const Chart& chart, std::size_t index, const std::v
         for (std::size_t j = 0; j < i; ++j) check(all(Op::And, {active[i], active[j]}, where), where, body);
 }
 
-/// Returns the structure of a chart without the statements of its transitions. `cells` contains the cell of the
-/// activity of each step.
+/// Returns the structure of a chart, without the statements that evaluate the transitions. `cells` contains, for each
+/// step, the cell that is true while the step is active.
 Program::Sequence Reader::sequence_of(const st::Network& network, const std::vector<std::uint32_t>& cells) const {
     Program::Sequence sequence;
     const auto cells_of = [&](const std::vector<st::Name>& steps) {
@@ -388,8 +388,8 @@ void Reader::execute(const ChartAction& action, Program::Body& body) {
 
 // -- step times -------------------------------------------------------------------------------------------------------
 
-/// Returns the operands of a comparison. The time of a step need not be counted beyond the constants with which it is
-/// compared.
+/// Returns the operands of a comparison. The counted time of a step saturates above the constants with which the time is
+/// compared, because larger values do not change the results.
 std::array<Reader::MaybeTyped, 2> Reader::compared(const std::vector<Id<st::Expr>>& sides) {
     const auto is_member = [&](std::size_t side) { return file_->exprs[sides[side]].op == st::Op::Member; };
     std::array<MaybeTyped, 2> values;

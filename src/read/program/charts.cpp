@@ -20,8 +20,8 @@ namespace grafverif::program {
 
 namespace {
 
-/// The part of the body of ACTION_CONTROL (IEC 61131-3, 2.6.4.5) for one qualifier. `{0}` is replaced by the duration,
-/// `{1}` by the reset.
+/// The declarations and statements of ACTION_CONTROL (IEC 61131-3, 2.6.4.5) for one qualifier. `{0}` is replaced by the
+/// duration, and `{1}` by the condition that resets the action.
 struct Qualifier {
     std::string_view name = {};
     bool timed = false;
@@ -46,9 +46,9 @@ constexpr std::array qualifiers = {
     Qualifier{"P0", false, "P0_END, P0_OLD : BOOL;", "P0_END := P0_OLD AND NOT P0; P0_OLD := P0;", "", "P0_END"},
 };
 
-/// Returns the text of an ACTION_CONTROL block. Q is the state of a Boolean variable. Statements are executed while A
-/// is true, which includes one scan after Q becomes false (the final scan). `times` contains the constant durations; if
-/// there are several, the inputs `TIME_1`, `TIME_2`, ... select one.
+/// Returns the text of an ACTION_CONTROL block. Q is the value of the action if the action is a Boolean variable. The
+/// statements of an action are executed while A is true, which includes one scan after Q becomes false (the final scan).
+/// `times` contains the constant durations; if there are several, the inputs `TIME_1`, `TIME_2`, ... select one of them.
 std::string control_text(const ChartAction& action, const std::vector<std::int64_t>& times) {
     const std::string duration = times.empty() ? "T" : fmt::format("T#{}ms", times.front());
     const std::string reset = action.steps.contains("R") ? "R" : "FALSE";
@@ -91,8 +91,8 @@ public:
         const st::Network& network = unit_.networks.front();
         check_structure(network);
         if (!network.flags.others.empty())
-            reject(network.where, "the variable `" + network.flags.others + "` in use",
-                   "do not use it in the settings of the chart");
+            reject(network.where, "the flag `" + network.flags.others + "` of a chart",
+                   "disable the flag in the settings of the chart");
         for (const st::Step& step : network.steps) {
             if (step.initial && step.entry.valid())
                 reject(file_.exprs[step.entry].where, "an entry action of the initial step", "move it to a later step");
@@ -169,7 +169,7 @@ private:
         const auto qualifier = std::ranges::find(qualifiers, association.qualifier, &Qualifier::name);
         if (association.unread)
             return reject(association.where, "an action block with an indicator variable",
-                          "give the qualifier and a duration only");
+                          "give only the qualifier and a duration");
         if (!association.path.valid())
             return reject(association.where, "an action block without a name", "name an action or a Boolean variable");
         if (qualifier == qualifiers.end() || std::ranges::find(accepted, association.qualifier) == accepted.end())
@@ -268,7 +268,7 @@ private:
         const auto qualifier = std::ranges::find(qualifiers, association.qualifier, &Qualifier::name);
         if (association.unread)
             return reject(association.where, "an action block with an indicator variable",
-                          "give the qualifier and a duration only");
+                          "give only the qualifier and a duration");
         if (qualifier == qualifiers.end())
             return reject(association.where, "the qualifier `" + association.qualifier + "`",
                           "use one of N, R, S, L, D, P, SD, DS, SL, P0, P1");
@@ -327,7 +327,8 @@ private:
             const bool another = known == times.end() && one != timed.front();
             if (one->qualifier != qualifier || (another && (!time || (qualifier != "L" && qualifier != "D")))) {
                 reject(one->where, "a second duration of the action `" + action.label + "`",
-                       "use one qualifier and one constant duration for each action; only L and D permit several");
+                       "use one qualifier and one constant duration for each action, or several constant durations "
+                       "with L or D");
                 continue;
             }
             if (!time) {
@@ -349,12 +350,12 @@ private:
         const st::Text all = {{{source, 0, static_cast<std::uint32_t>(body.size())}, false}};
         action.control = file_.units.size();
         st::parse_programs(all, file_, sources_, diagnostics_);
-        // The name is unique.
+        // This name is unique, because `control` is the index of the unit in the file.
         file_.units.back().name.word = file_.intern(fmt::format("ACTION_CONTROL {}", action.control));
     }
 
-    /// Finds the transitions that can activate an active step in some situation, without regard to conditions.
-    /// Transitions that are cleared simultaneously have the same effect as if they were cleared in sequence. If a chart
+    /// Finds the transitions that can activate an active step in some situation. Conditions are ignored. The simultaneous
+    /// clearing of several transitions has the same effect as clearing them in sequence. If a chart
     /// has too many situations, every transition is assumed to activate an active step.
     void check_safety(const st::Network& network) {
         chart_.checked.assign(network.transitions.size(), false);
@@ -392,11 +393,11 @@ private:
     }
 
     st::File& file_;
-    st::Unit unit_;  // a copy, because units are added to the file
+    st::Unit unit_;  // a copy, because the addition of units to the file invalidates references
     Sources& sources_;
     Diagnostics& diagnostics_;
     Chart chart_ = {};
-    std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< index of each step, by word
+    std::unordered_map<std::uint32_t, std::size_t> index_ = {};  ///< index of each step, by the index of its name
     std::unordered_map<std::uint32_t, const st::Action*> actions_ = {};
     /// The associations with a duration, by action.
     std::vector<std::vector<const st::Association*>> times_ = {};

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Sequential Function Charts of CODESYS as statements, after the pages "Processing Order in SFC", "SFC Element:
-// Action", "Qualifiers for Actions in SFC", "SFC Flags" and "Implicit Variables" of the CODESYS Online Help. A step has
-// the variables X (active in this execution), _X (active in the next execution) and t (the time since its activation,
-// in transitions of the same chart). Each execution of a chart:
+// Converts Sequential Function Charts of CODESYS to statements. Source: the pages "Processing Order in SFC", "SFC
+// Element: Action", "Qualifiers for Actions in SFC", "SFC Flags" and "Implicit Variables" of the CODESYS Online Help.
+// A step has three variables: X and _X are true if the step is active in this execution and in the next execution; t is
+// the time since the activation of the step. Only transitions of the same chart can read t. Each execution of a chart:
 //   1. copies _X to X; executes exit actions of deactivated steps, then entry actions of activated steps, then actions
 //      of active steps, each in the order of the file, which is the order of the drawing;
 //   2. executes the actions of action blocks in alphabetical order: first the actions that end, then the actions whose
-//      Q is true;
-//      a Boolean variable becomes false when its action ends, and true while Q is true;
+//      Q (see ACTION_CONTROL) is true. If the action is a Boolean variable, the variable becomes false when the action
+//      ends, and is true while Q is true;
 //   3. evaluates the transitions of active steps, which determine _X; if several transitions after one step are
-//      enabled, the leftmost one is cleared.
+//      enabled, the leftmost transition is cleared.
 //
 // Where the documentation does not define the behaviour, an interpretation is chosen and reported by a warning:
-//   - S and R of a Boolean variable act on one memory per instance, which all charts of the instance share; while R is
-//     active, the variable is false;
-//   - SFCReset sets _X of the initial step and resets the memory of S and R; exit actions are not executed, and actions
-//     in action blocks end;
-//   - a variable with the name of a flag acts as this flag if the file does not contain the settings of the chart.
+//   - S and R of a Boolean variable set and reset one stored value per instance, which all charts of the instance share;
+//     while R is active, the variable is false;
+//   - SFCReset sets _X of the initial step and resets the stored values of S and R; exit actions are not executed, and
+//     actions in action blocks end;
+//   - if the file does not contain the settings of the chart, a variable with the name of a flag acts as this flag.
 #include <algorithm>
 #include <utility>
 
@@ -29,7 +29,7 @@ namespace grafverif::program {
 namespace {
 
 using Op = Program::Op;
-constexpr std::uint32_t next_offset = 1, since_offset = 2;  // offsets of _X and t in a step; X is first
+constexpr std::uint32_t next_offset = 1, since_offset = 2;  // offsets of _X and t in the cells of a step
 
 bool names(const std::vector<st::Name>& list, Id<st::Word> step) {
     return std::ranges::find(list, step, &st::Name::word) != list.end();
@@ -106,8 +106,8 @@ void Reader::declare_codesys(std::size_t index, Chart& chart, const st::Network&
         const auto known = scopes_[id.index].stored.find(action.label);
         if (known != scopes_[id.index].stored.end()) {
             if (stores)
-                warn_once("the memory of S and R for one Boolean variable in several charts of a block",
-                          "all charts of an instance are assumed to share its memory", action.where);
+                warn_once("the effect of S and R on one Boolean variable in several charts of a block",
+                          "all charts of an instance are assumed to set and reset the same stored value", action.where);
             action.stored = known->second;
         } else {
             action.stored = add_cells(id, "action " + action.label + " stored", bool_, action.where);
@@ -121,13 +121,14 @@ void Reader::declare_codesys(std::size_t index, Chart& chart, const st::Network&
 
 // -- statements -------------------------------------------------------------------------------------------------------
 
-/// Returns the variable of a flag; empty if the chart does not use the flag.
+/// Returns the variable of a flag. The result is empty if the chart does not use the flag.
 std::optional<Reader::Found> Reader::flag_of(std::string_view name, bool stated, bool used, Span where) {
     const auto known = scopes_[unit_.index].variables.find(file_->intern(name).index);
     if (known == scopes_[unit_.index].variables.end() || (stated && !used)) return {};
     if (!stated)
-        warn_once("the effect of a declared variable `" + std::string(name) + "` in a chart without settings",
-                  "the variable is assumed to act as a flag", where);
+        warn_once(
+            "the effect of a declared variable `" + std::string(name) + "` if the file has no settings of the chart",
+            "the variable is assumed to act as a flag", where);
     return found_in(unit_, known->second);
 }
 
@@ -312,7 +313,7 @@ void Reader::execute_actions(const Chart& chart, Program::Body& body) {
         store(one.before, bool_, read(one.value, bool_, one.where), one.where, body);
 }
 
-/// Resolves X, _X or t of a step in the chart whose transitions are being read; empty for other paths.
+/// Resolves X, _X or t of a step in the chart whose transitions are being read. The result is empty for other paths.
 std::optional<Reader::Found> Reader::step_of_chart(Id<st::Expr> path) {
     const st::Expr member = file_->exprs[path];
     const st::Expr owner = file_->exprs[member.first];

@@ -84,8 +84,8 @@ void Reader::read_body(std::size_t index) {
     }
 }
 
-/// Returns the function block that no unit instantiates, if there is exactly one, and if the file has neither programs
-/// nor program instances.
+/// Returns the function block that no unit instantiates. The result is empty if there are several such blocks or none, or
+/// if the file has programs or program instances.
 std::optional<std::size_t> Reader::main_block(std::size_t user) const {
     if (!file_->instances.empty()) return {};
     std::set<std::uint32_t> instantiated;
@@ -154,14 +154,14 @@ void Reader::declare(std::size_t index) {
     if (!from.networks.empty() && file_->dialect == st::Dialect::Standard) declare_chart(index);
     else declare_actions(index);
     Unit& unit = program.units[id];
-    if (unit.size == 0) {  // every instance has at least one cell, which bounds the number of instances
+    if (unit.size == 0) {  // every instance has a cell, so that the limit of cells also bounds the instances
         unit.size = 1;
         unit.variables.push_back({"_", Variable::Section::Local, bool_, 0, 0, false, false, false, 0, from.name.where});
     }
     for (const Variable& variable : unit.variables) {
         if (variable.section == Variable::Section::Input) unit.inputs.push_back(variable.offset);
         const bool standard = from.where.source != file_->source;
-        const std::string name = st::capitals(variable.name);  // spelt as at its first occurrence in the file
+        const std::string name = st::capitals(variable.name);  // spelled as at its first occurrence in the file
         if (standard && name == "RUNNING") unit.running = variable.offset;
         if (standard && name == "ELAPSED") unit.elapsed = variable.offset;
     }
@@ -241,7 +241,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     last.variables.push_back(std::move(made));
 }
 
-/// True if the unit can have this variable. Reports the variable otherwise.
+/// True if the unit can have this variable. Otherwise, reports the variable.
 bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> type, bool is_program) {
     const Span where = from.name.where;
     const Type& of = program.types[type];
@@ -269,9 +269,9 @@ bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> typ
         hint = "use a function block";
     } else if (composite && from.initial.valid()) {
         what = of.kind == Type::Kind::Array ? "an initial value of an array" : "an initial value of an instance";
-        hint = "assign its parts";
+        hint = "assign its elements or members in a statement";
     } else if (!from.address.empty() && ((!is_program && !incomplete) || function || composite)) {
-        what = "an address here";
+        what = "an address of this variable";
         hint = "declare it in a program or in VAR_GLOBAL, or as `AT %I*`";
     }
     if (!what.empty()) reject(where, what, hint);
@@ -336,8 +336,8 @@ void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
         const auto [place, fresh] = sizes.try_emplace(address[1], size);
         if (!fresh && place->second != size && !address.ends_with('*')) {
             place->second = size;
-            reject(variable->name.where, "an address of another size in the same area",
-                   "remove the addresses, or use one size per area");
+            reject(variable->name.where, "an address whose size differs from other addresses in its area",
+                   "remove the addresses, or use one size in each area");
         }
     }
 }
@@ -367,7 +367,8 @@ void Reader::choose_main(std::size_t user) {
             continue;
         }
         if (!instance.arguments.empty())
-            reject(instance.where, "a connection of a program instance", "declare the addresses in its variables");
+            reject(instance.where, "an argument of a program instance",
+                   "declare the variables of the program `AT` their addresses");
         chosen = unit->second;
         task_of(instance);
     }

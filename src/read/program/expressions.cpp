@@ -175,7 +175,7 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
         const auto found = variable(id);
         return found ? value_at(*found, from.where) : std::nullopt;
     }
-    case st::Op::Power: reject(from.where, "`**`", "write it as a product"); return {};
+    case st::Op::Power: reject(from.where, "the operator `**`", "write a product"); return {};
     default: reject(from.where, "this expression", "use operators, variables and calls"); return {};
     }
 }
@@ -206,7 +206,8 @@ Reader::MaybeTyped Reader::value_at(const Found& found, Span where) {
 /// converted to bit strings; in other dialects, this is an error.
 Reader::MaybeTyped Reader::as_bits(const Typed& value, Span where) {
     if (file_->dialect != st::Dialect::Codesys)
-        return reject(where, "a bitwise operator of integers", "convert them to bit strings"), std::nullopt;
+        return reject(where, "a bitwise operator with integer operands", "convert the operands to bit strings"),
+               std::nullopt;
     warn_once("the type of a bitwise operation on integers",
               "integers are assumed to be converted to bit strings of their width", where);
     const std::int64_t count = type(value).high - type(value).low;

@@ -27,7 +27,7 @@ std::vector<Reader::Typed> Reader::arguments(Id<st::Expr> call, std::size_t leas
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const st::Expr& part = file_->exprs[parts[i]];
         if (part.op == st::Op::Argument || part.op == st::Op::Result) {
-            reject(part.where, "a named argument of a standard function", "give its arguments in order");
+            reject(part.where, "a named argument of a standard function", "pass the arguments in order, without names");
             ok = false;
             continue;
         }
@@ -38,7 +38,7 @@ std::vector<Reader::Typed> Reader::arguments(Id<st::Expr> call, std::size_t leas
     const std::size_t count = parts.size() - 1;
     if (count < least || count > most) {
         reject(file_->exprs[call].where, "a call with " + std::to_string(count) + " arguments",
-               "give " + std::to_string(least) + (most == least ? "" : " or more"));
+               "pass " + std::to_string(least) + (most == least ? "" : " or more"));
         ok = false;
     }
     return values;
@@ -117,7 +117,7 @@ Reader::MaybeTyped Reader::shift(Id<st::Expr> id, Op op) {
     }
     const auto places = value_of(values[1].node);
     if (!places || type(values[1]).kind != Type::Kind::Integer || *places < 0)
-        return reject(where, "a shift by this number of bits", "use a constant number"), std::nullopt;
+        return reject(where, "a shift by this number of bits", "use a constant that is not negative"), std::nullopt;
     const std::int64_t width = std::popcount(static_cast<std::uint64_t>(type(values[0]).high));
     const bool rotates = op == Op::RotateLeft || op == Op::RotateRight;
     const Id<Node> count = number(rotates ? *places % width : std::min(*places, width), dint_, where);
@@ -184,7 +184,7 @@ Reader::MaybeTyped Reader::user_function(Id<st::Expr> id, std::size_t index) {
             value_expr = part.first;
         }
         if (part.op == st::Op::Result || place >= inputs.size()) {
-            reject(part.where, "this argument", "give one argument for each input of the function");
+            reject(part.where, "this argument", "pass one argument for each input of the function");
             ok = false;
             continue;
         }

@@ -104,8 +104,9 @@ private:
             std::vector<std::string> names;
             for (const KindName& each : kinds) names.emplace_back(each.name);
             const std::string nearest = nearest_of(*kind, names);
-            return reject(where(entries["kind"]), "`" + *kind + "` is not a kind of property",
-                          nearest.empty() ? "use a kind that format 0.1 defines" : "did you mean `" + nearest + "`?");
+            return reject(
+                where(entries["kind"]), "`" + *kind + "` is not a kind of property",
+                nearest.empty() ? "use a kind of the property format 0.1" : "did you mean `" + nearest + "`?");
         }
         made.kind = known->kind;
         for (const auto& [key, value] : entries) check_key(made.kind, key, value);
@@ -137,8 +138,8 @@ private:
         case Kind::Assertion: break;
         }
         if (entries.contains("location"))
-            reject(where(entries["location"]), "an assertion inside the program",
-                   "give an `expression` for the end of the scan");
+            reject(where(entries["location"]), "an assertion at a `location` in the program is not supported",
+                   "write an `expression` that holds at the end of each scan");
         const YAML::Node expression = entries["expression"];
         if (!expression.IsDefined() || !expression.IsScalar())
             return reject(made.origin, "the property has no `expression`",
@@ -153,7 +154,8 @@ private:
         made.text = "at most one of ";
         for (const YAML::Node& one : variables) {
             if (!one.IsScalar()) {
-                reject(where(one), "this is not a variable", "write names of variables");
+                reject(where(one), "an element of `variables` is not the name of a variable",
+                       "write names of variables");
                 continue;
             }
             made.text += (made.conditions.empty() ? "" : ", ") + one.Scalar();
@@ -171,8 +173,8 @@ private:
         made.text = "no " + word;
     }
 
-    /// Reads a condition. Its positions refer to the property file if the file contains the expression literally,
-    /// otherwise to a new source with the text of the expression.
+    /// Reads a condition. If the property file contains the text of the expression literally, the positions of the
+    /// condition refer to this file; otherwise they refer to a new source with the text of the expression.
     std::optional<Id<Program::Node>> condition(const YAML::Node& from) {
         const std::string expression = from.Scalar();
         Span place = where(from);
@@ -209,7 +211,8 @@ std::optional<std::vector<ProgramProperty>> read_properties(Id<Source> source, S
     try {
         properties = reader.read(YAML::Load(sources[source].text));
     } catch (const YAML::Exception& exception) {
-        reader.reject(reader.where(exception.mark, 1), "this is not YAML: " + exception.msg, "correct the file");
+        reader.reject(reader.where(exception.mark, 1), "the file is not valid YAML: " + exception.msg,
+                      "correct the file");
     }
     if (diagnostics.errors() != errors) return {};
     return properties;

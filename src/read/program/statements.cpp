@@ -30,7 +30,7 @@ void Reader::statement(Id<st::Statement> id, Program::Body& body) {
     case st::StatementKind::Assign: {
         const auto cell = target(from.target);
         if (cell && program.types[cell->type].kind == Type::Kind::Unsupported) {
-            const st::Op op = file_->exprs[from.value].op;  // this variable cannot be read
+            const st::Op op = file_->exprs[from.value].op;  // the program cannot read a variable of this type
             if (op != st::Op::Other)
                 reject(from.where, "a variable of the type `" + program.types[cell->type].name + "`",
                        "use BOOL, TIME or an integer of at most 32 bits");
@@ -96,7 +96,8 @@ std::optional<Reader::Found> Reader::target(Id<st::Expr> path) {
     return found;
 }
 
-/// True if a variable has several cells that can be assigned together, as in an array or structure without instances.
+/// True if a variable of this type has several cells that can be assigned together: an array or structure without
+/// function block instances.
 bool Reader::is_composite(Id<Type> id) const {
     const Type& type = program.types[id];
     if (type.kind == Type::Kind::Array) return is_composite(type.element) || is_elementary(type.element);
@@ -118,7 +119,8 @@ void Reader::copy(const Found& to, const Found& from, Span where, Program::Body&
                                                          "of type `" + program.types[from.type].name + "`"));
         return;
     }
-    if (from.constant) return reject(where, "a constant as a complete value", "assign its parts");
+    if (from.constant)
+        return reject(where, "a constant array or structure as a complete value", "assign its elements or members");
     copy_cells(to.place, from.place, to.type, where, body);
 }
 
@@ -237,7 +239,8 @@ void Reader::label(Id<st::Expr> expr, Id<Type> of, Program::Arm& arm) {
         }
         values.push_back(*known);
     }
-    if (values.front() > values.back()) return reject(from.where, "an empty range", "write the smaller label first");
+    if (values.front() > values.back())
+        return reject(from.where, "an empty range of labels", "write the smaller label first");
     arm.labels.emplace_back(values.front(), values.back());
 }
 
@@ -266,7 +269,7 @@ void Reader::for_statement(const st::Statement& from, Program::Body& body) {
         const Span where = file_->exprs[from.range[2]].where;
         if (value && !known) diagnostics->add(messages::not_constant(where, "the step of FOR"));
         if (known && (*known == 0 || *known > 2147483647LL || *known < -2147483648LL))
-            reject(where, "this step", "use a nonzero step within DINT");
+            reject(where, "this step of FOR", "use a nonzero step in the range of DINT");
         ok = ok && known && *known != 0;
         made.step = known.value_or(1);
     }

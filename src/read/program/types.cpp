@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves elementary types and the types that a file declares. Equal array types are one type.
+// Resolves elementary types and the types that a file declares. Array types with the same bounds and elements are one
+// type.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -31,7 +32,8 @@ void Reader::declare_types() {
             continue;
         }
         if (declaration.initial.valid())
-            reject(file_->exprs[declaration.initial].where, "an initial value of a type", "write it at the variables");
+            reject(file_->exprs[declaration.initial].where, "an initial value of a type",
+                   "declare the initial value for each variable");
         const auto type = declaration.type.values.empty()
                               ? type_of(declaration.type, declaration.where)
                               : enumeration(text(declaration.name.word), declaration.type, declaration.where);
@@ -78,7 +80,8 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
                                                    "ULINT", "LWORD",       "LTIME",        "DATE",    "TOD",
                                                    "DT",    "TIME_OF_DAY", "DATE_AND_TIME"};
     const std::string name = capitals(type.name.word);
-    if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end()) {  // it can be declared, but not used
+    // Variables of these types can be declared, but not used.
+    if (std::ranges::find(known_elsewhere, name) != known_elsewhere.end()) {
         const Id<Type> id = program.types.add({Type::Kind::Unsupported, name, 0, 0, {}, {}, {}});
         types_[type.name.word.index] = id;
         return id;
