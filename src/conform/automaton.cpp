@@ -328,8 +328,8 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     return inputs;
 }
 
-/// Excludes impossible combinations of outputs of timers that observe the same term. If one timer has a rise time at
-/// least as long and a fall time at most as long as another timer, its output implies the output of the other timer.
+/// Excludes impossible combinations of outputs of timers that observe the same term. The output of timer A implies the
+/// output of timer B if the rise time of A is not less, and the fall time of A is not greater, than that of B.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)

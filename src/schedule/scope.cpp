@@ -88,9 +88,9 @@ std::string network_scope(const Network& network, const ScheduleOptions& options
         "taken at any time. ";
     if (options.fairness)
         return text + fair_runs +
-               "Verdicts on properties about single states do not depend on fairness: an `always`, `never` or `exactly "
-               "one of` that holds here also holds in the timed closed loop of this mode and grain, and a `reachable` "
-               "that is violated here is also violated in the timed loop. All other verdicts apply only to this model. "
+               "Verdicts on properties about single states do not depend on fairness. An `always`, `never` or `exactly "
+               "one of` that holds here also holds in the timed closed loop of this mode and grain. A `reachable` that "
+               "is violated here is also violated in the timed loop. All other verdicts apply only to this model. "
                "In a CTL formula, EF requires a fair run.";
     return text +
            "Every run of the timed closed loop of this mode and grain is also a run of this model. Therefore, an "
