@@ -328,8 +328,8 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     return inputs;
 }
 
-/// Excludes impossible combinations of outputs of timers that observe the same term. The output of timer A implies the
-/// output of timer B if the rise time of A is not less, and the fall time of A is not greater, than that of B.
+/// Excludes impossible combinations of outputs of timers that observe the same term. The output of timer `one` implies
+/// the output of timer `other` in this case: the rise time of `one` is not shorter, and its fall time is not longer.
 void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)
