@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Counterexamples of liveness properties: short runs that avoid `met` after a root, up to a cycle or to a state without
-// successors.
+// Counterexamples of liveness properties: short runs from power-on to a root, continued outside of the set `met` up to
+// a cycle or up to a state without successors.
 //
-// A breadth-first walk outside `met` determines for every visited state a near root and a short path from this root. A
-// root is added to the walk at the level that it has in the search. Then the strongly connected components of the
-// visited states are computed. The result is the first state of the walk that is on a cycle or has no successor. A
-// breadth-first search in its component finds the cycle.
+// A breadth-first traversal outside of `met` determines, for every reached state, a near root and a short path from
+// this root. A root is added to the traversal at its depth in the search. Then the strongly connected components of the
+// reached states are computed. The run ends at the first state of the traversal that is on a cycle or has no successor.
+// If the state is on a cycle, a breadth-first search in its component finds a shortest cycle.
 #include "check/timed/components.hpp"
 #include "check/timed/fixpoints.hpp"
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint32_t none = Store::none;
 
-/// The states reached outside `met`, in the order of the walk, and the predecessor of each state. The predecessor of a
-/// root is the root.
+/// The states reached outside of `met`, in the order of the traversal, and the predecessor of each reached state. Each
+/// root is its own predecessor.
 struct Traversal {
     Column<std::uint32_t> order = {};
     Column<std::uint32_t> from = {};  // predecessor of each state of the graph; none if the state was not reached

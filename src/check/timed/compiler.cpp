@@ -14,12 +14,12 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::uint32_t largest_tree = 4096;  // larger terms are evaluated with shared subterms
-constexpr double largest_value = 4.0e18;      // a term with larger bounds may overflow
+constexpr std::uint32_t largest_tree = 4096;  // maximum number of nodes; larger terms share subterms
+constexpr double largest_value = 4.0e18;      // a term whose value may be greater may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
-/// A term that has the form `field + add`.
+/// A term that has the form `variable + add`.
 struct Shifted {
     std::uint32_t variable = 0;
     std::int64_t add = 0;
@@ -260,7 +260,7 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     case Op::LessEqual:
     case Op::Greater:
     case Op::GreaterEqual: return comparison(term, yes, no, base);
-    case Op::Variable:  // a chosen variable, or a Boolean variable with another representation
+    case Op::Variable:  // a chosen variable, or a variable whose type is not Type{}
         if (is_chosen(variable_of(node))) return chosen_within(variable_of(node), 1, 1, yes, no);
         return emit({.mask = layout_.variables[variable_of(node).index].mask(),
                      .yes = no,
@@ -286,8 +286,8 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
 }
 
 /// Compiles an And or Or. An Or is compiled as the And of the negated operands, with exchanged successors. A negated
-/// operand is compiled with exchanged successors; for an operand that tests a single bit, the required value is changed
-/// instead.
+/// operand is compiled with exchanged successors; if the operand tests a single bit, the required value of the bit is
+/// inverted instead.
 std::uint32_t Compiler::junction(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base) {
     const auto operands = network_.exprs.operands(term);
     const bool conjunction = network_.exprs[term].op == Op::And;

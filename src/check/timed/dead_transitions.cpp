@@ -40,8 +40,8 @@ Id<Expr> condition_of(const Network& network, const Network::Controller& control
     return {};
 }
 
-/// Returns the text of a step, of a named variable or of a negation (`X3`, `!a`), or an empty string for any other
-/// term.
+/// Returns the text of a step, of a named variable or of the negation of one of these (`X3`, `!a`). For any other term,
+/// the result is empty.
 std::string literal_text(const Network& network, Id<Expr> term) {
     if (network.exprs[term].op == Op::Not) {
         const std::string words = literal_text(network, network.exprs.operands(term)[0]);
@@ -59,7 +59,8 @@ std::string literal_text(const Network& network, Id<Expr> term) {
     }
 }
 
-/// Returns the first conjunct of the condition that is false in all of `states`.
+/// Returns the text of the first conjunct of the condition that has a text (see literal_text) and is false in all of
+/// `states`. The result is empty if there is no such conjunct.
 std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     const Network& network = graph.machine.network();
     if (!condition.valid()) return {};
@@ -76,7 +77,7 @@ std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     return {};
 }
 
-/// True if the edge is an evolution of the controller.
+/// True if the edge executes an evolution of the controller.
 bool fires(const Network& network, const Network::Controller& controller, const Machine& machine, std::uint32_t edge) {
     if (machine.process_of(edge) != controller.process) return false;
     const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
@@ -84,9 +85,10 @@ bool fires(const Network& network, const Network::Controller& controller, const 
     return std::ranges::find(calls, controller.fire) != calls.end();
 }
 
-/// Determines for each transition of each controller if an evolution from one of these states clears the transition.
-/// The firing condition is visible in the state before the situation changes. If the complete evolution is one edge,
-/// the firing condition is visible only during that edge.
+/// Determines, for each transition of each controller, if an evolution from one of `states` clears the transition. If
+/// an evolution consists of several edges, the firing condition is a variable of the state before the situation
+/// changes. If an evolution is one edge, the firing condition is a scratch variable, which is set only while the edge
+/// is executed.
 std::vector<std::vector<bool>> cleared(Graph& graph, const States& states, const Limits& limits) {
     const Network& network = graph.machine.network();
     const Layout& layout = graph.machine.layout();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiles large terms with shared subterms to code without branches. Each subterm has one register, and children are
-// evaluated before their parents.
+// Compiles large terms with shared subterms to code without branches. Each subterm has one register. Operands are
+// evaluated before the terms that contain them.
 #include <algorithm>
 #include <unordered_map>
 
@@ -11,7 +11,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Returns the subterms of `root`, children first.
+/// Returns the subterms of `root`; operands precede the terms that contain them.
 std::vector<Id<Expr>> subterms(const Exprs& exprs, Id<Expr> root) {
     std::vector<Id<Expr>> open = {root};
     std::unordered_map<std::uint32_t, bool> seen = {{root.index, true}};
@@ -30,7 +30,7 @@ Opcode operation(Op op) {
     case Op::Equal: return Opcode::EagerEqual;
     case Op::NotEqual: return Opcode::EagerUnequal;
     case Op::Less:
-    case Op::Greater: return Opcode::EagerLess;  // operands are exchanged
+    case Op::Greater: return Opcode::EagerLess;  // the caller exchanges the operands
     case Op::LessEqual:
     case Op::GreaterEqual: return Opcode::EagerLessEqual;
     case Op::Negate: return Opcode::Negate;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first search by the number of moves. A delay of any length counts as one move, because a further delay after
-// a delay belongs to the same move. Therefore, if time can pass in a state, time is advanced immediately, unit by unit.
-// The delay ends in a state in which time cannot pass, or whose further delay is already known. All states of the delay
-// are one level below the first state. If such a state was already reached by an edge, its distance is the same; its
-// parent is then replaced by its predecessor in time. The shortest runs to its successors in time then lead through
-// this state.
+// Breadth-first search by the number of moves. A delay of any length counts as one move, because two consecutive delays
+// are one move. Therefore, if time can pass in a state, time is advanced immediately, unit by unit. The delay ends in a
+// state in which time cannot pass, or whose further delay is already known. If the delay begins in a state at depth d,
+// all later states of the delay have depth d + 1 or less. If an edge has already reached one of these states at depth
+// d + 1, the predecessor in time becomes the parent of this state. The shortest runs to the later states of the delay
+// then lead through this state.
 //
 // The queue is processed block by block. First, all threads compute the moves of the states of a block, without
 // changing the graph. States that the store does not contain are grouped by hash. Then one thread assigns numbers to
-// the new states in the order of the block, in the same order as a sequential search. Finally all threads index the new
-// states and store the targets of the edges of the block. Therefore numbers, and all results derived from them, do not
-// depend on the number of threads or the size of blocks.
+// the new states in the order of the block, which is the order of a sequential search. Finally all threads index the
+// new states and store the targets of the edges of the block. Therefore numbers, and all results derived from them, do
+// not depend on the number of threads or the size of blocks.
 #include "check/timed/explore.hpp"
 
 #include <algorithm>
@@ -57,11 +57,11 @@ void Limits::explain(Graph& graph) {
 namespace {
 
 constexpr std::uint32_t slices_each = 64;      // number of slices for each thread in a block
-constexpr std::size_t many_text = 1U << 21U;   // limit on the number of words of the states computed in a block
+constexpr std::size_t many_text = 1U << 21U;   // number of words of computed successors at which a block ends
 constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory that a slice keeps for reuse
-// Minimum number of slices of states or new states that are processed in parallel.
+// Minimum number of slices of states or new states for which the work is performed in parallel.
 constexpr std::size_t worth_sharing = 16;
-constexpr std::size_t link_bytes = 24;         // maximum number of bytes per state; above it, links are dropped
+constexpr std::size_t link_bytes = 24;  // maximum number of bytes of links per state; above it, links are dropped
 constexpr std::size_t link_grace = 1U << 18U;  // total bytes up to which links are never dropped
 
 class Exploration {
@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    /// Calls `work(member)` for each thread, in parallel, or sequentially if there is little work.
+    /// Calls `work(member)` once for each thread: in parallel, or sequentially if `size` is small.
     void share(std::size_t size, const std::function<void(unsigned)>& work) {
         if (size >= worth_sharing * limits_.slice() && team_.size() > 1) return team_.share(work);
         for (unsigned member = 0; member < team_.size(); ++member) work(member);
@@ -120,8 +120,8 @@ private:
         return obstacle;
     }
 
-    /// Fills slices with the moves of the next states. Returns the number of filled slices. All of them except the last
-    /// are complete.
+    /// Fills slices with the moves of the next states. Returns the number of filled slices, up to and including the
+    /// first slice that does not contain the moves of all its states. Later slices must not be used.
     std::size_t compute() {
         const std::size_t most = std::size_t{slices_each} * team_.size();
         const std::size_t states = graph_.states() - graph_.explored;
@@ -170,7 +170,7 @@ private:
         });
     }
 
-    /// Adds the new states of a slice that belong to the part to `new_states_`, in order.
+    /// Adds to `new_states_` those new states of a slice that belong to a shard of `part`, in the order of the slice.
     void meet(SuccessorBatch& slice, unsigned part) {
         for (SuccessorBatch::NewState& new_state : slice.new_states) {
             if (new_states_.part_of(new_state.shard) != part) continue;
@@ -209,13 +209,14 @@ private:
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t target = slice.targets[i];
             if ((target & SuccessorBatch::new_state) == 0) continue;
-            // The number is set for all equal new states, except for states that another state simulates.
+            // The first of several equal new states sets the number for all of them. If another state simulates the new
+            // states, they have no number; therefore, if the graph is covered, each of them is resolved.
             if (graph_.covered || slice.new_states[target & SuccessorBatch::number].first)
                 resolve(slice, target, state, By::Edge);
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        // The function `lead` sets the targets of edges, unless states may have been omitted.
+        // The function `lead` later replaces the target by the target of an edge, unless states may have been omitted.
         if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -248,9 +249,9 @@ private:
             const SuccessorBatch::State& at = slice.states[state - slice.begin];
             if (graph_.linked) slice.links.begin();
             std::uint32_t last = state;
-            // Target of an edge: the state with the largest number, because such states tend to lead to later states.
+            // Greatest target of an edge: states with greater numbers tend to lead to later states.
             std::uint32_t onward = 0;
-            std::uint32_t urgently = 0;  // target of an urgent edge
+            std::uint32_t urgently = 0;  // greatest target of an urgent edge
             for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
                 const std::uint32_t next = number_of(slice, slice.targets[i]);
                 if (graph_.linked) slice.links.add(std::exchange(last, next), next);
@@ -272,9 +273,9 @@ private:
     /// How the search has reached a state.
     enum class By : std::uint8_t { Edge, Delay };
 
-    /// Returns a state that simulates the new state in `words`, or Store::none. A further delay after a delay belongs
-    /// to the same move. Therefore, if a delay has reached the new state, the result is a state of the current or an
-    /// earlier level, or a state whose delay is known.
+    /// Returns a state that simulates the new state in `words`, or Store::none if there is no such state. Two
+    /// consecutive delays are one move. Therefore, if a delay has reached the new state, the result is a state of the
+    /// current or an earlier depth, or a state whose delay is known, unless the search ignores depths.
     std::uint32_t simulating(const Word* words, By by) {
         if (graph_.covering && !graph_.covering->is_useful()) graph_.covering.reset();
         if (!graph_.covering) return Store::none;
@@ -301,7 +302,8 @@ private:
         return entry.number;
     }
 
-    /// Adds the new state of the entry with its parent. If memory is exhausted, the state is complete or not added.
+    /// Adds the new state of the entry with its parent. If memory is exhausted, the state is added completely or not at
+    /// all.
     void discover(NewStates::Entry& entry, std::uint32_t parent) {
         if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may have very many successors
         graph_.parent.free_memory(1);
@@ -401,7 +403,7 @@ private:
     std::size_t filled_ = 0;  // number of slices in the current block
     std::atomic<std::size_t> next_slice_ = 0;
     std::uint32_t level_end_ = 0;
-    bool simulated_ = false;  // true if the last result of `later` is not the successor but simulates it
+    bool simulated_ = false;  // true if the last result of `later` only simulates the successor
     Unfolded now_ = {}, next_ = {};
     PropertyMonitor::Registers registers_ = {};
 };
@@ -412,7 +414,7 @@ UnknownReason explore(Graph& graph, PropertyMonitor& monitor, const std::vector<
     try {
         return Exploration(graph, monitor, races, limits).run();
     } catch (const std::bad_alloc&) {
-        // Postcondition: all states found so far are complete and indexed, and expanded states have their links.
+        // Postcondition: all stored states are complete and indexed, and all expanded states have their links.
         return UnknownReason::Memory;
     }
 }

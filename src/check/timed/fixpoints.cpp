@@ -11,7 +11,7 @@ namespace grafverif::timed {
 namespace {
 
 /// Performs one sweep over `open`: each state for which `decided(state)` is true is moved to `set`. If `parallel` is
-/// true, threads sweep parts in parallel.
+/// true, several threads sweep ranges of `open` in parallel.
 template <class Decided>
 void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool parallel, const Limits& limits,
                 const Decided& decided) {
@@ -36,8 +36,8 @@ void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool parallel, 
     open.resize(kept);
 }
 
-/// Sweeps over `open` in alternating directions until a sweep decides fewer than 1/`stall` of the states or, if `stall`
-/// is 0, no state. `decided(state)` is true if the state is to be moved to `set`. Returns false if the check was
+/// Sweeps over `open` in alternating directions; a state for which `decided(state)` is true is moved to `set`. Ends
+/// when a sweep moves fewer than 1/`stall` of the states or, if `stall` is 0, no state. Returns false if the check was
 /// stopped.
 template <class Decided>
 bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, bool parallel, const Limits& limits,
@@ -63,7 +63,7 @@ void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
     });
 }
 
-/// Returns all states below `states` that are not in `set`, in order.
+/// Returns the states less than `states` that are not in `set`, in increasing order.
 std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, const Limits& limits) {
     const std::size_t words = (states + 63) / 64;
     const auto bits = [&](std::size_t word) {
@@ -101,9 +101,9 @@ constexpr std::size_t most_walkers = 4;  // maximum number of walkers, each of w
 /// Decides the states that are open after the sweeps, by a depth-first walk from the roots. When all successors of a
 /// state are in `met`, the walk backtracks from the state and adds it to `met`. Several threads walk in parallel, from
 /// different roots and with different orders of successors. A thread does not enter a state from which another thread
-/// has backtracked. A state from which a run avoids `met` lies on a cycle of such states, is terminal, or leads to such
-/// a cycle or terminal state. No thread ever backtracks from such a state. Therefore such a state is found,
-/// independently of the distribution of the states to threads.
+/// has backtracked. If a run from a state avoids `met`, the state lies on a cycle outside of `met`, has no successors,
+/// or leads to such a cycle or to a state without successors. No thread ever backtracks from a state of this type.
+/// Therefore some thread finds the run, independently of the distribution of the states to threads.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,
@@ -183,7 +183,7 @@ private:
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal, limits);
-    const auto target_leads = [&](std::uint32_t state) {  // tests the stored target before visiting all successors
+    const auto target_leads = [&](std::uint32_t state) {  // tests only the stored target, which is fast
         const StateKind kind = graph.kind(state);
         const bool has_one = kind == StateKind::Urgent || (kind == StateKind::Acts && by != Transitions::UrgentActions);
         return has_one && goal.has(graph.target(state));

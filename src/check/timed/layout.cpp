@@ -10,8 +10,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Allocates bits. Each field is placed in the first open word with enough free bits. Related fields are allocated
-/// consecutively.
+/// Allocates the bits of fields in words. Each field is placed in the first open word with enough free bits. Related
+/// fields are allocated consecutively.
 class Bits {
 public:
     Field take(std::uint64_t values, std::int64_t low) {
@@ -147,7 +147,8 @@ std::optional<std::string> inexact_place(const Network& network) {
             const std::string place = "`" + process.name + "`, edge `" + automaton.locations[edge.from].name + " -> " +
                                       automaton.locations[edge.to].name + "`";
             const bool watches =
-                // Observers are excluded; the proof that this is correct is in docs/explanation/timed-engine.md.
+                // A strict constraint of an observer does not make integer time inexact; see the proof in
+                // docs/explanation/timed-engine.md.
                 process.kind == Network::ProcessKind::Observer;
             for (const Network::ClockConstraint& constraint : edge.constraint)
                 if (strict(constraint) && !watches)

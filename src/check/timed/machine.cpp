@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Computes the moves of a state: the inner loop of the search. It does not allocate memory after its buffers have
-// grown.
+// The inner loop of the search: computes the moves of a state. The buffers are reused, so that memory is allocated only
+// when a buffer grows.
 #include "check/timed/machine.hpp"
 
 #include <bit>
@@ -51,7 +51,8 @@ void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     else fire_each_path(edge, words, moves);
 }
 
-/// Adds the successor by the edge as the last move. Returns null after a model error.
+/// Adds the move by `edge` to `moves` and returns the successor. If the edge causes a model error, records the error
+/// and returns null.
 Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (const std::size_t needed = (moves.edges.size() + 1) * layout_.words; moves.words.size() < needed)
         moves.words.resize(2 * needed);
@@ -68,8 +69,9 @@ Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
     return nullptr;
 }
 
-/// Executes the code of the edge once for each combination of inputs, depth-first over the splits: each execution
-/// follows `path`, which is then advanced.
+/// Executes the code of the edge once for each combination of sets of input valuations that the code distinguishes. If
+/// only some of the possible valuations satisfy a test, the execution splits there, and the registers of the path
+/// select the branch. After each execution, the path is advanced depth-first.
 void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const {
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles a Network to a Machine. This is done once, before the search.
+// Compiles a Network to a Machine, once before each search.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Compiles the tests of a clock interval. Clocks are compared after they are limited to `cap`.
+/// Compiles the test that a clock is in the interval `wanted`. The stored value of the clock saturates at `cap`.
 std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wanted, std::int64_t cap,
                      std::uint32_t yes, std::uint32_t no) {
     const std::int64_t low = std::max<std::int64_t>(wanted.low, 0);
@@ -103,7 +103,8 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     compiled.index = id.index;
     compiled.urgent = edge.urgent;
     compile_guard(edge.guard, compiled);
-    // The target's invariant after the resets reads only clocks. It can therefore be tested before the effect.
+    // The invariant of the target location, evaluated after the resets, reads only clocks. Therefore the invariant is
+    // tested before the effect is executed.
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, automaton.clocks.size());
     const std::vector<Interval> after =
         admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
@@ -124,7 +125,8 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     return compiled;
 }
 
-/// Compiles a guard. The tests of the bits of one word are stored in the edge itself, the rest as code.
+/// Compiles a guard. If the guard begins with a test of bits of one word, this test is stored in the edge; the other
+/// tests are stored as code.
 void Machine::compile_guard(Id<Expr> guard, Edge& compiled) {
     const auto alone = [&](Id<Expr> term) {
         const auto bits = compiler_.literal(term);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Two premises concern cycles. No run has infinitely many moves in one instant if there is no cycle of edges. Time can
-// diverge if there is a cycle of edges and delays that contains a delay. Both are decided by strongly connected
-// components. Most parts have a state that does not change when time passes. Such a state decides the second premise
-// immediately.
+// Two premises depend on cycles in the graph. First, no run has infinitely many moves in one instant if there is no
+// cycle of edges. Second, time can diverge if there is a cycle of edges and delays that contains a delay. Strongly
+// connected components decide both premises. In most subsystems, some state does not change when time passes; such a
+// state decides the second premise without components.
 #include "check/timed/premises.hpp"
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Returns the components of all states under edges, and also under delays if `delays` is true. A state with a model
-/// error has no successors.
+/// Returns the strongly connected components of all states: connected by edges and, if `delays` is true, also by
+/// delays. A state with a model error has no successors.
 auto components_of(Graph& graph, bool delays, const Limits& limits) {
     Components components(graph.states(), limits, [&graph, delays](std::uint32_t state, const auto& take) {
         if (graph.open(state)) return;

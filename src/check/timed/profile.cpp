@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Each field of a state has a pseudorandom number that depends on its value. The hash of a state is the sum of these
-// numbers; the hash of a component (a part or a clock) is the sum over its fields. The difference is the hash of the
-// rest of the state. Therefore, one pass over the states computes, for every component, the hash of the rest of each
-// state. To bound the memory, only rests in one of 2^k classes are counted. A class contains either all states with a
-// given rest or none of them.
+// Each field of a state has a pseudorandom number that depends on its value. The hash of a state is the sum of the
+// numbers of all fields; the hash of a component (a part or a clock) is the sum of the numbers of its fields. The
+// difference is the hash of the rest: the state without the component. Therefore, one pass over the states computes,
+// for every component, the hash of the rest of each state. The hashes are divided into 2^k classes, and only rests of
+// one class are counted, to bound the memory. A class contains either all states with a given rest or none of them.
 #include "check/timed/profile.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::uint64_t mixed(std::uint64_t value) {
 
 struct ProfiledElement {
     std::uint64_t now = 0;  // hash of the component in the current state
-    std::uint64_t met = 0;  // number of states with a counted rest
+    std::uint64_t met = 0;  // number of states whose rest is counted
     std::vector<std::uint64_t> rests = {};
     std::unordered_set<std::uint64_t> values = {};
 
@@ -52,7 +52,7 @@ struct ProfiledElement {
     }
 };
 
-/// The one or two components that contain a field of a state.
+/// A field of a state, with the part and the clock to which the field belongs.
 struct Column {
     static constexpr std::size_t none = ~std::size_t{0};
     Field field = {};
@@ -60,7 +60,7 @@ struct Column {
     std::size_t clock = none;
 };
 
-/// The location of a controller's process between two cycles.
+/// The location field of a controller, with the two locations in which no cycle is in progress.
 struct Waiting {
     Field location = {};
     std::uint32_t waiting = 0, initial = 0;
@@ -219,7 +219,7 @@ private:
     std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
     std::vector<ProfiledElement> elements_ = {};  // first the parts, then the clocks
-    ProfiledElement finer_ = {};                  // its rests are the states with clocks in the coarser time unit
+    ProfiledElement finer_ = {};  // the rest of a state is the state with clocks in the coarser time unit
     std::uint64_t classes_ = 1;
 };
 

@@ -26,7 +26,7 @@ std::int64_t arithmetic(Opcode op, std::int64_t left, std::int64_t right) {
 }
 
 /// Evaluates the operators of `eager` code. The registers contain the values of all operands. The result of EagerAnd
-/// and EagerOr depends on the right operand only if the left one does not determine it.
+/// and EagerOr depends on the right operand only if the left operand does not determine the result.
 std::int64_t eager_value(const Instruction& at, const std::int64_t* registers) {
     const std::int64_t left = registers[at.a];
     const std::int64_t right = registers[at.b];

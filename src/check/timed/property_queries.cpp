@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compiles properties to code and monitors. The code includes `at stable`: for `always` and `exactly one of`, the
-// monitor searches for a state in which Network::settled is true and the property is violated; an operand p of any other
-// pattern is replaced by the conjunction of Network::settled and p.
+// Compiles properties to code and monitors. The code includes `at stable`. For `always` and `exactly one of`, the
+// monitor searches for a state in which Network::settled is true and the property is violated. For any other pattern,
+// an operand p is replaced by the conjunction of Network::settled and p.
 #include "check/timed/property_queries.hpp"
 
 #include <algorithm>
@@ -53,8 +53,9 @@ std::uint32_t PropertyQueries::quiescent_but_not(const Property& property, Id<Ex
     return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
 }
 
-/// Returns code that ends in Yes if none or at least two of the operands hold. The code is generated from the last
-/// operand backwards, for two cases: no previous operand holds, or one previous operand holds.
+/// Returns code that ends in Yes if none or at least two of the operands hold. The code is generated backwards,
+/// starting with the last operand. For each operand, there is code for two cases: no previous operand holds, or one
+/// previous operand holds.
 std::uint32_t PropertyQueries::not_exactly_one(const Property& property) {
     Compiler& compiler = machine_.compiler();
     std::uint32_t after_none = Program::yes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Performs a check: compiles the network, explores its states, and evaluates the properties.
+// Checks a network: compiles the network, explores its states, and evaluates the properties.
 #include "check/timed/timed.hpp"
 
 #include <algorithm>
@@ -101,7 +101,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     if (options.premises && result.complete) result.premises = premises(graph, quiescent, limits);
     const bool is_large = !result.complete || result.states >= many_states;
     const bool explained = options.profile == ProfileFor::All || (options.profile == ProfileFor::IfLarge && is_large);
-    if (explained && result.states > (result.complete ? 0 : 1))  // a search that did not begin has no profile
+    if (explained && result.states > (result.complete ? 0 : 1))  // no profile if the search expanded no state
         result.profile =
             measured(graph, options, ended == UnknownReason::Stopped ? timed::Effort::Brief : timed::Effort::Full);
     result.seconds = limits.seconds();

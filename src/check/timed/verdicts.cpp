@@ -31,7 +31,7 @@ std::string text_of(UnknownReason ended, const Graph& graph, const Limits& limit
     return graph.states() > 1 ? "stopped after " + states : "stopped before the exploration";
 }
 
-/// Returns the expanded states with a kind that satisfies the predicate.
+/// Returns the expanded states for whose kind the predicate `is` is true.
 template <class Is>
 StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) {
     StateSet set(graph.states());
@@ -42,8 +42,8 @@ StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) 
     return set;
 }
 
-/// Returns a run to `state`, from which time never passes again. The run continues by the edges that block delay, until
-/// only other edges are enabled or a state is repeated. Moves that could also be omitted do not explain the timelock.
+/// Returns a run to `state`, from which time never passes again. The run continues by edges of processes that block
+/// delay (see continue_without_delay), because edges of other processes do not explain the timelock.
 Run without_time(Graph& graph, std::uint32_t state) {
     Run run = graph.run_to(state);
     if (auto states = replay(graph.machine.network(), run))
@@ -135,8 +135,8 @@ void PropertyQueries::result_state(PropertyQuery& query, Graph& graph) const {
     if (wanted && query.verdict.outcome == Outcome::Holds) query.verdict.outcome = Outcome::Violated;
 }
 
-/// Returns the states that satisfy `predicate`. If it is undefined in some state, the result is empty and the verdict
-/// is unknown.
+/// Returns the states that satisfy `predicate`. If `predicate` is undefined in some state, the result is empty and the
+/// verdict is unknown.
 std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& query, Graph& graph, std::uint32_t predicate,
                                                       const Limits& limits) const {
     StateSet set(graph.states());
@@ -176,7 +176,8 @@ void PropertyQueries::decide_liveness(PropertyQuery& query, Graph& graph, const 
     if (!holds) return set_unknown(query.verdict, UnknownReason::Stopped, "stopped");
     if (*holds) return holds_if_dense(query, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
-    // If a strict bound prevents a delay of one unit, a shorter delay may be possible in dense time.
+    // If integer time is inexact, a state without successors is not a counterexample: although a strict bound prevents
+    // a delay of one unit, a shorter delay may be possible in dense time.
     const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value(), limits);
     if (lasso.path.empty()) return set_unknown(query.verdict, UnknownReason::Inexact, inexact_reason());
     violated(query.verdict, graph.run_along(lasso.path, lasso.loop));
@@ -190,8 +191,8 @@ void PropertyQueries::decide_deadlock(PropertyQuery& query, Graph& graph, const 
     holds_if_dense(query, graph, graph.stuck_bound);
 }
 
-/// In an input abstraction, urgent edges must lead to a state in which time passes for all chosen valuations
-/// (ir/network_inputs.hpp). It is not sufficient that such a state is reachable for some valuations.
+/// In an input abstraction, urgent edges must lead to a state in which time passes for all chosen valuations of the
+/// inputs (ir/network_inputs.hpp). It is not sufficient that such a state is reachable for some valuations.
 void PropertyQueries::decide_timelock_of_abstraction(PropertyQuery& query, Graph& graph, const Limits& limits) const {
     holds_if_dense(query, graph, graph.locked_bound);
     if (query.verdict.outcome != Outcome::Holds) return;
@@ -276,8 +277,9 @@ std::string PropertyQueries::place_of(Graph& graph, const UncoveredAt& at) const
     const Network::Location& place = automaton.locations[{static_cast<std::uint32_t>(location)}];
     const Network::ClockConstraint& bound = place.invariant[at.bound.bound];
     const std::string clock = automaton.clocks[bound.clock].name;
-    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock + "` alone can leave it at `" +
-           clock + " == " + std::to_string(admitted(network_, bound).high) + "`";
+    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock +
+           "` alone can leave the location at `" + clock + " == " + std::to_string(admitted(network_, bound).high) +
+           "`";
 }
 
 void PropertyQueries::mark_vacuous(PropertyQuery& query, const Graph& graph) const {

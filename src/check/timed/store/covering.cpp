@@ -33,7 +33,7 @@ Covering::Covering(const Network& network, const Layout& layout, const std::vect
     }
 }
 
-/// Computes the key and the inexact values of a state.
+/// Computes the key of a state and its inexact clock values (see covering.hpp).
 void Covering::select(const Word* words) {
     std::copy_n(words, words_.size(), words_.begin());
     values_.clear();
@@ -55,14 +55,14 @@ void Covering::select(const Word* words) {
     if (key_ == lists_.size()) lists_.push_back(none);
 }
 
-/// True if the state of the entry simulates the state of `find`.
+/// True if the state of `entry` simulates the state of the last call of `find`.
 bool Covering::is_below(const Entry& entry) const {
     for (std::size_t i = 0; i < values_.size(); ++i)
         if (stored_[entry.values + i] > values_[i]) return false;
     return true;
 }
 
-/// True if the state of `find` simulates the state of the entry.
+/// True if the state of the last call of `find` simulates the state of `entry`.
 bool Covering::is_above(const Entry& entry) const {
     for (std::size_t i = 0; i < values_.size(); ++i)
         if (stored_[entry.values + i] < values_[i]) return false;
@@ -70,7 +70,8 @@ bool Covering::is_above(const Entry& entry) const {
 }
 
 void Covering::add(std::uint32_t state) {
-    // Entries that the new state simulates are replaced, because it also simulates all states that they simulate.
+    // The new state replaces the entries that it simulates, because it also simulates all states that these entries
+    // simulate.
     std::uint32_t replaced = none;
     for (std::uint32_t* link = &lists_[key_]; *link != none;) {
         Entry& entry = entries_[*link];

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t first_slots = 32;
 constexpr std::uint32_t pairs_fetched_ahead = 32;  // number of slots whose pairs are prefetched
-// Minimum number of bits for the number of a pair in a slot. Therefore a print has at most 20 bits; other bits of the
-// hash select the slot.
+// Minimum number of bits of a slot that contain the number of a pair. Therefore a print has at most 20 bits; other bits
+// of the hash select the slot.
 constexpr unsigned least_number_bits = 12;
 
 // The topmost bits of a hash select the shard, the lowest bits are the print, and the bits between them select the slot
@@ -118,7 +118,7 @@ void Pairs::index(Word pair, std::uint32_t number) {
     put(shards_[shard_at(hash)], hash, number);
 }
 
-/// Packs the open chunk. Requires that it is full.
+/// Packs the open chunk. Requires that the open chunk is full.
 void Pairs::pack() {
     std::uint32_t lows = 0, highs = 0;
     for (std::size_t i = 0; i < chunk; ++i) {
@@ -140,8 +140,8 @@ void Pairs::pack() {
     chunk_bytes_ += bytes + sizeof(Chunk);
 }
 
-/// Rehashes the shard with this number of slots. The slots then have enough bits for the numbers of all pairs in the
-/// table and of further pairs: `more`, or half of the present number if that is greater.
+/// Rehashes the shard with `slots` slots. Each slot then has enough bits for the numbers of all pairs in the table and
+/// of further pairs: `more` pairs, or half of the present number of pairs if that is greater.
 void Pairs::rebuild(Shard& shard, std::size_t slots, std::size_t more) {
     Shard wider{std::vector<std::uint32_t>(slots), shard.used, 0};
     wider.number_bits =

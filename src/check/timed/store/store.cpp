@@ -21,9 +21,10 @@ Store::Store(const Layout& layout)
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) tables_.emplace_back(0);
 }
 
-/// Builds the subtree of the halves from `first` on. Returns the index of its root in Unfolded::numbers. The range is
-/// split in the middle or at the nearest subsystem boundary: the numbers of states of subsystems that share only time
-/// multiply, so that each subsystem should have a separate subtree.
+/// Builds the subtree of the 32-bit halves [first, end). Returns the index of the root of the subtree in
+/// Unfolded::numbers. The range is split at the subsystem boundary that is nearest to its middle, or in the middle if
+/// the range contains no boundary. The numbers of states of subsystems that share only time multiply; therefore each
+/// subsystem should have a separate subtree.
 std::uint32_t Store::grow(const std::vector<std::size_t>& seams, std::uint32_t first, std::uint32_t end) {
     if (end - first == 1) return first;
     const std::uint32_t middle = (first + end + 1) / 2;
@@ -51,8 +52,8 @@ void Store::take(const Word* words, Unfolded& now) const {
 }
 
 /// Assigns numbers to the inner nodes except the root with `number(node, pair)`, children first, and returns the root
-/// pair. The number of a node with the same children as in `before` is copied from `before`. The result is empty if a
-/// pair has no number.
+/// pair. If a node has the same children as in `before`, its number is copied from `before`. The result is empty if
+/// `number` returns `none` for some pair.
 template <class Number>
 std::optional<Word> Store::numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const {
     take(words, now);
