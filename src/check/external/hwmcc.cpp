@@ -18,8 +18,8 @@ std::string_view next_line(std::string_view& text) {
     return line;
 }
 
-/// Returns the bits of a line, or nullopt if the line contains other characters. An unspecified value, `x`, is read as
-/// 0.
+/// Returns the bits of a line, or nullopt if the line contains other characters. The character `x`, an unspecified
+/// value, is read as 0.
 std::optional<std::vector<bool>> bits_of(std::string_view line) {
     std::vector<bool> bits;
     for (const char c : line) {

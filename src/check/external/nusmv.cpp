@@ -18,8 +18,8 @@ constexpr std::string_view mark = "grafverif: ";
 /// Maximum number of values that are read from a trace; further states are ignored.
 constexpr std::size_t most_values = 50'000'000;
 
-/// Returns the sections of the output between adjacent markers. The part after the last marker is excluded, because it
-/// may be incomplete.
+/// Returns the sections of the output between adjacent markers, by the name in the first marker. The text after the
+/// last marker is excluded, because it may be incomplete.
 std::unordered_map<std::string, std::vector<std::string_view>> sections(std::string_view text) {
     std::unordered_map<std::string, std::vector<std::string_view>> found;
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
@@ -43,7 +43,7 @@ std::string_view trimmed_line(std::string_view& text) {
     return line;
 }
 
-/// Returns every result in a section.
+/// Returns the result of each specification in a section of the output: true or false.
 std::vector<bool> truths(std::string_view section) {
     std::vector<bool> found;
     while (!section.empty()) {
@@ -199,7 +199,8 @@ struct NusmvQuery {
     const Property& property;
 };
 
-/// Validates the result of the program, sets the verdict, and returns the run that shows it.
+/// Validates the result of the program, sets the verdict, and returns the counterexample or witness that the program
+/// printed, if there is one.
 std::optional<SystemRun> validated(Verdict& verdict, const NusmvOutput& answers, const std::string& name,
                                    const NusmvQuery& question, const ProgramResult& program_result) {
     const std::vector<bool> truths = answers.truths_of(name);

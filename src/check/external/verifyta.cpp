@@ -52,7 +52,7 @@ ExternalResult undecided(UnknownReason obstacle, std::string reason) {
     return {Outcome::Unknown, obstacle, std::move(reason)};
 }
 
-/// Returns the result for a program that did not run to completion.
+/// Returns the result for a program that did not run to completion, or nullopt for a program that exited.
 std::optional<ExternalResult> ended_early(const ProgramResult& result) {
     switch (result.end) {
     case ProgramResult::End::Exited: return {};
@@ -73,7 +73,7 @@ Verdict verdict_on(const Network& network, const ExternalQuery& question) {
     return verdict;
 }
 
-/// True for the query about races, which requires that the flag for races is never set.
+/// True for the query about action races, which states that the flag for races is never set.
 bool queries_race(const Network& network, const ExternalQuery& question) {
     const Property& property = network.properties[question.property];
     if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
@@ -82,7 +82,7 @@ bool queries_race(const Network& network, const ExternalQuery& question) {
 }
 
 Verdict unasked(Verdict verdict) {
-    set_unknown(verdict, UnknownReason::Stopped, "stopped before it was checked");
+    set_unknown(verdict, UnknownReason::Stopped, "stopped before the check of this property");
     return verdict;
 }
 
@@ -97,7 +97,7 @@ Verdict run_query(Verdict verdict, const ExternalQuery& question, const External
     return verdict;
 }
 
-/// Makes a verdict unknown if two stored actions of the model may race.
+/// Makes a decided verdict unknown, because stored actions of the model may race.
 void withdraw(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
     set_unknown(verdict, UnknownReason::Faulty, "stored actions can race; see `no_race`");

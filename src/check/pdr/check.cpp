@@ -64,7 +64,7 @@ private:
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
         const Circuit::Target* target = nullptr;  ///< null if the query requires no search
-        /// Number of states from the start of every run for which `bad` is proved to be false.
+        /// Number of states: `bad` is proved to be false in the first `cleared` states of every run.
         std::size_t cleared = 0;
         /// `has_value` is true if the operands are proved to have values in every reachable state.
         bool open = true, has_value = false;
@@ -104,9 +104,10 @@ private:
         return cause == Exhausted::Cause::Stopped ? UnknownReason::Stopped : UnknownReason::Memory;
     }
 
-    /// Searches for a state in which `bad` is true. The result, a trace or an invariant, is always validated, also for
-    /// queries about faults and quiescence, because the verdicts of properties depend on them. `interrupted` is an
-    /// interrupted search or empty. If the search is interrupted, it is stored in `*interrupted`.
+    /// Searches for a state in which `bad` is true. The result is a trace or an invariant and is always validated, also
+    /// for queries about faults and quiescence, because the verdicts of properties depend on these queries.
+    /// `interrupted` may be null. If `*interrupted` is an interrupted search, this search is continued. If the search
+    /// is interrupted, it is stored in `*interrupted`.
     PdrAnswer searched(Literal bad, const std::string& name, std::function<PdrAnswer()>* interrupted = nullptr) {
         const auto report_frames = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
@@ -127,7 +128,8 @@ private:
         return answer;
     }
 
-    /// True if `bad` is true in some state of the run. Removes the states after the first such state.
+    /// True if `bad` is true in some state of the run. Removes all states after the first such state, or all states if
+    /// there is none.
     bool reaches(Literal bad, std::vector<std::vector<bool>>& inputs) const {
         std::size_t states = 0, first = 0;
         run_through(circuit_, inputs, [&](const NodeValues& values) {
@@ -186,7 +188,8 @@ private:
     void disbelieve(const std::string& what) {
         if (!options_.reach) result_.failures.push_back(what);
         obstacle_ = options_.reach ? UnknownReason::Disagrees : UnknownReason::Failed;
-        reason_ = options_.reach ? std::string(word(UnknownReason::Disagrees)) + ": " + what : "this engine failed";
+        reason_ = options_.reach ? std::string(word(UnknownReason::Disagrees)) + ": " + what
+                                 : "the result of the engine is invalid";
     }
 
     void find_faults() {
@@ -235,8 +238,8 @@ private:
         return of == questions_.end() || of->open || of->verdict.outcome == Outcome::Holds;
     }
 
-    /// Decides the queries sequentially by PDR. The time of each query is its share of the remaining time, or `time` if
-    /// this is given. Undecided queries remain open.
+    /// Decides the queries sequentially by PDR. The time of each query is `time`, or the query's share of the remaining
+    /// time if `time` is nullopt. Undecided queries remain open if `time` is given.
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &PropertyQuery::is_open));
         for (PropertyQuery& question : questions_) {
@@ -269,8 +272,8 @@ private:
         }
     }
 
-    /// Alternates PDR and BMC. An interrupted PDR search discards its current obligation. Therefore the first round of
-    /// each query is longer if there are few queries.
+    /// Alternates PDR and BMC. An interrupted PDR search discards its obligations. Therefore the first round of each
+    /// query is longer if there are few queries.
     void interleaved_steps() {
         constexpr std::ptrdiff_t few = 8;
         const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &PropertyQuery::is_open));
@@ -278,7 +281,8 @@ private:
              time *= 4) {
             const auto start = Clock::now();
             by_pdr(time);
-            by_bmc(std::max<Clock::duration>(time, Clock::now() - start) / 3);  // PDR can also find a violation
+            // BMC gets a third of the time of PDR, because PDR also finds violations.
+            by_bmc(std::max<Clock::duration>(time, Clock::now() - start) / 3);
         }
     }
 
@@ -295,7 +299,7 @@ private:
             if (!options_.reach && !is_probe(property)) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
         }
-        // If this search is interrupted, the query remains open.
+        // If the search for a quiescent state is interrupted, the query remains open.
         if (!question.is_reachability() && property.at_stable) is_settled();
         close(question, question.is_reachability() ? Outcome::Violated : Outcome::Holds);
         question.verdict.notes.push_back("proved by an inductive invariant of " +
@@ -327,7 +331,8 @@ private:
         question.verdict.outcome = outcome;
     }
 
-    /// Validates the run in `answer` with the terms of the system.
+    /// Validates the run in `answer` by evaluating the terms of the system, and stores the run and the verdict in the
+    /// query.
     void reached(PropertyQuery& question, const PdrAnswer& answer) {
         if (const std::string why = doubt(system_, flat_, question.property, external_trace(answer)); !why.empty())
             throw UnsoundResult{"the trace for `" + question.property.name + "` is invalid: " + why};
@@ -340,7 +345,8 @@ private:
 
     // -- bounded model checking --------------------------------------------------------------------------------------
 
-    /// Searches for a shorter run, for at most `took` (the time of the search for this run) plus two seconds.
+    /// Searches for a run that is shorter than the run in `answer`. The time limit is `took`, the time of the search
+    /// for the run in `answer`, plus two seconds.
     void shorten(PropertyQuery& question, PdrAnswer& answer, Clock::duration took) {
         watch_.limit(took + std::chrono::seconds(2));
         try {
@@ -353,8 +359,8 @@ private:
         }
     }
 
-    /// Returns a run to a bad state that is one step longer than the runs searched so far, or nullopt if there is no
-    /// such run.
+    /// Searches for a run to a bad state among the runs that are one step longer than the runs searched so far. Returns
+    /// nullopt if there is no such run.
     std::optional<RunInputs> next_step(PropertyQuery& question) {
         if (!unrolling_) unrolling_.emplace(circuit_, watch_);
         std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
@@ -402,8 +408,8 @@ private:
         }
     }
 
-    /// Among the open queries whose operands are known to have values, returns the one for which the searched runs are
-    /// shortest; null if there is none.
+    /// Among the open queries whose operands are known to have values, returns the query with the smallest length of
+    /// searched runs; null if there is no such query.
     PropertyQuery* least_searched() {
         PropertyQuery* least = nullptr;
         for (PropertyQuery& question : questions_)
@@ -421,7 +427,7 @@ private:
                (steps == 1 ? " step" : " steps") + (question.is_reachability() ? " reaches it" : " violates it");
     }
 
-    /// True if some state is quiescent.
+    /// True if some reachable state is quiescent.
     bool is_settled() {
         if (!settled_) settled_ = searched(circuit_.settled, "settled").reached;
         return *settled_;
@@ -448,7 +454,7 @@ private:
     std::string reason_ = {};
     UnknownReason fault_obstacle_ = UnknownReason::None;  ///< reason why the search for faults ended
     std::string fault_reason_ = {};
-    std::optional<bool> settled_ = {};  ///< true if some state is quiescent; empty if unknown
+    std::optional<bool> settled_ = {};  ///< true if some reachable state is quiescent; empty if unknown
 };
 
 }  // namespace

@@ -39,13 +39,14 @@ void EqualLatches::split_by_runs() {
     }
 }
 
-/// Searches for a step that splits the classes, and splits them. Returns false if there is no such step.
+/// Searches for a step from a state in which the latches of each class are equal to a state in which two latches of a
+/// class differ. Splits the classes by the values in this state. Returns false if there is no such step.
 bool EqualLatches::split_by_solver() {
     if (!solver_) solver_.emplace(circuit_, watch_);
     Solver& solver = *solver_;
     const int equal = solver.fresh();
     std::vector<int> differ;
-    std::map<std::size_t, std::size_t> first;  // latch that represents each class
+    std::map<std::size_t, std::size_t> first;  // maps each class to the latch that represents it
     for (std::size_t k = 0; k < class_of_.size(); ++k) {
         const Circuit::Latch& latch = circuit_.latches[k];
         Circuit::Latch other;  // representative of class 0: the constant false

@@ -68,7 +68,7 @@ private:
         active_.push_back(solver_ ? solver_->fresh() : 0);
     }
 
-    /// Replaces the solver by a new one without unused clauses.
+    /// Replaces the solver by a new solver without unused clauses.
     void renew() {
         solver_.emplace(circuit_, watch_);
         for (int& each : active_) each = solver_->fresh();
@@ -86,13 +86,13 @@ private:
         ++live_;
     }
 
-    /// Returns the assumptions of frame i, which also exclude the cubes of later frames.
+    /// Returns the assumptions for the states of `frame`. The cubes of later frames are also excluded.
     std::vector<int> in_frame(std::size_t frame) const {
         return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
     }
 
-    /// True if a step leads from a state of the frame (if `from_outside` is true: from a state outside of `cube`) into
-    /// `cube`. Otherwise `core` contains the literals of the cube that the solver used.
+    /// True if a step leads into `cube` from a state of the frame (if `from_outside` is true, only from states outside
+    /// of `cube`). Otherwise `core` contains literals of the cube that suffice to exclude such a step.
     bool steps_into(const Cube& cube, std::size_t frame, bool from_outside, Cube& core) {
         std::vector<int> assumptions = in_frame(frame);
         const std::size_t first = assumptions.size();
@@ -126,7 +126,7 @@ private:
         core.insert(std::ranges::lower_bound(core, *found), *found);
     }
 
-    /// Returns the values of the solver's model that are sufficient to make `targets` true.
+    /// Returns values of latches and inputs in the solver's model that are sufficient to make `targets` true.
     Obligation found_for(const std::vector<Literal>& targets) {
         Justifier::Justification part =
             justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
@@ -153,8 +153,9 @@ private:
         return obligations_.size() - 1;
     }
 
-    /// Excludes the state from its frame, and all predecessors of the state from the previous frames. If this is
-    /// impossible, returns the obligation that contains the first state.
+    /// Excludes the state of the obligation `first` from its frame and from all later frames, and the predecessors of
+    /// the state from the previous frames. Returns `none`, or, if the exclusion is impossible, the index of the
+    /// obligation that contains the first state.
     std::size_t block(std::size_t first) {
         const auto later = [this](std::size_t a, std::size_t b) {
             const Obligation &one = obligations_[a], &other = obligations_[b];
@@ -228,9 +229,10 @@ private:
         }
     }
 
-    /// Returns true if no step leads from the frame into the cube, and removes literals that are not necessary for
-    /// this. A state with a step into the cube is first excluded if it has no predecessors in the previous frame. The
-    /// number of these attempts is limited (Hassan, Bradley and Somenzi 2013: "Better generalization in IC3").
+    /// True if no step leads from a state of the frame outside of `cube` into `cube`; then literals that are not
+    /// necessary to exclude such a step are removed from `cube`. A state with a step into `cube` is excluded first if
+    /// it has no predecessors in the previous frame. The number of these attempts is limited (Hassan, Bradley and
+    /// Somenzi 2013: "Better generalization in IC3").
     bool excludes(Cube& cube, std::size_t before, bool obstacles) {
         if (holds_first_state(cube)) return false;
         Cube core;
@@ -244,8 +246,9 @@ private:
         return true;
     }
 
-    /// Moves each cube to the next frame if it can also be excluded from that frame. Returns the first frame whose list
-    /// of cubes is then empty: this frame and the next frame are equal.
+    /// Moves each cube to the next frame if the cube can also be excluded from the next frame. Returns the first frame
+    /// whose list of cubes becomes empty, or nullopt if there is no such frame. A frame with an empty list and the next
+    /// frame exclude the same states.
     std::optional<std::size_t> propagated() {
         for (std::size_t frame = 1; frame < top(); ++frame) {
             const std::vector<Cube> cubes = frames_[frame];

@@ -9,7 +9,7 @@
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SANITIZED                                                  // sanitizers replace the memory allocator
-extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: its name
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: name of the sanitizer
 #endif
 
 namespace grafverif::pdr {
