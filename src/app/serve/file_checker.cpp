@@ -58,7 +58,7 @@ PropertyResult no_result(const Property& property) {
     PropertyResult answer{.text = property.text};
     answer.verdict.property = property.name;
     answer.verdict.expected_violated = property.expected_violated;
-    answer.verdict.reason = "it is omitted from this model";
+    answer.verdict.reason = "the property is omitted from this model";
     return answer;
 }
 
@@ -129,7 +129,7 @@ private:
         return !wake_.wait_for(hold, time, [this] { return over_.load(); });
     }
 
-    // Another thread reads the files and checks them until they change.
+    // Another thread reads the files and checks their models. If a file changes, the thread starts again.
 
     void work() {
         while (!over_) {
@@ -182,7 +182,7 @@ private:
         context.constants.insert(options_.constants.begin(), options_.constants.end());
         context.stop = &stale_;
         context.identity = [this](const std::string& included) {
-            watch_.note(included);  // includes missing files, which may appear later
+            watch_.note(included);  // also notes missing files, which may be created later
             return identity_of_existing(included);
         };
         reading.model = read_text(file, reading.sources, context, reading.diagnostics);

@@ -73,7 +73,8 @@ std::string_view text_of(boost::beast::string_view view) { return {view.data(), 
     throw std::system_error(error.value(), std::generic_category(), what);
 }
 
-/// Sets the headers of every response: no caching, no embedding, no type guessing, requests only to this server.
+/// Sets the headers of every response. They forbid caching, loading or embedding by other sites, guessing of media
+/// types, and sending the address of the page as a referrer.
 template <class Message>
 void set_headers(Message& message) {
     message.set(http::field::cache_control, "no-store");
@@ -83,9 +84,9 @@ void set_headers(Message& message) {
     message.set("Cross-Origin-Resource-Policy", "same-origin");
 }
 
-/// Threads for the handler: up to `answering_threads`, as many as the system permits. Throws if none can be started.
-/// asio::thread_pool is not suitable: its constructor waits forever if the first thread is started and another one is
-/// refused.
+/// Threads for the handler: at most `answering_threads`, and as many as the system permits. Throws if no thread can be
+/// started. asio::thread_pool is not suitable: its constructor waits forever if the system permits some threads but not
+/// all.
 class HandlerThreads {
 public:
     HandlerThreads() {
@@ -190,7 +191,7 @@ private:
                 Impl& server = self->server_;  // only the thread of the server releases connections
                 asio::post(server.context_, [self = std::move(self), notices, answer = std::move(answer)]() mutable {
                     if (answer) return self->answer(std::move(*answer));
-                    // If an event occurred during the call of the handler, the request may be waiting for it.
+                    // If an event occurred during the call of the handler, the request may be waiting for this event.
                     self->server_.notices_ == notices ? self->wait() : self->call_handler(false);
                 });
             });
@@ -272,7 +273,8 @@ private:
                               [self = shared_from_this()](beast::error_code, std::size_t) { self->linger(); });
         }
 
-        /// Reads and ignores remaining input for a short time: closing immediately would discard the response.
+        /// Reads and ignores remaining input of the client for a short time. Closing the connection immediately would
+        /// discard the response.
         void linger() {
             beast::error_code ignored;
             stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
@@ -304,8 +306,9 @@ private:
         bool watched_ = false, disconnected_ = false;
     };
 
-    /// Listens on both addresses at one port. If the system chooses the port and it is in use on one of them, another
-    /// port is tried.
+    /// Listens on the IPv4 loopback address and, if available, on the IPv6 loopback address, at the same port. If the
+    /// system chooses a port that is in use on the IPv6 address, returns without acceptors, so that the caller tries
+    /// another port.
     void listen(int tries) {
         std::vector<Tcp::acceptor> acceptors;
         acceptors.push_back(listening({asio::ip::address_v4::loopback(), options_.port}));
@@ -354,7 +357,8 @@ private:
                (port() == 80 && (host == "127.0.0.1" || host == "[::1]" || host == "localhost"));
     }
 
-    /// Returns the reason to reject `request` before its body is read; the status is 0 if it is accepted.
+    /// Returns the status and the reason for rejecting `request` before its body is read. The status is 0 if the
+    /// request is accepted.
     template <class Request>
     std::pair<unsigned, std::string> reason_to_reject(const Request& request) const {
         if (!is_own_address(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
@@ -388,7 +392,7 @@ private:
     HttpOptions options_;
     HttpHandler handler_;
     std::atomic<std::uint64_t> notices_ = 0;
-    // The following members belong to the thread that reads and writes.
+    // Only the thread that reads from and writes to the connections accesses the following members.
     std::list<Connection*> unidentified_ = {};  ///< connections whose token has not been read, oldest first
     std::size_t identified_ = 0;
     asio::io_context context_ = asio::io_context(1);

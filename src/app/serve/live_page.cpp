@@ -44,7 +44,8 @@ HttpAnswer file_named(std::string_view name) {
 
 constexpr std::uint64_t longest_report_ms = 120'000;
 
-/// Returns the version that the client has, from the query; 0 if it is not a number.
+/// Returns the version of the state that the client has, as given by `after` in the query; 0 if `after` is missing or
+/// is not a number.
 std::uint64_t known_version(const HttpRequest& request) {
     std::uint64_t version = 0;
     if (const auto after = request.query.find("after"); after != request.query.end())
@@ -81,7 +82,7 @@ private:
         return {};
     }
 
-    /// Performs a simulation. At most two run at a time, so that a thread remains for requests for the state.
+    /// Performs a simulation. At most two simulations run at a time, so that threads remain for other requests.
     std::optional<HttpAnswer> simulation(const HttpRequest& request, bool at_once) const {
         if (!simulating_.try_acquire()) {
             if (at_once) return HttpAnswer{503, "text/plain", "too many simulations are running; try again later\n"};

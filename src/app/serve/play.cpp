@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A request of a page.
+/// A simulation request, as sent by a page.
 struct PlayRequest {
     std::string loop = {}, chart = {};  ///< exactly one of `loop` and `chart` is not empty
     std::vector<std::string> moves = {};
@@ -66,7 +66,7 @@ std::string line_of(const Command& command, const Simulation& simulation) {
     return simulation.choices()[std::get<ChooseCommand>(command).number - 1].command;
 }
 
-/// Executes the moves sequentially and records the state after each.
+/// Executes the moves sequentially and records the state after each move.
 class MovePlayer {
 public:
     /// `writers` maps, for a loop, each shared variable to `environment` or `plant`.
@@ -128,7 +128,8 @@ private:
         return list;
     }
 
-    /// Returns the last rows, as many as a page shows, each with the move that caused it.
+    /// Returns the last rows of the run, at most as many as a page shows. Each row has the number of the move that
+    /// caused it.
     Json rows_json() const {
         const ChartRun& run = simulation_.recorded_run();
         Json list = Json::array();

@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The running child processes, in a form that a signal handler can read. If there are more child processes than
-/// elements, the others are not included.
+/// The running child processes, in a form that a signal handler can read. If more child processes run than the array
+/// has elements, the array contains only some of them.
 std::array<std::atomic<pid_t>, 64> running = {};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 
@@ -47,8 +47,8 @@ void unregister_child(pid_t pid) {
     }
 }
 
-/// Returns the parent of the process `pid`; 0 if unknown. The format of /proc/PID/stat is `PID (NAME) STATE PARENT
-/// ...`, where NAME is arbitrary.
+/// Returns the parent of the process `pid`, or 0 if it is unknown. The format of /proc/PID/stat is `PID (NAME) STATE
+/// PARENT ...`, where NAME is arbitrary.
 pid_t parent_of(std::string_view pid) {
     const Descriptor file(::open(("/proc/" + std::string(pid) + "/stat").c_str(), O_RDONLY | O_CLOEXEC));
     std::string line(1024, '\0');
@@ -81,7 +81,8 @@ void reap(pid_t pid) {
     }
 }
 
-/// State that all running children share: this process is their subreaper.
+/// State that all running children share. While a child runs, this process is a subreaper: it adopts the descendants of
+/// its children when their parents end.
 class ChildRegistry {
 public:
     void begin() {
@@ -100,8 +101,8 @@ public:
     }
 
 private:
-    /// Ends adopted processes. When a child ends, this process adopts its children, and the next iteration finds them.
-    /// Ignores processes that this process has no permission to end.
+    /// Ends adopted processes. When an adopted process ends, this process adopts its children, and the next iteration
+    /// ends these children. Ignores processes that this process has no permission to end.
     void end_adopted() {
         constexpr int most_rounds = 1000;
         for (int round = 0; round < most_rounds; ++round) {
@@ -182,8 +183,8 @@ void Child::send(int signal) const {
     if (!over_) ::kill(-pid_, signal);
 }
 
-/// Kills the child and reaps it. Its process id is not reused before it is reaped, and no signal is sent to the id
-/// afterwards.
+/// Kills the child and reaps it. The system does not reuse the process id before the child is reaped, and no signal is
+/// sent to this id afterwards.
 void Child::end() {
     if (over_) return;
     const SignalBlocker whole;  // an interruption in this section would leave processes running

@@ -17,19 +17,21 @@ constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler accesses only the following objects.
 std::atomic<bool> interrupted = false;
-std::atomic<int> listeners = 0;       ///< number of Interrupt objects
-std::atomic<int> guards = 0;          ///< number of SignalBlocker objects
-std::atomic<int> pending_signal = 0;  ///< the pending signal, which is raised after the last SignalBlocker
-std::array<struct sigaction, signals.size()> before = {};  ///< written only while this handler is not installed
+std::atomic<int> listeners = 0;  ///< number of Interrupt objects
+std::atomic<int> guards = 0;     ///< number of SignalBlocker objects
+std::atomic<int> pending_signal =
+    0;  ///< signal to raise when the last SignalBlocker is destroyed; 0 if none is pending
+std::array<struct sigaction, signals.size()> before = {};  ///< written only while note_signal is not installed
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-/// Mutex that serializes constructors and destructors. Signal handlers do not lock it.
+/// Mutex that serializes the constructors and destructors of Interrupt and SignalBlocker. Signal handlers do not lock
+/// it.
 std::mutex& door() {
     static std::mutex mutex;
     return mutex;
 }
 
-/// Raises the signal with its original disposition.
+/// Kills all children, restores the original disposition of the signal, and raises the signal.
 void execute(int signal) {
     kill_children_at_once();
     for (std::size_t k = 0; k < signals.size(); ++k)

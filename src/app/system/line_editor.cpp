@@ -68,7 +68,7 @@ struct LineEditor::Parts {
         return CC_REDISPLAY;
     }
 
-    /// Handles Tab: inserts the common prefix of the candidates. If it adds nothing, the candidates are listed.
+    /// Handles Tab: inserts the common prefix of the candidates. If the prefix adds no character, lists the candidates.
     static unsigned char tab(EditLine* editor, int) {
         const Parts& parts = of(editor);
         const LineInfo* const info = el_line(editor);
@@ -112,7 +112,7 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     el_set(editor, EL_BIND, "^I", "grafverif-complete", nullptr);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(editor, nullptr);
-    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);  // while a line is edited, its keys do not raise signals
+    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);  // while a line is edited, Ctrl-C and Ctrl-Z raise no signals
     el_set(editor, EL_BIND, "^C", "grafverif-give-up", nullptr);
     el_set(editor, EL_BIND, "^Z", "grafverif-stop", nullptr);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads and writes all three pipes as they become ready, so that a program that writes before it reads, or never reads,
-// does not block the caller. Output is kept up to a limit; for standard error, the end is kept.
+// does not block the caller. Standard output of the program is stored up to a limit; of its standard error, only the
+// end is stored.
 #include "app/system/line_process.hpp"
 
 #include <fmt/format.h>
@@ -70,7 +71,7 @@ Reply LineProcess::request(const std::string& line) {
 
 Reply LineProcess::result_for(const std::string& line) {
     receive();
-    if (const std::size_t end = received_.find('\n'); end != std::string::npos)  // an unsolicited line
+    if (const std::size_t end = received_.find('\n'); end != std::string::npos)  // a line without a request
         return {Reply::Kind::Flood, received_.substr(0, end)};
     send(line);
     const Steady::time_point deadline = Steady::now() + limits_.response_timeout;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replaces `popen`, with which the solver library reads compressed files (linker option `--wrap`). Therefore the
-// program starts a shell only for a command that the user gives.
+// Replaces `popen`, which starts a shell, by means of the linker option `--wrap`. The solver library uses `popen` to
+// read compressed files. With the replacement, a shell is started only for a command that the user gives.
 #include <cstdio>
 
 extern "C" FILE* __wrap_popen(const char* command, const char* mode);

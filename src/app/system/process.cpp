@@ -144,7 +144,7 @@ Descriptor locked_folder(const fs::path& path) {
     return folder.open() && ::flock(folder.number(), LOCK_EX | LOCK_NB) == 0 ? std::move(folder) : Descriptor();
 }
 
-/// Removes the folders of killed runs of the same user in `where`.
+/// Removes the temporary folders in `where` that killed runs of this user have left.
 void remove_stale_folders(const fs::path& where) {
     std::error_code failure;
     for (auto entry = fs::directory_iterator(where, failure); !failure && entry != fs::directory_iterator();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The watchdog's thread allocates no memory and acquires only its lock, because the run may hold any other lock, and
-// memory may be exhausted.
+// The thread of the watchdog allocates no memory, because memory may be exhausted. It acquires only the lock of the
+// watchdog, because the run may hold any other lock.
 #include "app/system/watchdog.hpp"
 
 #include <fcntl.h>
@@ -129,7 +129,7 @@ void no_memory() {
 }
 
 /// Reserves memory, but does not touch it: the limits count the memory that a process requests, and touching 3 MiB
-/// takes half of the processor time of a start. Returns false if the system refuses the memory.
+/// takes half of the processor time in which the program starts. Returns false if the system refuses the memory.
 bool keep(std::atomic<void*>& kept, std::size_t size) {
     if (kept != nullptr) return true;
     is_reserving = true;
@@ -164,7 +164,8 @@ bool keep(std::atomic<void*>& kept, std::size_t size) {
     page[1] = page[0];  // after the call, to prevent a tail call, which would use the same frame
 }
 
-/// Allocates stack memory now, if that may fail later: if a stack cannot grow, a signal is raised.
+/// Allocates stack memory now if the address space is limited. Otherwise, a signal would end the program if the stack
+/// cannot grow later.
 void grow_stack() {
     rlimit addresses = {}, stack = {};
     if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;
@@ -227,7 +228,7 @@ Watchdog::Watchdog(WatchdogOptions orders) : orders_(std::move(orders)) {
 
 Watchdog::~Watchdog() {
     {
-        const std::lock_guard lock(mutex_);  // if the watchdog is ending the run, this waits until it has ended
+        const std::lock_guard lock(mutex_);  // if the watchdog is ending the run, waits until the run has ended
         done_ = true;
     }
     over_.notify_one();
@@ -248,9 +249,9 @@ void Watchdog::watch() {
 const std::string* Watchdog::reason() {
     const Steady::time_point now = Steady::now();
     if (!interrupted_ && interrupt_.requested()) interrupted_ = now;
-    // Results may be printed after the time limit. This additional time is measured in processor time, so that neither
-    // a slow reader nor a loaded computer truncates the results. After Ctrl-C, reader_timeout is the limit for a reader
-    // that does not read at all.
+    // Results may be printed after the time limit. The additional time for printing is measured in processor time, so
+    // that neither a slow reader nor a loaded computer truncates the results. After Ctrl-C, reader_timeout limits the
+    // time for a reader that does not read at all.
     const std::chrono::nanoseconds used(reporting_start == 0 ? 0 : processor_time() - reporting_cpu);
     const Steady::time_point start(Steady::duration(reporting_start.load()));
     const auto waited = interrupted_ ? now - std::max(*interrupted_, start) : Steady::duration(0);

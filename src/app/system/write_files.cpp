@@ -100,7 +100,7 @@ void remove_litter(const Folder& folder) {
     }
 }
 
-/// Waits for the lock on the folder. While it is held, no other run uses drafts in the folder.
+/// Waits for the lock on the folder. While this process holds the lock, no other run uses drafts in the folder.
 void lock(const Folder& folder) {
     constexpr std::chrono::seconds longest_wait{60};
     constexpr std::chrono::milliseconds nap{3};
@@ -116,7 +116,7 @@ void lock(const Folder& folder) {
 
 // -- a set of files --------------------------------------------------------------------------------------------------
 
-/// Returns `path` with the symbolic links in its last part resolved, even if the target does not exist.
+/// Returns `path` with symbolic links resolved in its last component, even if the target does not exist.
 fs::path followed(const fs::path& path) {
     fs::path place = path;
     for (int links = 0; links < 40; ++links) {
@@ -128,7 +128,7 @@ fs::path followed(const fs::path& path) {
     cannot_write(path, ELOOP);
 }
 
-/// A set of files to write. If any part fails, all changes are undone.
+/// A set of files to write. If one file cannot be written, the changes of all files are undone.
 class FileSet {
 public:
     FileSet() = default;
@@ -162,7 +162,7 @@ public:
     void write() {
         try {
             for (One& one : files_) draft(one);
-            // A single file also needs a backup, because the folders are flushed after it is renamed.
+            // A single file also needs a backup, because flushing its folder can fail after the file is renamed.
             for (One& one : files_) back_up(one);
             for (One& one : files_) rename(one);
             for (const Folder& folder : folders_) flush(folder.open, folder.path);
@@ -200,7 +200,7 @@ private:
         return &folders_.emplace_back(std::move(found));
     }
 
-    /// Creates a file in the folder of `one`. Stores its name in `name` as soon as it exists.
+    /// Creates a file in the folder of `one`. Stores the name of the file in `name` as soon as the file exists.
     static Descriptor created(const One& one, mode_t mode, std::string& name) {
         constexpr int attempts = 8;
         for (int k = 0; k < attempts; ++k) {
@@ -213,7 +213,7 @@ private:
         cannot_write(one.file->path);
     }
 
-    /// Determines the status of the existing file. Returns false if there is none.
+    /// Stores the status of the existing file in `status`. Returns false if the file does not exist.
     static bool is_there(const One& one, struct stat& status) {
         if (::fstatat(one.folder->open.number(), one.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) return true;
         if (errno != ENOENT) cannot_write(one.file->path);
@@ -228,7 +228,7 @@ private:
             cannot_write(one.file->path);
         const Descriptor file = created(one, replaces ? S_IRUSR | S_IWUSR : 0666, one.draft);
         if (replaces) {
-            // Only a process of root may change the owner; for others, the call has no effect.
+            // Only a process of root may change the owner. For other users, the call may fail; the failure is ignored.
             [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);
             if (::fchmod(file.number(), old.st_mode & 0777U) != 0) cannot_write(one.file->path);
         }

@@ -54,8 +54,9 @@ std::string permissiveness_text(const Supervised& found) {
         return "The conditions are least restrictive: they forbid a move only in states in which it must be forbidden.";
     case Supervisor::Permissiveness::Several:
         return fmt::format(
-            "The conditions are maximal but not unique: other valid conditions allow {} more often and something else "
-            "less often.",
+            "The conditions are maximal but not unique: other valid conditions allow {} more often and other moves "
+            "less "
+            "often.",
             listed(found.traded));
     case Supervisor::Permissiveness::Cautious: break;
     }
