@@ -21,7 +21,8 @@ void ChartAnalyzer::instability() {
     if (question == nullptr || is_uncertain(question)) return;
     const Bdd transient = machine_.transient(search_.fresh()), followed = machine_.followed(transient);
     Bdd endless = search_.endless(followed);
-    // The instability may end when a counter reaches the end of its range.
+    // If there is no instability at points with exact counters, the points at which a counter exceeds its represented
+    // values are included. An instability found there may end when the counter reaches the end of its range.
     const bool counting = endless.is_false() && !(followed == transient);
     if (counting) endless = search_.endless(transient);
     if (endless.is_false()) return;
@@ -113,8 +114,8 @@ void ChartAnalyzer::dead_values() {
     }
 }
 
-/// Searches for a stored value that is overwritten in the same instant. The successors of a point within its instant
-/// were found at the same time or earlier.
+/// Searches for a stored value that is overwritten in the same instant. When a new point is examined, all of its
+/// successors within its instant have already been found.
 void ChartAnalyzer::dead_value(const Equations::Stored& stored, bool value) {
     Query* const question = questions_.open("action-conflict", 2 * stored.variable.index + (value ? 1 : 0));
     if (question == nullptr || is_uncertain(question)) return;

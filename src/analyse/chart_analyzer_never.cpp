@@ -178,7 +178,7 @@ void ChartAnalyzer::dead_transition(Transition id) {
     questions_.decide("transition-never-fired", id.index);
 }
 
-/// Reports transitions that are always cleared immediately, but only if some run clears them.
+/// Reports transitions that are always cleared as soon as they are enabled, provided that some run clears them.
 void ChartAnalyzer::immediate_transitions() {
     for (const Transition id : chart_.transitions.ids()) {
         if (!unseen("transition-always-fired", id.index)) continue;

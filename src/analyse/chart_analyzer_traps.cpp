@@ -127,8 +127,8 @@ void ChartAnalyzer::report_never_again(const std::vector<Passing>& dead, const T
     if (!left.empty()) report_once(left, terminal);
 }
 
-/// Reports the elements that are dead in the trap `within`, in groups. All elements of a group are dead at the point
-/// that is reported for the group.
+/// Reports, in groups, the elements that are dead in a trap. The reported points are in `within`, from which the trap
+/// is reachable. All elements of a group are dead at the point that is reported for the group.
 void ChartAnalyzer::report_trap(const std::vector<const Passing*>& dead, const Bdd& within,
                                 const TerminalRegions& terminal, std::set<const Passing*>& reported) {
     std::vector<const Passing*> left = dead;

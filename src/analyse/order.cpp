@@ -102,8 +102,8 @@ private:
     std::vector<std::uint32_t> pending_ = {};
 };
 
-/// Shortens the distances in `order` (FORCE). Each variable, together with all variables that its next value reads, is
-/// a hyperedge.
+/// Shortens the distances between related variables in `order` (heuristic FORCE). Each variable, together with all
+/// variables that its next value reads, is a hyperedge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
     // Maximum number of variables for which the order is improved. For more variables, this computation would take
     // longer than a search.

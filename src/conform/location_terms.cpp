@@ -91,8 +91,8 @@ LocationValue LocationTerms::fixed(Id<Expr> term, const Values& at) const {
     return {number.value_or(0), !number, {}};
 }
 
-/// Returns the value of a Mixed And or Or. The operands that are combined in `inputs` are always defined; therefore,
-/// their position among the other operands is irrelevant.
+/// Returns the value of an And or Or of kind Mixed. The operands that are combined in `Split::inputs` are always
+/// defined; therefore, their position among the other operands is irrelevant.
 LocationValue LocationTerms::joined(Id<Expr> term, const Values& at) {
     const bool decides = equations_.exprs[term].op == Op::Or;
     const Split& parts = *split(term);

@@ -127,7 +127,7 @@ private:
         return place;
     }
 
-    /// Returns the outputs of the timers in `place` as a cube. All outputs are false before the first cycle.
+    /// Returns the outputs of the timers in `place` as a cube. All outputs of timers are false before the first cycle.
     Bdd timer_ends(const Place& place) const {
         std::vector<BddLiteral> literals;
         for (const Timer& timer : timers_) {

@@ -20,7 +20,7 @@ public:
     Writer(const MealyMachine& machine, const TestOptions& options)
         : machine_(machine), options_(options), space_(named(machine.inputs), {}), sets_(machine.exprs, space_) {
         space_.assume(sets_(machine.assumed));
-        std::uint32_t stride = 1;  // used only by TestCover::Transitions, which limits the number of combinations
+        std::uint32_t stride = 1;  // used only for TestCover::Transitions, whose number of combinations is limited
         weights_.resize(space_.space().variables());
         for (std::size_t input = machine.inputs.size(); input-- > 0;) {
             strides_.push_back(stride);

@@ -26,7 +26,7 @@ bool is_free(const Network& network, const Move& move) {
 /// Re-executes a run, move by move.
 class Remake {
 public:
-    /// `timed` is the network with clocks; it determines which moves are free.
+    /// `timed` is the network with clocks, which determines the moves that are free.
     Remake(const Network& network, const Network& timed, std::size_t& effort)
         : network_(network), timed_(timed), effort_(effort), state_(initial_state(network)) {}
 

@@ -162,7 +162,7 @@ private:
         return true;
     }
 
-    /// Determines the role of the variable in the controllers. Returns true if it has a role.
+    /// Determines the role of the variable in the controllers. Returns true if the variable has a role.
     bool determine_role(Free& free) const {
         for (const System::Controller& controller : system_.controllers) {
             for (const System::Named& input : controller.words.inputs)

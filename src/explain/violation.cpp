@@ -72,7 +72,7 @@ private:
     }
     std::string when(std::size_t entry) const { return " at " + text_of(time(entry)); }
     std::string deadline(std::size_t from) const { return text_of(time(from) + sentence_.duration_ms); }
-    /// Returns the operand of the scope with this number.
+    /// Returns operand `number` of the scope.
     const std::string& bound(std::size_t number) const {
         const bool binary = sentence_.kind == Kind::Response || sentence_.kind == Kind::Precedence;
         return terms_[(binary ? 2 : 1) + number];
