@@ -183,7 +183,8 @@ class Verdict:
         self.reason: str | None = document["reason"]  #: the reason for an unknown verdict; otherwise None
         self.vacuous: bool = document["vacuous"]
         self.notes: list[str] = document["notes"]
-        #: declaration of the property, or of the loop if the property is not declared; line and column from 1, in bytes
+        #: position of the declaration of the property, or of the loop if the property is not declared; line and column
+        #: start at 1, and columns count bytes
         self.file: str | None = document["file"]
         self.line: int | None = document["line"]
         self.column: int | None = document["column"]
@@ -282,7 +283,7 @@ class Report(_Tabular):
 
 @dataclass(frozen=True)
 class Finding:
-    """A finding about a chart; `document` has its trace."""
+    """A finding about a chart. `document` is the finding in JSON form, with its trace."""
 
     code: str
     level: str
@@ -339,7 +340,7 @@ class _Machine:
 
 
 class Automaton(_Machine, _Tabular):
-    """The location automaton of a chart: the behaviour of a controller that executes it, cycle by cycle."""
+    """The location automaton of a chart: the behaviour of a controller that executes the chart, cycle by cycle."""
 
     @property
     def locations(self) -> list[dict[str, Any]]:
