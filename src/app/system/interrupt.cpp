@@ -17,10 +17,9 @@ constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler accesses only the following objects.
 std::atomic<bool> interrupted = false;
-std::atomic<int> listeners = 0;  ///< number of Interrupt objects
-std::atomic<int> guards = 0;     ///< number of SignalBlocker objects
-std::atomic<int> pending_signal =
-    0;  ///< signal to raise when the last SignalBlocker is destroyed; 0 if none is pending
+std::atomic<int> listeners = 0;       ///< number of Interrupt objects
+std::atomic<int> guards = 0;          ///< number of SignalBlocker objects
+std::atomic<int> pending_signal = 0;  ///< signal to raise after the last SignalBlocker has ended; 0: no signal
 std::array<struct sigaction, signals.size()> before = {};  ///< written only while note_signal is not installed
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
