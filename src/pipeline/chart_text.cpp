@@ -18,10 +18,10 @@ namespace {
 
 struct WrittenStep {
     Span where = {};
-    std::uint32_t name = 0;  ///< offset of its name, as in Chart::Step::origin
+    std::uint32_t name = 0;  ///< offset of the name of the step, as in Chart::Step::origin
 };
 
-/// The source text of expressions, indexed by the start of their element.
+/// The source texts of expressions. The key of a text is the offset at which the element with the expression starts.
 struct SourceTexts {
     std::map<std::uint32_t, std::string> conditions = {}, values = {}, events = {};
     std::vector<WrittenStep> steps = {};
@@ -67,7 +67,7 @@ private:
     SourceTexts& written_;
 };
 
-/// Returns the text of `// text`, `/* text */` or `(* text *)`.
+/// Returns the text of a comment without the markers `//`, `/* */` or `(* *)`.
 std::string words_of(std::string_view comment) {
     for (const std::string_view begin : {"//", "/*", "(*"})
         if (comment.starts_with(begin)) comment.remove_prefix(2);
@@ -78,7 +78,8 @@ std::string words_of(std::string_view comment) {
     return std::string(comment);
 }
 
-/// Returns the comments at the end of the first or last line of each step, indexed by the start of the step's name.
+/// Returns, for each step, the comment at the end of the first or last line of the step. The key is the offset of the
+/// step's name.
 std::map<std::uint32_t, std::string> comments_of(const tree::File& file, std::string_view text,
                                                  std::vector<WrittenStep> steps) {
     const auto begin = [](const WrittenStep& step) { return step.where.begin; };
@@ -108,7 +109,7 @@ std::vector<std::string> texts_of(const Elements& elements, const std::map<std::
     return texts;
 }
 
-/// Returns the conditions of the Sequential Function Charts of a program.
+/// Returns the transition conditions of the Sequential Function Charts of a program.
 ChartText text_of_program(const Chart& drawn) {
     const Program& program = *drawn.program;
     const ProgramLayout layout = layout_of(program);
@@ -123,7 +124,7 @@ ChartText text_of_program(const Chart& drawn) {
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];
     if (!sources.contains(chart.origin.source)) return {};
-    Sources copy;  // a copy, because `read_any` may modify a source
+    Sources copy;  // `read_any` may modify a source, so it receives a copy
     Diagnostics known;
     const Id<Source> source = copy.add(sources[chart.origin.source]);
     const tree::File file = read_any(source, copy, {true}, known);

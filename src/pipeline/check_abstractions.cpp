@@ -18,8 +18,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the time at which the abstractions must end: after a third of the remaining time, and at most 20 s. The
-/// remaining time is for other engines.
+/// Returns the time at which localization and input abstraction must end: after a third of the time until the deadline,
+/// and after at most 20 s. The other engines use the time after that.
 std::chrono::steady_clock::time_point end_of_abstractions(
     std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
@@ -27,8 +27,8 @@ std::chrono::steady_clock::time_point end_of_abstractions(
     return deadline ? std::min(now + most, now + (*deadline - now) / 3) : now + most;
 }
 
-/// Decides properties that `result` leaves open by input abstraction. Runs of abstractions are not followed far,
-/// because only verdicts without runs are used.
+/// Uses input abstraction to decide properties that are undecided in `result`. The search follows runs of an
+/// abstraction for only 1000 states, because only verdicts that need no run are used.
 void decide_by_inputs(const Network& network, const TimedOptions& options, TimedResult& result) {
     constexpr std::size_t followed = 1000;
     const Observe nothing = std::identity{};
@@ -73,10 +73,11 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
         timed.properties.push_back(property.name);
     }
     if (requested.empty()) return {};
-    // A declared `no timelock` would be decided in each search, although its verdict is not used.
+    // Removes all other properties: each search would decide a declared `no timelock`, although its verdict is not
+    // used.
     for (const Property& property : std::exchange(network.properties, {}))
         if (requested.contains(property.name)) network.properties.add(property);
-    // A short search, because other engines search the complete network.
+    // Searches the complete network only briefly, because other engines search it completely.
     const auto first_look = [&](const Network& whole, TimedOptions look) {
         look.max_states = std::min(look.max_states, limits.whole);
         return check_timed_by_parts(whole, look);
@@ -97,7 +98,8 @@ std::vector<Verdict> decided_by_abstractions(const SystemToCheck& check, const C
         verdict.seconds = found.seconds;
         verdict.scope = std::move(found.scope);
         verdict.abstraction = std::move(found.abstraction);
-        verdict.notes.emplace_back(verdict.abstraction ? "decided by input abstraction" : "decided by cells");
+        verdict.notes.emplace_back(verdict.abstraction ? "decided by input abstraction"
+                                                       : "decided by localization (cells)");
     }
     return decided;
 }

@@ -32,7 +32,7 @@ std::string words_of(const SymbolicProgress& now) {
 
 namespace {
 
-/// Converts `result` to a report. If no property was selected, the report is empty.
+/// Converts the result of PDR or BMC to a report. If `result` is empty, the report contains no verdicts.
 Report reported(PdrResult result, const SystemToCheck& check, SystemReporter::Of of, const std::string& engine,
                 const CheckOptions& options) {
     SystemReporter reporter(check, of, engine, options, result.verdicts);

@@ -35,8 +35,8 @@ namespace grafverif {
 
 namespace {
 
-/// Performs all steps of several searches. Returns, for each search, the number of states that all other searches
-/// explored before its last step. The first search concerns the loop without observers.
+/// Executes all steps of several searches; the first search explores the loop without observers. Returns, for each
+/// search, the number of states that all other searches had explored when the last step of this search began.
 std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits& limits) {
     const Deadline& deadline = limits.deadline;
     std::vector<std::uint64_t> earlier(searches.size(), 0);
@@ -63,8 +63,8 @@ std::vector<std::uint64_t> run(std::deque<StagedSearch*> searches, const Limits&
             return !again;
         });
     };
-    // A search can use the time that earlier searches did not use. Therefore the search with the most properties is the
-    // last one.
+    // A search can use the time that earlier searches did not use. Therefore the search of the loop without observers,
+    // which usually decides the most properties, runs last.
     std::ranges::reverse(open);
     for (const std::uint64_t states : search_rounds) refine(states);
     while (!open.empty() && !is_over(abstract, limits.stop)) refine(std::ranges::max(search_rounds));
@@ -83,11 +83,11 @@ TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
     return search.result();
 }
 
-/// Converts the results of the engine to a report. If a run does not replay, adds an internal failure instead of the
-/// run.
+/// Converts the results of the engine to a report. If the replay of a run fails, the report contains an internal
+/// failure instead of this run.
 class Reporter {
 public:
-    /// If `explains` is true, also searches for the causes of violations and of unreachable steps.
+    /// If `explains` is true, the report also contains the causes of violations and the causes of unreachable steps.
     Reporter(const LoopToCheck& loop, const CheckOptions& options, bool explains = true)
         : explains_(explains),
           loop_(loop),
@@ -126,8 +126,8 @@ public:
     }
 
 private:
-    /// Returns a function that decides properties of a similar network. The result is empty if such a check may take
-    /// long.
+    /// Returns a function that decides properties of a network that is similar to the checked one. The result is empty
+    /// if the checked network has so many states that such a check may take long.
     PropertyChecker again(const TimedResult& result, const Limits& limits) const {
         if (result.states >= many_states) return {};
         return [this, limits](const Network& network, std::vector<std::string> names) {
@@ -139,7 +139,7 @@ private:
         };
     }
 
-    /// True if the network contains an observer. The property of an observer is not a property of the loop.
+    /// True if the network contains an observer. The properties of such a network are not those of the closed loop.
     bool is_watched() const {
         return std::ranges::find(network_.processes, Network::ProcessKind::Observer, &Network::Process::kind) !=
                network_.processes.end();
@@ -184,7 +184,7 @@ LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network
 
 namespace {
 
-/// The check of a property that has an observer. The network contains the loop and only this observer.
+/// Checks a property that has an observer. The checked network consists of the closed loop and this observer.
 class WatchedCheck {
 public:
     WatchedCheck(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options)
@@ -231,7 +231,7 @@ private:
     StagedSearch search_;
 };
 
-/// Adds the results of another search. `earlier` is the number of states that previous searches explored.
+/// Adds the results `found` of a search to `report`. `earlier` is the number of states that previous searches explored.
 void take(Report&& found, std::uint64_t earlier, Report& report) {
     for (PropertyResult& answer : found.answers)
         report_earlier(answer.verdict, "searches for other properties", earlier);
@@ -243,7 +243,7 @@ void take(Report&& found, std::uint64_t earlier, Report& report) {
             report.error_traces.push_back(std::move(breakdown));
 }
 
-/// Sorts the results in the order of the loop's properties. Results for other properties follow.
+/// Sorts the results in the order of the properties of the closed loop. Results for undeclared properties come last.
 void put_in_order(const Network& network, std::vector<PropertyResult>& answers) {
     for (PropertyResult& answer : answers) {
         if (!answer.verdict.declared || !answer.verdict.about.valid()) continue;
@@ -270,8 +270,8 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    // If all requested properties have observers, a timelock is reported only as a note. A note does not justify a
-    // search of the complete loop.
+    // If all requested properties have observers, a timelock only causes a note. Therefore the number of states for the
+    // check of `no timelock` is limited.
     if (only_watched) {
         rest.properties = {"no_timelock"};
         rest.limits.states =

@@ -33,7 +33,7 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
 
 namespace {
 
-/// True if the property is selected; `S` also selects `S.X7`.
+/// True if `requested` selects the property. The name `S` also selects `S.X7`.
 bool is_requested(std::string_view property, const std::vector<std::string>& requested) {
     return std::ranges::any_of(requested, [&](const std::string& name) {
         return property == name || (property.starts_with(name) && property.substr(name.size()).starts_with('.'));
@@ -55,7 +55,7 @@ std::vector<std::string> property_names(const Network& network) {
     std::vector<std::string> names;
     for (const Property& property : network.properties) names.push_back(property.name);
     if (std::ranges::find(network.properties, Pattern::NoTimelock, &Property::pattern) == network.properties.end())
-        names.emplace_back("no_timelock");  // this property is always decided
+        names.emplace_back("no_timelock");  // every check decides this property
     return names;
 }
 
@@ -170,8 +170,8 @@ void query_steps(TransitionSystem& system) {
 
 namespace {
 
-/// Name of an implicit property of a chart under stability search: for all inputs, the situation becomes stable.
-/// `analyse` decides it (code `total-instability`).
+/// Name of an implicit property of a chart under stability search: for all inputs, the situation becomes stable. The
+/// search of `analyse` for findings with the code `total-instability` decides this property.
 constexpr const char* stabilises = "stabilises";
 
 void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {

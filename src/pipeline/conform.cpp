@@ -53,7 +53,7 @@ std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> char
 
 namespace {
 
-/// Returns the machine, minimized if `how` requests it.
+/// Returns the Mealy machine of the automaton. The machine is minimized if `how` requests this.
 std::optional<MealyMachine> mealy_of(const LocationAutomaton& automaton, Span chart, const ConformOptions& how,
                                      Diagnostics& diagnostics) {
     MealyOptions options;

@@ -26,7 +26,7 @@ namespace grafverif {
 
 namespace {
 
-/// Checks again, with `at stable`, each property that is violated at power-on, and reports whether it then holds.
+/// Checks each property that is violated at power-on again with `at stable`, and adds a note that states the result.
 void explain_power_on(const Network& network, const std::vector<Violation>& violations, const PropertyChecker& search,
                       Report& report) {
     Network settled = network;
@@ -49,8 +49,8 @@ void explain_power_on(const Network& network, const std::vector<Violation>& viol
 }
 
 std::string gave_up(std::size_t count, std::string_view what, std::size_t tried) {
-    return fmt::format("no minimal set among the {} {} of the counterexample was found after {} attempts", count, what,
-                       tried);
+    return fmt::format("among the {} {} of the counterexample, no minimal set of causes was found in {} attempts",
+                       count, what, tried);
 }
 
 /// Returns a function that returns true if a search must stop. `limits` must outlive it.
@@ -65,7 +65,8 @@ StopRequested stopped_by(const Limits& limits) {
 /// system, or evolutions of a chart.
 constexpr std::size_t most_moves = 5000, most_steps = 20'000;
 
-/// Marks the values that cause the failure, and searches for moves without which the property holds.
+/// Marks the values that cause the violation, and searches for a smallest set of moves without which the property
+/// holds.
 void explain_run(const Network& network, const Run& run, const Limits& limits, PropertyResult& answer) {
     if (!answer.verdict.about.valid() || !answer.trace) return;
     const Property& property = network.properties[answer.verdict.about];
@@ -80,7 +81,7 @@ void explain_run(const Network& network, const Run& run, const Limits& limits, P
         answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
-/// Explains a violated `no timelock`: the reason why time cannot pass at the end of `run`.
+/// Explains a violated `no timelock`: adds notes that state why time cannot pass at the end of `run`.
 void explain_standstill(const Network& network, const Run& run, PropertyResult& answer) {
     const Standstill found = standstill(network, run);
     const std::string unsettled = unstable_text(*answer.trace);
@@ -90,7 +91,7 @@ void explain_standstill(const Network& network, const Run& run, PropertyResult& 
         answer.verdict.notes.push_back(std::move(words));
 }
 
-/// Explains a run of a model without a plant. Its inputs are free.
+/// Explains a violation in a model without a plant, whose inputs are free.
 void explain_inputs(const TransitionSystem& system, const Property& property, const SystemRun& run,
                     const Limits& limits, PropertyResult& answer) {
     const InputChange change = fewest_input_changes(system, property, run, most_steps, stopped_by(limits));
@@ -99,7 +100,7 @@ void explain_inputs(const TransitionSystem& system, const Property& property, co
         answer.verdict.notes.push_back(gave_up(change.events.size(), "input changes and timer expiries", change.tried));
 }
 
-/// Explains a run with interleaved plant automata.
+/// Explains a violation in an untimed model with interleaved plant automata.
 void explain_moves(const Network& timed, const TransitionSystem& system, const Property& property, const SystemRun& run,
                    const Limits& limits, PropertyResult& answer) {
     const Network played = system.ticks.valid() ? timed : without_clocks(timed);
@@ -167,7 +168,7 @@ bool is_reachable(const Exprs& exprs, const Property& property, std::uint32_t va
     return term.op == Op::Variable && term.value == variable;
 }
 
-/// True if `answer` states that the step with this variable is unreachable.
+/// True if `answer` is the verdict on the reachability of the step with this variable.
 bool is_about(const Network& network, const PropertyResult& answer, Id<Network::Variable> step) {
     const Property& property = network.properties[answer.verdict.about];
     if (property.pattern == Pattern::ReachableAllSteps)
@@ -179,11 +180,11 @@ bool is_about(const TransitionSystem& system, const PropertyResult& answer, Id<T
     return is_reachable(system.exprs, system.properties[answer.verdict.about], step.index);
 }
 
-/// Returns a term that is true in the states in which a transition is cleared. If no state stores this value, returns
-/// the constant false.
+/// Returns a term that is true in the states in which a transition is cleared. If the variable `firing` is not stored
+/// in states, returns the constant false.
 Id<Expr> clearing(Network& network, Id<Network::Variable> firing) {
-    // A scratch variable is computed from the state before the edge, and no state stores it. The candidate terms are
-    // evaluated in the same state; therefore they are sufficient.
+    // The value of a scratch variable is computed from the state before the edge and is not stored. The candidate terms
+    // are evaluated in the same state before the edge; therefore they suffice without the scratch variable.
     return network.variables[firing].scratch ? network.exprs.constant(false)
                                              : network.exprs.leaf(Op::Variable, firing.index);
 }
@@ -192,8 +193,8 @@ Id<Expr> clearing(TransitionSystem& system, Id<TransitionSystem::Symbol> firing)
     return system.exprs.leaf(Op::Variable, firing.index);
 }
 
-/// Adds notes about transitions that are never cleared. `decide` returns the verdicts on the properties of the model
-/// that have the given names.
+/// Adds notes to the verdicts on unreachable steps: transitions that would activate such a step and are never cleared.
+/// `decide` returns the verdicts on those properties of the model that have the given names.
 template <class Model, class Decide>
 void name_dead_transitions(Model model, const std::vector<const Chart*>& charts, const Decide& decide, Report& report) {
     struct Requested {

@@ -30,8 +30,9 @@ FileWatcher::FileStamp FileWatcher::stamp(const std::string& path) {
 
 void FileWatcher::note(const std::string& path) { note(std::vector{path}); }
 
-/// Records the files. If a file is written again immediately after a write, its time stamp can remain the same.
-/// Therefore the function waits if a file was changed less than 20 ms ago.
+/// Records the time stamps of the files. If a file is written twice within a short time, both writes can give the same
+/// time stamp. Therefore, if a file was changed less than 20 ms ago, the function waits (at most five times) and reads
+/// the time stamps again.
 void FileWatcher::note(const std::vector<std::string>& paths) {
     constexpr std::int64_t tick = 20'000'000;
     std::vector<FileStamp> seen(paths.size());
@@ -49,7 +50,8 @@ void FileWatcher::note(const std::vector<std::string>& paths) {
     }
     for (std::size_t k = 0; k < paths.size(); ++k) {
         const auto [place, is_new] = seen_.try_emplace(paths[k], seen[k]);
-        // If the file has changed since it was recorded, it gets an impossible stamp, so that it remains changed.
+        // A file that has changed since it was recorded gets an impossible time stamp, so that `changed` still reports
+        // it.
         if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derives models: Model to Equations, Network and TransitionSystem. Only this file combines the passes that derive
-// models.
+// Derives Equations, Network and TransitionSystem from a Model. Only this file combines the passes of these
+// derivations.
 #include "pipeline/models.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::optional<Equations> equations_of(const Model& model, const ClosedLoop& loop
     return controller_equations(*chart.program, program, diagnostics);
 }
 
-/// Returns the equations of every controller of the loop, in order.
+/// Returns the equations of each controller, in the order of the controllers of the loop.
 std::optional<std::vector<Equations>> equations_of_controllers(const Model& model, const ClosedLoop& loop,
                                                                Diagnostics& diagnostics) {
     std::vector<Equations> all;
@@ -49,19 +49,21 @@ bool interleave(const ClosedLoop& loop, const ModelOptions& how) {
            how.untimed.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
 }
 
-/// Returns the network of the loop, with the observers of its properties, for interleaved processes.
+/// Returns the network from which the untimed model with interleaved processes is derived. The network contains the
+/// loop and the observers of its properties.
 std::optional<Network> with_observers(const Network& plant_network, const ClosedLoop& loop,
                                       std::span<const Equations> equations, const ModelOptions& how, Vacuity vacuity,
                                       Diagnostics& diagnostics) {
     const auto network = compose(plant_network, loop, equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
     std::vector<Id<Property>> requested = watched(*network);
-    if (how.untimed.time == TimeModel::Abstract)  // clocks do not advance
+    if (how.untimed.time == TimeModel::Abstract)  // clocks do not advance, so durations are not observed
         std::erase_if(requested, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
     return observed(*network, requested, vacuity);
 }
 
-/// Reports controllers with a task cycle for a model in which every step is a PLC cycle.
+/// Reports an error for each controller with a task cycle, because each step of the untimed model is a PLC cycle.
+/// Returns true if there is no such controller.
 bool cycles_are_zero(const ClosedLoop& loop, Diagnostics& diagnostics) {
     bool zero = true;
     for (const ClosedLoop::Controller& controller : loop.controllers) {
@@ -72,7 +74,8 @@ bool cycles_are_zero(const ClosedLoop& loop, Diagnostics& diagnostics) {
     return zero;
 }
 
-/// Reports controllers that are programs, for a model that is built from the steps and transitions of charts.
+/// Reports an error for each controller that is a program, because the untimed model is built from the steps and
+/// transitions of charts. Returns true if there is no such controller.
 bool are_charts(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
     bool all = true;
     for (const ClosedLoop::Controller& controller : loop.controllers) {
@@ -191,7 +194,7 @@ SystemToCheck system_to_check(const TransitionSystem& system, const Model& model
         check.network = [&model, &loop, how, requested = false,
                          made = std::optional<Network>{}]() mutable -> const std::optional<Network>& {
             if (std::exchange(requested, true)) return made;
-            Diagnostics known;  // the system exists, so errors are impossible
+            Diagnostics known;  // no errors can occur, because the system was derived from the same model
             const auto equations = equations_of_controllers(model, loop, known);
             const auto plant_network = plant(model, loop, known);
             if (!equations || !plant_network) return made;

@@ -18,12 +18,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Maximum number of properties for which a trial with only this property is made.
+/// Maximum number of properties that are tried separately, each as the only property of a trial.
 constexpr std::size_t most_single = 3;
-/// Number of states allowed in a trial if the check was limited to fewer states.
+/// Maximum number of states of the trial with `--max-states`. This trial is made only if the limit of the check was
+/// lower.
 constexpr std::uint64_t more_states = std::uint64_t{1} << 20U;
 
-/// Options to try.
+/// The options of a trial.
 struct Remedy {
     std::string options = {};
     ModelOptions how = {};
@@ -40,7 +41,7 @@ bool is_left_open(const PropertyResult& answer) {
             obstacle == UnknownReason::Stopped);
 }
 
-/// Returns the value of `--property` that selects the property of the result.
+/// Returns the value of `--property` that selects the property to which `answer` belongs.
 std::string selection(const PropertyResult& answer) {
     const std::string family = family_of(answer);
     return family.empty() ? answer.verdict.property : family;
@@ -75,8 +76,8 @@ public:
 private:
     const ClosedLoop& loop() const { return check_.model.loops[check_.loop]; }
 
-    /// Returns `options` with `--property` for each of `properties`, or unchanged if these are all properties of the
-    /// check.
+    /// Returns `options`, extended by `--property` for each of `properties`. No option is added if `properties` are all
+    /// properties of the check.
     std::string with_properties(std::string options, const std::vector<std::string>& properties) const {
         if (!is_part_ && properties.size() == open_.size()) return options;
         for (const std::string& name : properties) options += (options.empty() ? "--property " : " --property ") + name;
@@ -133,7 +134,7 @@ private:
         try {
             found = remedy.timed ? grafverif::check(check_.model, check_.loop, remedy.how, options, ignored)
                                  : check_untimed(check_.model, check_.loop, remedy.how, options, ignored);
-        } catch (const std::bad_alloc&) {  // the results of the check remain valid
+        } catch (const std::bad_alloc&) {  // ignored, because the results of the check remain valid
             found = Report{};
         }
         if (!found || !found->failures.empty()) return {};
@@ -151,24 +152,25 @@ private:
         return trial;
     }
 
-    /// Returns the consequence for grain phased of a verdict for grain atomic. Each run in grain atomic is also a run
-    /// in grain phased, but an observer sees more states of the latter.
+    /// Returns text that states whether a verdict for grain atomic is also valid for grain phased. A verdict that is
+    /// proved by a run is valid, because each run in grain atomic is also a run in grain phased. Properties with
+    /// observers are excluded, because an observer sees more states in grain phased.
     std::string grain_text(const PropertyResult& answer) const {
         const auto property = std::ranges::find(loop().properties, selection(answer), &Property::name);
-        if (property == loop().properties.end()) return "applies to grain atomic";
+        if (property == loop().properties.end()) return "applies only to grain atomic";
         const bool about_state = is_about_single_states(property->pattern);
         const bool has_run =
             answer.verdict.outcome == Outcome::Holds
                 ? property->pattern == Pattern::Reachable || property->pattern == Pattern::ReachableAllSteps
                 : about_state && property->pattern != Pattern::Reachable;
-        return has_run ? "valid for grain phased" : "applies to grain atomic";
+        return has_run ? "valid for grain phased" : "applies only to grain atomic";
     }
 
     const LimitedCheck& check_;
     const Report& report_;
-    std::vector<std::string> open_ = {};  // values of `--property` that select the open properties
-    std::set<std::string> results_ = {};  // names of the open verdicts
-    bool is_part_ = false;                // true if not all properties of the check are open
+    std::vector<std::string> open_ = {};  // values of `--property` that select the undecided properties
+    std::set<std::string> results_ = {};  // names of the undecided verdicts
+    bool is_part_ = false;                // true if the check decided some of its properties
 };
 
 }  // namespace
@@ -179,8 +181,8 @@ bool needs_remedies(const Report& report) {
 
 std::vector<Trial> tried_remedies(const LimitedCheck& check, const Report& report, Deadline end) {
     if (is_over(end, check.options.limits.stop)) return {};
-    // Each trial composes the model again, and composition ignores the deadline. Therefore the time for composition is
-    // measured first.
+    // Each trial composes the model again, and composition ignores the deadline. Therefore the duration of composition
+    // is measured, and three times this duration is subtracted from the time for the trials.
     const Clock::time_point begin = Clock::now();
     Diagnostics ignored;
     try {

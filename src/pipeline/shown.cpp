@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results as text, JSON and drawings.
+// Converts results to text, JSON and drawings.
 #include <sstream>
 
 #include "emit/layout/diagram.hpp"

@@ -10,7 +10,7 @@
 namespace grafverif {
 
 struct Simulator::Inside {
-    Network network = {};  ///< network of a loop
+    Network network = {};  ///< the network, if a closed loop is simulated
     std::vector<Chart> kept = {};
     std::vector<const Chart*> charts = {};
     std::optional<Simulation> moved = {};

@@ -12,7 +12,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the number with thousands separators: `1,234,567`.
+/// Returns the number as text with thousands separators, such as `1,234,567`.
 std::string grouped(std::uint64_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
@@ -58,7 +58,7 @@ StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, cons
       options_(timed_options(loop, options)) {
     options_.timelock = timelock && !is_watched_;
     if (!is_watched_) return;
-    // A report contains the profile of the loop without observers.
+    // The profile in a report is that of the loop without observers, so this search computes no profile.
     options_.profile = ProfileFor::None;
     options_.many = {};
 }
@@ -81,7 +81,8 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, co
 }
 
 bool StagedSearch::refine(std::uint64_t states, const Deadline& deadline) {
-    // While input abstraction continues, large searches of fragments would use its time.
+    // While input abstraction continues, the searches of fragments are limited, because large searches would use up the
+    // time for input abstraction.
     const bool cells =
         complete_ && (refines_inputs_ ? complete_->refine(std::min(states, search_rounds[1]), share_of(deadline, 3))
                                       : complete_->refine(states, deadline));
@@ -98,7 +99,7 @@ bool StagedSearch::needs_whole() {
 
 void StagedSearch::search_complete(const Deadline& deadline) {
     options_.deadline = deadline;
-    inputs_.reset();  // frees its memory
+    inputs_.reset();  // frees the memory of the input abstraction
     complete_->search_complete();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models and reports as text.
+// Converts models and reports to text.
 #include <algorithm>
 #include <sstream>
 

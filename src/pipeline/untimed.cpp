@@ -20,8 +20,8 @@ bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
     });
 }
 
-/// True if the property reads an observer. An observer depends on the steps of its model, which differ in another
-/// model.
+/// True if the property reads an observer. Such a verdict is not transferred to another model, because the observer
+/// depends on the steps of its model.
 bool reads_observer(const TransitionSystem& system, const Property& property) {
     const Table<TransitionSystem::Symbol>& symbols = system.modules[system.main].symbols;
     return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
@@ -33,9 +33,9 @@ bool reads_observer(const TransitionSystem& system, const Property& property) {
     });
 }
 
-/// True if an outcome of a model without a plant applies to every plant. It does not apply to a `leads to` that holds
-/// and whose premise reads a free variable: with a plant, the premise may be true between two cycles although no cycle
-/// reads this value.
+/// True if the outcome for a model without a plant applies to every plant. If `leads to` holds and its premise reads a
+/// free variable, the outcome does not apply: with a plant, the premise may be true only between two PLC cycles, so
+/// that no cycle reads this value.
 bool holds_for_every_plant(const SystemToCheck& check, const Property& property, Outcome outcome) {
     const bool holds = outcome == Outcome::Holds;
     if (is_about_all_states(property.pattern)) return holds;
@@ -96,7 +96,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     case Abstraction::Preservation::ExactInIntegerTime:
         if (!about_states || observed) return "integer time only";
         return holds == (property.pattern == Pattern::Reachable)
-                   // a run is a proof, and every run in integer time is also a run in dense time
+                   // a run proves this verdict, and each run in integer time is also a run in dense time
                    ? "valid for the timed loop"
                    : "applies to integer time, and to dense time only without strict clock constraints";
     case Abstraction::Preservation::Nowhere: return "no conclusion beyond this model";
@@ -111,7 +111,7 @@ std::vector<std::string> unproven_faults(const TransitionSystem& system, const s
     for (const Id<Property> id : system.properties.ids()) {
         const Property& property = system.properties[id];
         const bool is_implicit =
-            !property.origin.source.valid();  // false if the user declares a property with this name
+            !property.origin.source.valid();  // false if the model declares a property with this name
         if (!is_implicit || !(property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range")))
             continue;
         const auto verdict = std::ranges::find(verdicts, id, &Verdict::about);

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the names that variables have in the charts, for variables that have another name in the network.
+/// Returns, for each variable whose name in the network differs from its name in the charts, the name in the charts.
 std::map<Id<Network::Variable>, std::string> reported_variables(const Network& network) {
     std::map<Id<Network::Variable>, std::string> names;
     for (const Network::Controller& controller : network.controllers) {

@@ -27,14 +27,14 @@ using ProofCore = ProofExplanation::ProofCore;
 using ModelElement = ProofExplanation::ModelElement;
 using Names = std::vector<std::string>;
 
-/// True if `verdict` concerns the property called `name`, or one step of it if the property is `reachable all steps`:
-/// `all.X1`.
+/// True if `verdict` is a verdict on the property called `name`. A property `all` of the form `reachable all steps` has
+/// one verdict per step, such as `all.X1`.
 bool is_of(const Verdict& verdict, const std::string& name) {
     return verdict.property == name || verdict.property.starts_with(name + '.');
 }
 
-/// Returns the outcome of a property: violated if one of its verdicts is, or if a model error occurs before it is
-/// decided; holds if all verdicts hold; otherwise unknown.
+/// Returns the outcome of a property. It is violated if one of its verdicts is violated, or if a model error prevents a
+/// verdict. It holds if all its verdicts hold. Otherwise, the outcome is unknown.
 Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name) {
     bool any = false, all = true;
     for (const Verdict& verdict : verdicts) {
@@ -59,7 +59,7 @@ Id<Expr> left_side(const Property& property, Exprs& exprs) {
     return requested.empty() || !answered ? Id<Expr>{} : exprs.conjunction(requested);
 }
 
-/// Returns the element that has the term in its condition: `t3`, `OUT in step 5`.
+/// Returns the name of the element whose condition contains the term, such as `t3` or `OUT in step 5`.
 std::string owner_of(const Chart& chart, const TermPlace& place) {
     const auto action = [&](const auto& of, Id<Chart::Variable> variable) {
         return chart.variables[variable].name + " in step " + name_of(chart, of.step).text();
@@ -78,7 +78,8 @@ std::string owner_of(const Chart& chart, const TermPlace& place) {
     unreachable();
 }
 
-/// Returns `shut -> opening`, with its guard if there are several edges between these locations.
+/// Returns the name of an edge, such as `shut -> opening`. If there are several edges between the same locations, the
+/// name includes the guard.
 std::string edge_name(const Component& component, Id<Component::Edge> id) {
     const Component::Edge& edge = component.edges[id];
     const std::string endpoints = component.locations[edge.from].name + " -> " + component.locations[edge.to].name;
@@ -130,19 +131,20 @@ public:
     }
 
 private:
-    /// A change to the model, with the properties that are still undecided for the changed model.
+    /// A change to the model. `names` are the properties to decide for the changed model; `open` are the undecided ones
+    /// of these properties.
     struct Trial {
         ModelElement element = {};
         Names names = {}, open = {};
         std::function<void(Model&)> change = {};
-        const Network* original = nullptr;  ///< for a change to the plant: the network of the unchanged model
+        const Network* original = nullptr;  ///< if the plant is changed: the network of the unchanged model
     };
     /// The search for the elements of plant and timers on which one property about all states depends.
     struct PartsOf {
         std::size_t ground = 0;
         /// The network without the elements that the property does not need.
         Network open = {};
-        std::vector<Id<Network::Process>> order = {};  ///< undecided
+        std::vector<Id<Network::Process>> order = {};  ///< undecided processes
     };
 
     bool stopped() {
@@ -151,8 +153,8 @@ private:
         return over;
     }
 
-    /// Returns the time at which the next search must end. The remaining time of this pass is divided equally among the
-    /// undecided elements; a search may use at most eight shares.
+    /// Returns the time at which the next search must end. The remaining time of this pass is divided into equal shares
+    /// for the undecided elements; a search may use at most eight of these shares.
     Deadline next_end() {
         const std::size_t left = units_;
         if (units_ > 0) --units_;
@@ -232,7 +234,7 @@ private:
     void leave_out(Trial& trial) {
         if (trial.open.empty() || stopped()) return;
         const Deadline end = next_end();
-        Names timeless;  // properties that read a timer that the change removes
+        Names timeless;  // properties that read a timer which the change removes
         Model without = model_;
         trial.change(without);
         Table<Property> kept;
@@ -247,8 +249,8 @@ private:
         if (!network) return;
         const std::vector<Verdict> found = search(*network, trial.open, end);
         std::erase_if(trial.open, [&](const std::string& name) {
-            // The change may remove an implicit property of the model: if no race of stored actions is possible any
-            // more, the model has no property `no_race`.
+            // If the changed model does not have an implicit property, this property holds. For example, a model in
+            // which no race of stored actions is possible has no property `no_race`.
             const auto has_name = [&](const Property& property) { return property.name == name; };
             const bool is_absent = std::ranges::none_of(network->properties, has_name) &&
                                    std::ranges::find(timeless, name) == timeless.end();
@@ -258,7 +260,7 @@ private:
         });
     }
 
-    /// Visits each chart once, with the prefix of its names.
+    /// Calls `visit` once for each chart. The second argument is the prefix of the names of the chart's elements.
     void for_each_chart(const std::function<void(Id<Chart>, const std::string&)>& visit) const {
         std::set<std::uint32_t> seen;
         const ClosedLoop& loop = model_.loops[loop_];
@@ -311,8 +313,8 @@ private:
     }
 
     /// Adds trials for guards. If a property holds for any behaviour of an instance, it also holds without the guards
-    /// of this instance, so that no search is necessary. However, if an edge has assignments, a model error may be
-    /// possible without its guard.
+    /// of this instance; then no trial is necessary. A guard of an edge with assignments always needs a trial, because
+    /// a model error may be possible without this guard.
     void collect_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement element) {
             const Component& component = model_.components[model_.loops[loop_].instances[id].component];
@@ -329,8 +331,9 @@ private:
         });
     }
 
-    /// Adds trials for edges. If an edge is not urgent and no invariant forces it, the loop without the edge has no new
-    /// behaviour. Therefore a property about all states that holds with the edge also holds without it.
+    /// Adds trials for edges. If an edge is not urgent and no invariant forces it, removing the edge adds no behaviour
+    /// to the closed loop. Then properties about all states need no trial: if they hold with the edge, they hold
+    /// without it.
     void collect_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, ModelElement element) {
             const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
@@ -377,8 +380,8 @@ private:
                 why_.unneeded_parts.push_back(display_names_[id.index]);
     }
 
-    /// Returns the processes in the order of removal. Processes that write inputs of controllers come first: after they
-    /// are removed, others may have no further effect.
+    /// Returns the instances and timers in the order of their removal. Processes that write inputs of controllers come
+    /// first: after their removal, other processes may have no effect.
     static std::vector<Id<Network::Process>> in_order(const Network& network) {
         std::vector<Id<Network::Process>> order, others;
         for (const Id<Network::Process> id : network.processes.ids()) {
@@ -398,9 +401,9 @@ private:
         return order;
     }
 
-    /// Removes each undecided element; an element that is not needed remains removed. Then tries to remove all
-    /// remaining undecided elements at once. If some are still undecided in the last pass, tries each of them once
-    /// more. Each pass explores more states than the previous one.
+    /// Tries to remove each undecided process; a process that the property does not need remains removed. Then tries to
+    /// remove all undecided processes together. In the last pass, tries each process that is still undecided once more.
+    /// Each pass may explore more states than the previous pass.
     void leave_out_parts(PartsOf& parts) {
         ProofCore& ground = why_.grounds[parts.ground];
         for (const bool again : {false, true}) {
@@ -424,9 +427,9 @@ private:
         return true;
     }
 
-    /// Removes an instance from `open` or, if the property then fails, only its clocks; for a timer, removes the
-    /// clocks. Returns Holds if the property does not depend on the process, Violated if it does, and Unknown
-    /// otherwise.
+    /// Removes a process from the network `open`: an instance or, if the property does not hold without it, only its
+    /// clocks; for a timer, its clocks. Returns Holds if the property does not depend on the process, Violated if the
+    /// property depends on it, and Unknown otherwise.
     Outcome leave_out(Id<Network::Process> id, Network& open, ProofCore& ground, const Deadline& end) {
         const std::string& name = display_names_[id.index];
         const Property& property = element_of(open.properties, ground.property, &Property::name);
@@ -451,7 +454,7 @@ private:
         return whole;
     }
 
-    /// True if the property may read locations of instances: in its operands, or because it is checked only in
+    /// True if the property may depend on locations of instances: its operands read locations, or it is checked only in
     /// quiescent states.
     static bool roams(const Network& network, const Property& property) {
         const auto is_place = [&](Id<Expr> leaf) { return network.exprs[leaf].op == Op::At; };

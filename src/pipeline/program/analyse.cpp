@@ -27,12 +27,12 @@ namespace {
 
 using StatementKind = Program::Statement::Kind;
 
-/// Maximum number of accesses to an output in a scan. The analysis of a longer sequence is omitted, because its terms
-/// are deep.
+/// Maximum number of accesses to an output in a scan. Assignments to an output with more accesses are not analysed,
+/// because their terms are deep.
 constexpr std::size_t most_accesses = 1000;
 
-/// Queries events, decides all of them together, and then reports the impossible ones. The two passes over the program
-/// are the same function: the first pass only collects the events.
+/// Analyses a program in two passes of `visit`. The first pass collects the events. Then all events are decided
+/// together, and the second pass reports the impossible events.
 class ProgramAnalysis {
 public:
     ProgramAnalysis(const Program& program, Scan scan)
@@ -73,7 +73,7 @@ public:
 
 private:
     enum class Answer { Possible, Impossible, Open };
-    /// An impossible event and its description.
+    /// The finding that is reported if an event is impossible.
     struct Event {
         std::string_view code = {};
         std::string subject = {};
@@ -93,7 +93,7 @@ private:
     Exprs& exprs() { return scan_.equations.exprs; }
     Id<Expr> never() { return exprs().constant(false); }
 
-    /// Adds a term to the disjunction that defines `event`.
+    /// Adds a term to the disjunction of terms that defines `event`.
     void add(Id<Expr>& event, Id<Expr> term) {
         const auto [known, fresh] = index_of_terms_.try_emplace(&event, terms_.size());
         if (fresh) terms_.emplace_back(&event, std::vector<Id<Expr>>());
@@ -132,8 +132,8 @@ private:
         return program_.units[instance.unit].elapsed && scan_.layout.cells[instance.frame].step;
     }
 
-    /// Returns the cell of the output of a timer, or of the activity of a step. It is false at power-on, except for the
-    /// activity of an initial step.
+    /// Returns the cell with the output of a timer or with the activity of a step. The value of this cell is false at
+    /// power-on, except for an initial step.
     std::optional<std::uint32_t> watched_cell(const ProgramInstance& instance) const {
         const Program::Unit& unit = program_.units[instance.unit];
         if (!unit.elapsed) return {};
@@ -145,7 +145,7 @@ private:
 
     // -- events -------------------------------------------------------------------------------------------------------
 
-    /// True if the event is impossible. Adds a finding in the second pass.
+    /// True if the event is proved to be impossible; the second pass also adds the finding `about`.
     bool impossible(Id<Expr> event, const Event& about) {
         const Answer answer = answer_to(event);
         if (answer == Answer::Open) analysis_.open.push_back({std::string(about.code), about.subject});
@@ -203,7 +203,8 @@ private:
         analysis_.obstacle = unknown.reason.empty() ? "the engines gave no reason" : unknown.reason;
     }
 
-    /// Adds a run-time fault, with a run that the interpreter has replayed. Other findings concern the scans up to it.
+    /// Adds a possible run-time fault, with a run that the interpreter has replayed. Other findings concern scans up to
+    /// a fault.
     void add_fault(const ProgramSystem& system, const PortfolioResult& result) {
         const Verdict& verdict = result.verdicts.front();
         if (verdict.outcome == Outcome::Holds) return;
@@ -235,7 +236,7 @@ private:
         visit_outputs();
     }
 
-    /// Queries calls of instances, timers and steps. The elements of an instance that is never called are not reported.
+    /// Visits instances, timers and steps. If an instance is never called, its elements are not reported.
     void visit_instances() {
         for (const ProgramInstance& instance : scan_.layout.instances) {
             if (instance.name.empty() || is_generated_name(instance.name) || is_idle(instance.name)) continue;
@@ -243,7 +244,7 @@ private:
                 visit_step(instance);
                 continue;
             }
-            if (is_generated_name(program_.units[instance.unit].name)) {  // the control of an action of a chart
+            if (is_generated_name(program_.units[instance.unit].name)) {  // generated for an action of a chart
                 idle_.insert(instance.name + ".");
                 continue;
             }
@@ -270,11 +271,11 @@ private:
                     scan_.layout.cells[instance.frame].origin});
     }
 
-    /// Returns the declaration of an instance.
+    /// Returns the position of the declaration of an instance.
     Span origin_of(const ProgramInstance& instance) const {
         const std::size_t dot = instance.name.rfind('.');
         const std::string owner = dot == std::string::npos ? "" : instance.name.substr(0, dot);
-        const std::string own = instance.name.substr(dot + 1);  // npos + 1 is 0
+        const std::string own = instance.name.substr(dot + 1);  // if there is no dot, `dot + 1` is 0
         const std::string_view name = std::string_view(own).substr(0, own.find('['));
         std::vector<Id<Program::Unit>> units = {program_.globals};
         for (const ProgramInstance& each : scan_.layout.instances)
@@ -288,7 +289,7 @@ private:
         return std::ranges::any_of(idle_, [&](const std::string& prefix) { return name.starts_with(prefix); });
     }
 
-    /// True if a scan may call the block, or one of its actions.
+    /// True if some scan may call the function block or one of its actions.
     bool is_called(Id<Program::Unit> block) {
         return block == program_.main || std::ranges::any_of(called_, [&](const auto& call) {
                    return call.first.first == block.index && answer_to(call.second) != Answer::Impossible;
@@ -304,12 +305,12 @@ private:
         const bool block = unit.kind == Kind::FunctionBlock;
         const bool unused = (block || unit.kind == Kind::Program) && !has_instances;
         if (unit.body.empty() && !unused) return;
-        if (unit.owner.valid() && !is_called(unit.owner)) return;  // the owner or its instances are reported
+        if (unit.owner.valid() && !is_called(unit.owner)) return;  // reported for the owner or its instances
         unit_ = unit.owner.valid() ? unit.owner : id;
         std::vector<Id<Expr>> reached;
         for (const Id<Program::Statement> statement : unit.body) reached.push_back(reached_[statement.index]);
         const Id<Expr> executed = exprs().disjunction(reached);
-        if (has_instances) {  // its instances are reported
+        if (has_instances) {  // the finding is reported for the instances of the unit
             if (answer_to(executed) == Answer::Impossible) return;
         } else {
             const char* const word = block                         ? "function block"
@@ -326,7 +327,7 @@ private:
     }
 
     void visit(const Program::Body& body) {
-        bool reported = false;  // only the first of several statements is reported
+        bool reported = false;  // of several unreachable statements, only the first is reported
         for (const Id<Program::Statement> id : body) {
             const Program::Statement& statement = program_.statements[id];
             if (statement.generated) {
@@ -352,7 +353,7 @@ private:
             const auto [can_hold, can_fail] =
                 arm.condition.valid() ? visit_condition(arm.condition) : std::pair(true, true);
             if (can_hold) visit(arm.body);
-            if (!can_fail) return;  // the following branches are not executed
+            if (!can_fail) return;  // the condition is always true, so the following branches are never executed
         }
     }
 
@@ -360,7 +361,7 @@ private:
         return !body.empty() && answer_to(reached_[body.front().index]) != Answer::Impossible;
     }
 
-    /// True if the expression reads a variable or calls a function. Otherwise, constants configure its value.
+    /// True if the expression reads a variable or calls a function. Otherwise, its value is constant.
     bool depends_on_values(Id<Program::Node> id) const {
         const Program::Node& node = program_.nodes[id];
         return node.op == Program::Op::Read || node.op == Program::Op::Call ||
@@ -368,7 +369,7 @@ private:
                                    [&](Id<Program::Node> operand) { return depends_on_values(operand); });
     }
 
-    /// Returns whether the condition can be true, and whether it can be false.
+    /// Returns two values: true if the condition can be true, and true if the condition can be false.
     std::pair<bool, bool> visit_condition(Id<Program::Node> id) {
         const Program::Node& node = program_.nodes[id];
         const std::string text = term_text(program_, unit_, id);
@@ -383,7 +384,7 @@ private:
                                    fmt::format("the condition `{}` is true in each execution", text), node.origin})};
     }
 
-    /// Queries transitions. A transition that is never enabled follows a step that is reported.
+    /// Visits transitions. A transition that is never enabled is not reported, because a step before it is reported.
     void visit_transitions() {
         for (const Id<Program::Unit> id : program_.units.ids())
             for (const Program::Sequence& sequence : program_.units[id].sequences)
@@ -398,16 +399,16 @@ private:
                 }
     }
 
-    /// The values that a statement of the source assigns to outputs.
+    /// The assignments to outputs by one statement of the source.
     struct Assignment {
         std::vector<Id<Program::Statement>> statements = {};
         std::vector<std::uint32_t> cells = {};
-        std::vector<Id<Expr>> kept = {};                         ///< conditions under which a value is read or remains
-        std::map<Position, Id<Program::Statement>> others = {};  ///< other assignments to these outputs
+        std::vector<Id<Expr>> kept = {};  ///< conditions under which an assigned value is read or is final
+        std::map<Position, Id<Program::Statement>> others = {};  ///< other assignments to the same outputs
     };
 
-    /// Queries assignments to outputs that another statement always replaces in the same scan, before a statement reads
-    /// the value. Before a run-time fault, a value can remain.
+    /// Visits the assignments to outputs. An assignment is reported if, in every scan, another statement replaces the
+    /// value before a statement reads it. If a run-time fault ends the scan, the value may remain.
     void visit_outputs() {
         for (const auto& [position, assignment] : assignments()) {
             const bool executed = std::ranges::any_of(assignment.statements, [&](Id<Program::Statement> id) {
@@ -435,7 +436,8 @@ private:
             std::map<Position, Id<Program::Statement>> assigned;
             for (const Scan::Execution* access : accesses)
                 if (access->statement.valid()) assigned.emplace(position_of(access->statement), access->statement);
-            // Per assignment: the next other access is an assignment by another statement.
+            // For each assignment: the condition under which the next access to the output is an assignment by another
+            // statement.
             std::map<Position, Id<Expr>> replaced;
             for (const auto& [position, statement] : assigned) {
                 replaced.emplace(position, never());
@@ -466,21 +468,21 @@ private:
 
     const Program& program_;
     Scan scan_;
-    std::vector<Id<Expr>> reached_;                        ///< per statement: it is executed in the scan
-    std::vector<Id<Expr>> true_, false_;                   ///< per condition: it is evaluated to this value in the scan
-    std::map<std::uint32_t, Id<Expr>> becomes_true_ = {};  ///< per watched cell: an assignment of true to it
-    std::vector<Id<Expr>> cleared_;                        ///< per generated assignment: it assigns true in the scan
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};  ///< by block and frame
-    /// Assignments and reads of each output.
+    std::vector<Id<Expr>> reached_;       ///< for each statement: the statement is executed in the scan
+    std::vector<Id<Expr>> true_, false_;  ///< for each condition: its value is true, or false, in the scan
+    std::map<std::uint32_t, Id<Expr>> becomes_true_ = {};  ///< for each watched cell: the value true is assigned
+    std::vector<Id<Expr>> cleared_;  ///< for each generated assignment: it assigns true in the scan
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};  ///< for each block and frame
+    /// The assignments to each output and the reads of this output, in the order of the scan.
     std::map<std::uint32_t, std::vector<const Scan::Execution*>> accesses_ = {};
     std::set<Position> not_only_outputs_ = {};  ///< statements that assign a variable that is not an output
     std::vector<std::pair<Id<Expr>*, std::vector<Id<Expr>>>> terms_ = {};  ///< the disjunctions that define events
     std::unordered_map<const Id<Expr>*, std::size_t> index_of_terms_ = {};
-    Id<Expr> fault_ = {};  ///< a run-time fault occurs in the scan
+    Id<Expr> fault_ = {};  ///< event: a run-time fault occurs in the scan
     bool fault_is_open_ = false;
     std::map<Id<Expr>, std::size_t> goals_ = {};
-    std::vector<Answer> answers_ = {};  ///< of each goal
-    std::set<std::string> idle_ = {};   ///< prefixes of the names in instances that are never called
+    std::vector<Answer> answers_ = {};  ///< the answer for each goal
+    std::set<std::string> idle_ = {};   ///< name prefixes of instances that are never called
     Id<Program::Unit> unit_ = {};
     bool reporting_ = false;
     Analysis analysis_ = {};

@@ -101,7 +101,7 @@ private:
             }
             return two;
         }
-        // All loops were unrolled, so every scan terminates.
+        // Every scan terminates, because all loops were unrolled.
         if (property.kind == Kind::Termination) return exprs.constant(true);
         if (property.kind != Kind::Absence) return terms.front();
         std::vector<Id<Expr>> events;
@@ -109,7 +109,7 @@ private:
             for (const Scan::Event& event : scan_.overflows) events.push_back(event.condition);
             return exprs.disjunction(events);
         }
-        // A scan ends at its first fault, so faults after it in the same scan do not occur.
+        // A scan ends at its first fault; therefore the conditions of later faults exclude earlier faults.
         Id<Expr> earlier = exprs.constant(false);
         for (const Scan::Event& event : scan_.faults) {
             if (event.fault == property.fault())
@@ -119,7 +119,8 @@ private:
         return exprs.disjunction(events);
     }
 
-    /// Returns the outcome for run-time faults. A fault is a model error if no property concerns it.
+    /// Returns the outcome of the property that no run-time fault occurs. A possible fault is reported as a model error
+    /// if no checked property concerns this type of fault.
     Outcome fault(const Verdict& verdict, const std::optional<SystemRun>& run) {
         if (verdict.outcome != Outcome::Violated || !run) return verdict.outcome;
         ProgramReplay replay = replay_program(program_, scan_, system_, *run, nullptr);
@@ -160,7 +161,7 @@ private:
     Scan scan_;
     const std::vector<ProgramProperty>& properties_;
     std::vector<ScanProperty> goals_ = {};
-    std::vector<const ProgramProperty*> about_ = {};  ///< property of each goal
+    std::vector<const ProgramProperty*> about_ = {};  ///< the property of each goal
     ProgramSystem system_ = {};
     Report report_ = {};
 };

@@ -16,16 +16,16 @@ namespace grafverif {
 
 namespace {
 
-/// True if the program stops in a scan that the chart completes.
+/// True if the comparison found a scan that the chart completes and in which the program stops.
 bool only_program_stops(const Comparison& comparison) {
     return comparison.outcome == Comparison::Outcome::Different && comparison.answers[0].back().stop.empty() &&
            !comparison.answers[1].back().stop.empty();
 }
 
-/// Returns a duration of the program that is not a multiple of `resolution_ms`. Scans at multiples of the resolution do
-/// not distinguish it from the next multiple.
+/// Returns a duration of the program that is not a multiple of `resolution_ms`; empty if there is none. If all scans
+/// occur at multiples of the resolution, they do not distinguish such a duration from the next larger multiple.
 std::optional<std::int64_t> hidden_duration(Id<Source> program, std::int64_t resolution_ms, Sources& sources) {
-    Diagnostics repeated;  // `compare` has reported them
+    Diagnostics repeated;  // `compare` has already reported these diagnostics
     const auto side = side_of_program(program, sources, repeated);
     if (!side) return {};
     for (const ProgramTimer& timer : side->scan->layout.timers)

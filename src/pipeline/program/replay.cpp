@@ -14,7 +14,8 @@ namespace {
 
 using Kind = ProgramProperty::Kind;
 
-/// True if the last scan violates `property` or, if the property states that a condition is reachable, satisfies it.
+/// True if the last scan violates `property`. If the property states that a condition is reachable: true if the
+/// condition is true in the last scan.
 bool shows(const ProgramProperty& property, ProgramRun& run) {
     const auto holds = [&](Id<Program::Node> node) { return run.value(node) != 0; };
     switch (property.kind) {
@@ -72,7 +73,7 @@ public:
         const bool expected = property == nullptr
                                   ? interpreter_.fault().has_value()
                                   : (about_fault || !interpreter_.fault()) && shows(*property, interpreter_);
-        if (!expected) return {"the last scan does not show the claimed values", {}, {}};
+        if (!expected) return {"the last scan of the replay does not confirm the verdict", {}, {}};
         return {{}, std::move(trace_), interpreter_.fault() ? std::optional(interpreter_.fault()->kind) : std::nullopt};
     }
 
@@ -82,7 +83,8 @@ private:
         return id.valid() ? system_.symbols[id.index] : Id<TransitionSystem::Symbol>{};
     }
 
-    /// Compares the values of the cells before scan `k` with the values in state `k` of the run.
+    /// Compares the values of the cells before scan `k` with the values in state `k` of the run. Returns a description
+    /// of the first difference; empty if there is none.
     std::string compare(std::size_t k) {
         for (std::size_t i = 0; i < scan_.layout.cells.size(); ++i) {
             if (scan_.layout.cells[i].input || !symbol(i).valid()) continue;
@@ -125,8 +127,9 @@ private:
         trace_.moments.push_back(std::move(moment));
     }
 
-    /// Adds one row for the state before the first scan, one for each scan that changes a Boolean variable, an input or
-    /// an output, and one for the last scan. A run may have thousands of scans that only increment internal counters.
+    /// Adds a row for the state before the first scan, for the last scan, and for each scan that changes a Boolean
+    /// variable, an input or an output. Other scans have no row, because a run may have thousands of scans that only
+    /// change internal counters.
     void add_rows() {
         for (std::size_t i = 0; i < trace_.moments.size(); ++i) {
             const bool visible = std::ranges::any_of(trace_.moments[i].changed, [&](Id<ChartRun::Signal> id) {
@@ -146,7 +149,7 @@ private:
     const ProgramSystem& system_;
     const SystemRun& run_;
     ProgramRun interpreter_;
-    std::vector<std::size_t> shown_ = {};  ///< index of the cell of each signal
+    std::vector<std::size_t> shown_ = {};  ///< for each signal, the index of its cell
     ChartRun trace_ = {};
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
-/// Returns, for each symbol of the loop, the column of the shared variable that it denotes.
+/// Returns, for each symbol of the loop, the column of the shared variable that the symbol denotes; `no_column` if the
+/// recording has no such column.
 std::vector<std::size_t> columns_of(const ClosedLoop& loop, const std::vector<std::string>& names) {
     std::vector<std::size_t> columns;
     for (const ClosedLoop::Symbol& symbol : loop.symbols) {
@@ -89,7 +90,7 @@ bool RecordedProperties::holds(const Checked& checked) const {
         const auto value = evaluate(checked.loop->exprs, operand, [&](const Expr& leaf) {
             return *values_[checked.column_of[static_cast<std::size_t>(leaf.value)]];
         });
-        if (!value) return true;  // undefined: a model error, which is not a violation
+        if (!value) return true;  // an undefined value is a model error, not a violation
         if (*value != 0) ++count;
     }
     if (property.pattern == Pattern::Never) return count == 0;

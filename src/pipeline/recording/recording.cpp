@@ -36,14 +36,14 @@ std::vector<std::string> names_of(const Chart& chart, const std::vector<Variable
     return names;
 }
 
-/// One of the checked charts.
+/// A chart that is checked against the recording.
 struct CheckedChart {
     const Chart* chart = nullptr;
     std::vector<Variable> variable_of = {};    ///< for each column: its variable, or an invalid id
     std::vector<std::size_t> column_of = {};   ///< for each variable: its column + 1, or 0
-    std::vector<std::string> unrecorded = {};  ///< outputs without column
+    std::vector<std::string> unrecorded = {};  ///< names of the outputs without a column
     std::unique_ptr<RecordingCheck> check = {};
-    RecordedSample sample = {};  ///< values with the time of the last row
+    RecordedSample sample = {};  ///< the values of all rows with the time of the last row
     bool decided = false;
 };
 
@@ -102,7 +102,7 @@ private:
         return column;
     }
 
-    /// Assigns the columns to the inputs and outputs of `chart`.
+    /// Assigns the columns of the recording to the inputs and outputs of `chart`.
     CheckedChart bound(const Chart& chart) {
         CheckedChart checked{.chart = &chart};
         checked.column_of.resize(chart.variables.size());
@@ -144,7 +144,7 @@ private:
         return std::ranges::any_of(charts_, [&](const CheckedChart& one) { return one.variable_of[column].valid(); });
     }
 
-    /// Checks the entries of `--map`, and lists the columns that belong to no variable.
+    /// Checks the entries of `--map`. Ignores the columns that belong to no variable, and reports their names.
     void check_names() {
         std::vector<std::string> columns, variables, ignored;
         Span first_ignored;
@@ -199,7 +199,7 @@ private:
         checked.sample.values.push_back({id, value.value, value.line});
     }
 
-    /// Adds the sample to the checks when all of its rows have been read.
+    /// Passes the current sample to the checks. Must be called after all rows of the sample have been read.
     void finish_sample() {
         if (failed()) return;
         if (report_.samples == 1) check_first();
@@ -208,7 +208,7 @@ private:
             if (!checked.decided) checked.decided = !checked.check->add(checked.sample);
     }
 
-    /// Checks that the first sample has a value for each variable that has a column.
+    /// Reports an error if a variable has a column, but no value in the first sample.
     void check_first() {
         std::vector<std::string> names;
         for (const CheckedChart& checked : charts_)

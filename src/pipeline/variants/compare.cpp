@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compares two charts or programs: translates both to Equations, builds the TransitionSystem of their product, and
-// returns a Comparison.
+// Compares two sides, each of which is a chart or a program: translates both to Equations, checks the TransitionSystem
+// of their product, and returns a Comparison.
 #include "pipeline/variants/compare.hpp"
 
 #include <fmt/format.h>
@@ -30,14 +30,14 @@ namespace {
 
 // -- preconditions ----------------------------------------------------------------------------------------------------
 
-/// Returns `chart` with `steps` as its initial steps. Returns nothing after an error: the chart contains a forcing
-/// order to {INIT}, whose meaning would change, or its situation at power-on differs from `steps`.
+/// Returns `chart` with `steps` as its initial steps. Returns nothing and reports an error if the chart contains a
+/// forcing order to {INIT}, whose meaning would change, or if the situation at power-on would differ from `steps`.
 std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Step>>& steps, Diagnostics& diagnostics) {
     for (const Chart::ForcingOrder& order : chart.forcing)
         if (order.to == Chart::ForcedTo::Initial) {
-            diagnostics.add(messages::no_such_beginning(
-                order.origin, chart.name,
-                "this order forces the initial situation, which differs from the selected one"));
+            diagnostics.add(messages::no_such_beginning(order.origin, chart.name,
+                                                        "this forcing order forces the initial situation of the chart, "
+                                                        "which differs from the selected situation"));
             return {};
         }
     for (const Id<Chart::Step> step : chart.steps.ids())
@@ -48,10 +48,11 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
         if (begins[step.index] == chart.steps[step].initial || (macro && begins[step.index])) continue;
         diagnostics.add(messages::no_such_beginning(
             chart.steps[step].origin, chart.name,
-            fmt::format("with it `{}` is {}", step_variable(chart, step),
-                        begins[step.index]
-                            ? "also active, because of a forcing order or a macro-step; add it"
-                            : "not active: add its enclosing step, or remove it if a forcing order deactivates it")));
+            fmt::format(
+                "in this situation, `{}` is {}", step_variable(chart, step),
+                begins[step.index]
+                    ? "also active, because of a forcing order or a macro-step; add this step"
+                    : "not active: add its enclosing step, or remove this step if a forcing order deactivates it")));
         return {};
     }
     return chart;
@@ -59,7 +60,7 @@ std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Ste
 
 // -- time -------------------------------------------------------------------------------------------------------------
 
-/// Returns all durations of both sides in increasing order.
+/// Returns all durations of both sides in increasing order, without duplicates.
 std::vector<std::int64_t> durations(const std::array<CompareSide, 2>& sides) {
     std::vector<std::int64_t> found;
     for (const CompareSide& side : sides)
@@ -71,16 +72,15 @@ std::vector<std::int64_t> durations(const std::array<CompareSide, 2>& sides) {
     return found;
 }
 
-constexpr std::int64_t most_program_units = 1'000'000'000;  ///< maximum duration in time units if a program is compared
+constexpr std::int64_t most_program_units = 1'000'000'000;  ///< if a side is a program: maximum duration, in time units
 
 std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
     return std::accumulate(times.begin(), times.end(), std::int64_t{0},
                            [](std::int64_t one, std::int64_t other) { return std::gcd(one, other); });
 }
 
-/// Returns the time unit, which divides all durations; 0 if no condition depends on time. The unit is small enough to
-/// start each timer in a different scan, unless this requires fractions of a millisecond or a timer that counts beyond
-/// 30000.
+/// Returns a time unit that divides all durations, in ms; 0 if no condition depends on time. The unit is small enough
+/// that each timer can start in a different scan, unless such a unit is below 1 ms or lets a timer count beyond 32767.
 std::int64_t unit_of(const std::array<CompareSide, 2>& sides) {
     const std::vector<std::int64_t> times = durations(sides);
     if (times.empty()) return 0;
@@ -93,7 +93,8 @@ std::int64_t unit_of(const std::array<CompareSide, 2>& sides) {
     return whole / best;
 }
 
-/// Determines the time between two scans. Returns false after an error: the options do not permit an exact comparison.
+/// Determines the times between scans. Reports an error and returns false if the options do not permit an exact
+/// comparison.
 bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& options, Comparison& result,
                Diagnostics& diagnostics) {
     const std::vector<std::int64_t> times = durations(sides);
@@ -104,7 +105,7 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
         timed_program = timed_program || sides[k].scan->layout.longest > 0;
         intervals[k] = sides[k].program().interval_ms;
     }
-    if (times.empty() && !timed_program) return true;  // nothing depends on time
+    if (times.empty() && !timed_program) return true;  // no condition depends on time
     if (intervals[0] && intervals[1] && *intervals[0] != *intervals[1]) {
         diagnostics.add(
             messages::not_comparable(sides[0].origin,
@@ -141,13 +142,14 @@ bool set_times(const std::array<CompareSide, 2>& sides, const CompareOptions& op
     return true;
 }
 
-/// Returns the reason for an unknown result if both have stopped, at least one of them because of a run-time fault.
+/// Returns the reason for an unknown result if both sides stop in the last scan, at least one of them because of a
+/// run-time fault.
 std::string fault_reason(const Comparison::ScanOutputs& a, const Comparison::ScanOutputs& b) {
     const std::string_view who = a.run_time_fault && b.run_time_fault ? "" : a.run_time_fault ? ", a" : ", b";
     return fmt::format("in the last scan, both stop{} because of a run-time fault, which is a model error", who);
 }
 
-/// True if the side is known to complete every scan for all inputs, so that the comparison need not check this.
+/// True if it is known without a check that the side completes every scan for all inputs.
 bool surely_stable(const CompareSide& side, bool settles, const Limits& limits) {
     if (side.is_program()) return !settles;
     AnalyseOptions options;
@@ -165,7 +167,8 @@ public:
                    Comparison& result)
         : sides_(sides), options_(options), sources_(sources), result_(result) {}
 
-    /// True if both sides have the same equations, and no run-time faults are possible.
+    /// True if both sides have the same equations up to names, and programs have no statement that can cause a run-time
+    /// fault.
     bool are_identical() const {
         if (sides_[0].is_program() != sides_[1].is_program() || result_.settles) return false;
         if (!identical_up_to_names(sides_[0].equations(), sides_[1].equations())) return false;
@@ -174,8 +177,7 @@ public:
                sides_[0].scan->elapsed == sides_[1].scan->elapsed;
     }
 
-    /// Returns the result for two charts or programs with the same equations: equal, provided that the constraints
-    /// permit some inputs.
+    /// Stores the result for two sides with the same equations: they are equal if some inputs satisfy the constraints.
     void answer_identical() {
         const ProductMachine& both = unrestricted();
         PdrOptions engine;
@@ -219,13 +221,14 @@ private:
         return schedule_both(sides_[0].product(), sides_[1].product(), made);
     }
 
-    /// Returns the product without a restriction of the number of scans; built once.
+    /// Returns the product of both sides for any number of scans. The product is built in the first call.
     const ProductMachine& unrestricted() {
         if (!product_) product_ = product({});
         return *product_;
     }
 
-    /// True if both sides complete every scan under stability search; computed once.
+    /// True if both sides are known to complete every scan under stability search. The value is computed in the first
+    /// call.
     bool both_stable() {
         if (!stable_)
             stable_ = surely_stable(sides_[0], result_.settles, options_.limits) &&
@@ -233,8 +236,8 @@ private:
         return *stable_;
     }
 
-    /// Returns Equal if the outputs of at least one program always settle with constant inputs, and the outputs of a
-    /// program settle if the other one stops. If the outputs of neither program settle, they cannot be compared.
+    /// Returns Equal under two conditions: with constant inputs, the outputs of at least one side always settle; and if
+    /// one side stops, the outputs of the other side settle. Otherwise, the outputs cannot be compared.
     Answered ask_settling() {
         Answered one = check_properties({"one_follows"}, {});
         if (one.outcome == Comparison::Outcome::Different)
@@ -244,13 +247,14 @@ private:
         if (one.outcome != Comparison::Outcome::Equal) return one;
         one = check_properties({"a_settles_after_stop", "b_settles_after_stop"}, {});
         if (one.outcome == Comparison::Outcome::Different)
-            return {Comparison::Outcome::Unknown, "one stops, and the outputs of the other one do not settle", {}};
+            return {
+                Comparison::Outcome::Unknown, "one side stops, and the outputs of the other side do not settle", {}};
         return one;
     }
 
-    /// Returns Equal if some scan ends without a stop. Returns Unknown if both stop in the first scan for all inputs,
-    /// because no outputs are compared. A possible cause is that `--stop-output` names an output that is not zero in
-    /// normal operation.
+    /// Returns Equal if a scan without a stop is possible. Returns Unknown if both sides stop in the first scan for all
+    /// inputs, because then no outputs are compared. A possible cause: `--stop-output` names an output that is not zero
+    /// in normal operation.
     Answered ask_stopping() {
         Answered one = check_properties({"continues"}, {});
         if (one.outcome != Comparison::Outcome::Different) return one;
@@ -260,8 +264,9 @@ private:
                 {}};
     }
 
-    /// Reports a possible run-time fault as a model error. Both sides were found equal, so they stop in the same scan,
-    /// but this is not equality. A fault after both have stopped has no effect.
+    /// Reports a possible run-time fault as a model error. Requires that the sides were found equal, so that both stop
+    /// in the same scan; with a run-time fault, this does not prove equality. A fault after both sides have stopped has
+    /// no effect.
     void report_faults() {
         if (std::ranges::none_of(
                 sides_, [](const CompareSide& side) { return side.is_program() && !side.scan->faults.empty(); }))
@@ -321,8 +326,8 @@ private:
         return {Comparison::Outcome::Unknown, "no inputs satisfy the constraints of both charts", {}};
     }
 
-    /// Returns the result for the verdicts. The property `possible` states that some inputs satisfy the constraints; if
-    /// it is violated, equality would hold vacuously.
+    /// Returns the result that the verdicts imply. The property `possible` states that some inputs satisfy the
+    /// constraints; if it is violated, equality holds only vacuously.
     Answered answered(const ProductMachine& both, const PdrResult& found) const {
         if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
         if (found.fault)
@@ -346,8 +351,8 @@ private:
         return answer;
     }
 
-    /// Returns the scans of the run. The first scan begins at power-on. Each further scan begins after a step in which
-    /// both charts wait.
+    /// Returns the scans of the run. The first scan begins at power-on. Each further scan begins after a step of the
+    /// run in which both sides wait.
     std::vector<Comparison::Scan> scans_of(const ProductMachine& both, const SystemRun& run) const {
         std::vector<Comparison::Scan> scans;
         for (std::size_t k = 0; k < run.states.size(); ++k) {
@@ -361,7 +366,7 @@ private:
         return scans;
     }
 
-    /// Stores the results of the interpreter for these scans, up to the first difference.
+    /// Stores the scans up to the first difference, and the results of the interpreters for these scans.
     void take(std::vector<Comparison::Scan> scans) {
         const Lockstep rules = lockstep();
         const std::optional<std::size_t> last = rules.difference(scans);
@@ -381,8 +386,9 @@ private:
         result_.answers = rules.answers(result_.scans);
     }
 
-    /// Searches for a shortest sequence that distinguishes both sides. Returns without a search if a chart possibly
-    /// does not become stable: `same` does not detect a scan in which only one of the charts becomes stable.
+    /// Searches for a shortest sequence of scans that distinguishes the sides. Under stability search, returns without
+    /// a search if a chart possibly does not become stable. Reason: the property `same` does not detect a scan in which
+    /// only one chart becomes stable.
     void shorten() {
         if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
         while (result_.scans.size() > 1) {
@@ -409,7 +415,7 @@ std::string steps_text(const Chart& chart, const std::vector<Id<Chart::Step>>& s
     return text;
 }
 
-/// Returns the side of a chart, with the selected initial situation. Empty after an error.
+/// Returns the side for a chart whose initial situation is `from`, if any steps are given. Empty after an error.
 std::optional<CompareSide> chart_side(const Chart& original, const std::vector<Id<Chart::Step>>& from,
                                       std::string& from_text, Diagnostics& diagnostics) {
     std::optional<Chart> chart = original;
@@ -423,7 +429,7 @@ std::optional<CompareSide> chart_side(const Chart& original, const std::vector<I
     return side_of_chart(std::move(*chart), std::move(*equations));
 }
 
-/// Returns the result for two sides; empty after an error.
+/// Returns the comparison of two sides; empty after an error.
 std::optional<Comparison> compared(std::array<CompareSide, 2> sides, const CompareOptions& options,
                                    const ProgramCompareOptions& of_programs, Comparison result, const Sources* sources,
                                    Diagnostics& diagnostics) {
@@ -472,7 +478,7 @@ std::optional<Comparison> compare(const CompareOperand& a, const CompareOperand&
         with_charts = true;
         result.mode = execution_mode(*operand.model, operand.chart, options.mode);
     }
-    if (!with_charts) result.mode = ExecutionMode::EveryCycle;  // one execution of each program
+    if (!with_charts) result.mode = ExecutionMode::EveryCycle;  // a scan is one execution of each program
     else if (!a.program.valid() && !b.program.valid())
         result.changes = difference(a.model->charts[a.chart], b.model->charts[b.chart]);
     auto found = compared({std::move(*sides[0]), std::move(*sides[1])}, options, of_programs, std::move(result),

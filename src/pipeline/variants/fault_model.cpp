@@ -14,7 +14,7 @@ namespace {
 
 using Assignments = std::vector<Component::Assignment>;
 
-/// Builds the union of the components of an instance and of its fault.
+/// Builds the union of the component of an instance and the component of its fault (fault_model.hpp).
 class UnionBuilder {
 public:
     UnionBuilder(const Model& model, const ClosedLoop::Instance& instance, const ClosedLoop::Fault& fault)
@@ -31,7 +31,7 @@ public:
         for (const auto& each : made_.locations) location_names_.take(each.name);
     }
 
-    /// Adds the component to `model` and returns the instance with it.
+    /// Adds the union to the components of `model`. Returns the instance with the union as its component.
     ClosedLoop::Instance build(Model& model, bool from_power_on) {
         made_.name += "_or_" + behaviour_.name;
         const Id<Component::Variable> first_own{static_cast<std::uint32_t>(made_.variables.size())};
@@ -52,7 +52,8 @@ public:
 private:
     std::string fresh(const std::string& name) { return names_.fresh(behaviour_.name + "_" + name); }
 
-    /// The single location of a fault has the name of the fault.
+    /// Returns the name of a location of the fault. If the fault has only one location, this location has the name of
+    /// the fault.
     std::string location_name(const Component::Location& location) {
         const bool single = faulty_.locations.size() == 1;
         return location_names_.fresh(single ? behaviour_.name : behaviour_.name + "_" + location.name);
@@ -72,8 +73,8 @@ private:
         return leaf.op == Op::Parameter ? parameters_[index] : own_[index];
     }
 
-    /// Maps each output of the fault to the output of the instance that is bound to the same variable, and adds the other
-    /// parameters.
+    /// Maps each output of the fault to the output of the instance that is bound to the same variable. Adds all other
+    /// parameters of the fault to the union.
     void add_parameters() {
         const std::size_t normal = made_.parameters.size();
         for (const Id<Component::Parameter> id : faulty_.parameters.ids()) {
@@ -135,8 +136,9 @@ private:
         made_.edges.add(std::move(edge));
     }
 
-    /// Adds the edges by which the fault occurs, and the values of an instance that starts with the fault. An output
-    /// that keeps its value has, at power-on, the value without the fault.
+    /// Adds the edges by which the fault occurs, and the initial values for an instance whose fault is present from
+    /// power-on. If the fault assigns no value to an output, the initial value of this output is that without the
+    /// fault.
     void add_change() {
         const Assignments declared = copied(faulty_.locations[behaviour_.initial].initially);
         std::vector<Id<Component::Clock>> resets;
@@ -153,7 +155,7 @@ private:
     const ClosedLoop::Instance& behaviour_;
     Component made_;
     ClosedLoop::Instance instance_;
-    std::size_t clocks_, locations_;  ///< numbers of clocks and locations of the normal behaviour
+    std::size_t clocks_, locations_;  ///< number of clocks, and number of locations, of the normal behaviour
     UniqueNames names_ = {}, location_names_ = {};
     std::vector<Id<Expr>> parameters_ = {}, own_ = {};  ///< terms for the parameters and variables of the fault
     TermCopier copy_;

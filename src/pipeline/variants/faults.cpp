@@ -24,7 +24,8 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Maximum number of states of each pass of a check, and whether the pass searches the complete network only.
+/// For each pass of a check: the maximum number of states, and a flag that is true if only the complete network is
+/// searched.
 constexpr std::array<std::pair<std::optional<std::uint64_t>, bool>, 3> passes = {
     {{std::uint64_t{1} << 17U, false}, {std::uint64_t{1} << 22U, true}, {{}, false}}};
 
@@ -32,11 +33,12 @@ bool is_about_existence(Pattern pattern) {
     return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
 }
 
-/// True if a combination satisfies a property with this pattern only if its subsets are known to satisfy it: a state or
-/// run that violates the property without a fault can satisfy it in the model in which this fault may still occur.
+/// True if the verdict `holds` for a combination requires known verdicts for all its subsets. Reason: a state or run
+/// that violates the property without a fault may satisfy it in the model of the combination, in which this fault may
+/// still occur.
 bool needs_subsets(Pattern pattern) { return !is_about_existence(pattern) && !is_about_all_states(pattern); }
 
-/// Returns the name of the property of the model: `S` for the row or verdict `S.X7`.
+/// Returns the name of the property in the model. For the row or verdict `S.X7`, the property is `S`.
 std::string base_name(const std::string& property, Pattern pattern) {
     return pattern == Pattern::ReachableAllSteps ? property.substr(0, property.find('.')) : property;
 }
@@ -50,7 +52,7 @@ void add_errors(std::vector<ModelErrorTrace>&& found, std::vector<ModelErrorTrac
             errors.push_back(std::move(error));
 }
 
-/// Adds the results of a later pass. Decided verdicts are kept.
+/// Adds the results of a later pass to `report`. Verdicts that an earlier pass decided are kept.
 void merge(Report&& later, Report& report) {
     if (report.answers.empty()) return void(report = std::move(later));
     for (PropertyResult& result : later.answers) {
@@ -63,8 +65,8 @@ void merge(Report&& later, Report& report) {
     std::ranges::move(later.failures, std::back_inserter(report.failures));
 }
 
-/// Returns the names of the undecided properties, if a limit on the number of states is a reason. `no timelock`, which
-/// every check decides, is relevant only if `timelock`.
+/// Returns the names of the undecided properties; empty if no property is undecided because of the limit on the number
+/// of states. Every check decides `no timelock`, but this property is only returned if `timelock` is true.
 std::vector<std::string> to_check_again(const Report& report, bool timelock) {
     std::set<std::string> names;
     bool limited = false;
@@ -77,12 +79,12 @@ std::vector<std::string> to_check_again(const Report& report, bool timelock) {
     return limited ? std::vector(names.begin(), names.end()) : std::vector<std::string>{};
 }
 
-/// A combination to check, with the rows that are open for it, and the results.
+/// A combination of faults to check, the rows for which it is checked, and the results.
 struct CombinationCheck {
     FaultSet faults = {};
     Indices rows = {};
-    std::vector<std::pair<std::size_t, FaultAnalysis::Cut>> violated = {};  ///< rows and their runs
-    std::vector<std::pair<std::size_t, std::string>> unknown = {};          ///< rows and reasons
+    std::vector<std::pair<std::size_t, FaultAnalysis::Cut>> violated = {};  ///< violated rows with their results
+    std::vector<std::pair<std::size_t, std::string>> unknown = {};  ///< rows with unknown verdicts, and the reasons
     std::vector<ModelErrorTrace> errors = {};
     std::vector<std::string> failures = {};
     bool done = false;
@@ -110,7 +112,8 @@ private:
     bool stopped() const { return is_over(request_.limits.deadline, request_.limits.stop); }
     const Table<ClosedLoop::Fault>& faults() const { return model_.loops[loop_].faults; }
 
-    /// Builds the model of each fault, so that all errors are reported before the search.
+    /// Builds the model of each single fault, so that errors are reported before the search. Returns false after an
+    /// error.
     bool faults_are_valid() {
         bool valid = true;
         for (const Id<ClosedLoop::Fault> id : faults().ids()) {
@@ -126,7 +129,7 @@ private:
         return valid;
     }
 
-    /// A check uses at most a quarter of the remaining time.
+    /// Returns the options of a check. A check may use at most a quarter of the remaining time.
     CheckOptions options(unsigned jobs) const {
         CheckOptions options{.properties = request_.properties, .limits = request_.limits, .jobs = jobs};
         options.limits.deadline = share_of(request_.limits.deadline, 4);
@@ -136,8 +139,8 @@ private:
     }
 
     /// Checks the network in passes, each for the properties that are still undecided. A network with faults often has
-    /// somewhat more states than localization requires, but a search of the complete network needs less time than
-    /// localization.
+    /// only a few more states than the limit above which localization is used. Therefore the second pass searches the
+    /// complete network, which then needs less time than localization.
     Report report_on(const Model& model, const Network& network, CheckOptions options, bool timelock) const {
         ++checks_;
         const LoopToCheck loop = loop_to_check(model, loop_, network);
@@ -152,7 +155,8 @@ private:
         return report;
     }
 
-    /// True for all rows except `no timelock`, which every check decides, if only other properties are requested.
+    /// True if the property of the row is requested. A check also decides `no timelock` if this property is not
+    /// requested.
     bool is_requested(const FaultAnalysis::Row& row) const {
         const std::vector<std::string>& names = request_.properties;
         return names.empty() || std::ranges::find(names, row.property) != names.end() ||
@@ -194,7 +198,7 @@ private:
         return faults()[Id<ClosedLoop::Fault>{static_cast<std::uint32_t>(fault)}].of;
     }
 
-    /// True if the combination must be checked for the row.
+    /// True if the combination must be checked for the property of the row.
     static bool is_open(const FaultAnalysis::Row& row, const FaultSet& faults) {
         if (row.without_faults != Outcome::Holds) return false;
         return is_about_existence(row.pattern) || violating_subset(row, faults) == nullptr;
@@ -211,7 +215,7 @@ private:
             if (!job.rows.empty()) jobs.push_back(std::move(job));
         });
         std::size_t done = 0;
-        std::mutex mutex;  // of `done` and of the callback
+        std::mutex mutex;  // protects `done` and calls of the callback
         in_parallel(
             jobs.size(), request_.jobs, [this] { return stopped(); },
             [&](std::size_t k) {
@@ -227,8 +231,9 @@ private:
         for (CombinationCheck& job : jobs) apply(job);
     }
 
-    /// Checks the models of a combination: with faults that occur at any time, then with faults from power-on. Bit k of
-    /// `present` is set if fault k of the combination is present from power-on.
+    /// Checks the models of a combination: first the model in which all faults occur at any time, then models in which
+    /// some faults are present from power-on. Bit k of `present` is set if fault k of the combination is present from
+    /// power-on.
     void check(CombinationCheck& job, unsigned jobs) const {
         const std::size_t all = (std::size_t{1} << job.faults.size()) - 1;
         for (std::size_t present = 0; present <= all && !stopped(); ++present) {
@@ -240,7 +245,8 @@ private:
         job.done = !stopped();
     }
 
-    /// True if a property with this pattern is checked in the model in which the faults `present` begin at power-on.
+    /// True if a property with this pattern must be checked in the model with the faults `present` from power-on. `all`
+    /// is the set of all faults of the combination.
     static bool needs(Pattern pattern, std::size_t present, std::size_t all) {
         if (is_about_existence(pattern)) return present == all;
         return present == 0 || pattern == Pattern::Inevitable || pattern == Pattern::Watched;
@@ -281,7 +287,8 @@ private:
                 }
     }
 
-    /// Each fault alone is valid, but a combination may need another time unit, for example.
+    /// Sets the verdicts for a combination whose model has an error to unknown. Such errors are possible although the
+    /// model of each single fault is valid: the combination may need another time unit, for example.
     static void fail(CombinationCheck& job, const Indices& rows, const Diagnostics& found) {
         const auto error = std::ranges::find(found.all(), Severity::Error, &Diagnostic::severity);
         for (const std::size_t row : rows)
@@ -332,7 +339,8 @@ private:
         return subsets;
     }
 
-    /// Notes that the verdict on a row is unknown, or that the combination satisfies what a subset violates.
+    /// Stores the result for a row that the combination does not violate: the verdict is unknown, or the combination
+    /// satisfies the property although a subset of its faults violates it.
     void apply(const CombinationCheck& job, std::size_t index) {
         FaultAnalysis::Row& row = analysis_.rows[index];
         if (is_violated(job, index)) return;
@@ -344,14 +352,14 @@ private:
         } else if (subset != nullptr) {
             row.non_monotone.push_back({subset->faults, job.faults});
         } else if (needs_subsets(row.pattern) && !unknown_subsets(row, job.faults).empty()) {
-            row.open.push_back({job.faults, "the verdict for some of these faults is unknown"});
+            row.open.push_back({job.faults, "the verdict for a subset of these faults is unknown"});
         }
     }
 
     // -- visible effects ------------------------------------------------------------------------------------------
 
     struct Element {
-        std::string name = {};  ///< `ALARM`, `X2`, `watchdog.X2`; with several controllers, `press.X2`
+        std::string name = {};  ///< such as `ALARM`, `X2`, `watchdog.X2`; if there are several controllers, `press.X2`
         Id<Network::Variable> variable = {};
     };
 
@@ -368,7 +376,7 @@ private:
         return found;
     }
 
-    /// Replaces the properties of a network: each element is true in some reachable state.
+    /// Replaces the properties of a network by one property per element: the element is true in some reachable state.
     static void query_visible(Network& network) {
         network.properties = {};
         for (const Element& each : elements(network))
@@ -377,7 +385,8 @@ private:
                                     .operands = {network.exprs.leaf(Op::Variable, each.variable.index)}});
     }
 
-    /// The elements that are true in some reachable state, and those that are not.
+    /// `yes`: the elements that are true in some reachable state. `no`: the elements that are true in no reachable
+    /// state.
     struct Reached {
         std::set<std::string> yes = {}, no = {};
         bool complete = true;
@@ -421,7 +430,7 @@ private:
         return visible;
     }
 
-    /// Decides if one of the elements inevitably becomes true.
+    /// Decides whether, in every run, at least one of the elements becomes true.
     Outcome shown(const Model& model, Network& network, const std::vector<std::string>& names) const {
         std::vector<Id<Expr>> terms;
         for (const Element& each : elements(network))
@@ -450,7 +459,8 @@ private:
 std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order) {
     std::vector<std::uint64_t> per_instance(loop.instances.size());
     for (const ClosedLoop::Fault& fault : loop.faults) ++per_instance[fault.of.index];
-    // Entry k: number of combinations of k faults of the instances so far, at most one more than the limit.
+    // Entry k: number of combinations of k faults of the instances that were visited; values above the limit are
+    // replaced by the limit plus one.
     std::vector<std::uint64_t> counts(std::min<std::size_t>(order, loop.instances.size()) + 1);
     counts[0] = 1;
     for (const std::uint64_t faults : per_instance)

@@ -19,7 +19,7 @@ namespace {
 
 using Plug = CompareSide::Plug;
 using Plugs = std::vector<Plug>;
-using Entry = std::pair<std::string, std::string>;  ///< of `--map`
+using Entry = std::pair<std::string, std::string>;  ///< the two names of `--map`
 
 bool same_word(std::string_view a, std::string_view b) { return st::capitals(a) == st::capitals(b); }
 
@@ -41,16 +41,16 @@ bool is_of_kind(const Plug& plug, Program::Type::Kind kind) {
 
 std::string entry_text(const Entry& entry) { return fmt::format("`--map {}={}`", entry.first, entry.second); }
 
-/// Returns the type for the report.
+/// Returns the name and type of an input or output for the report.
 Comparison::Variable variable_of(const Plug& plug) {
     Comparison::Variable made{plug.name, plug.type, {}, is_of_kind(plug, Program::Type::Kind::Time)};
     if (plug.program_type != nullptr) made.values = plug.program_type->values;
     return made;
 }
 
-/// True if the values of both can be compared exactly. Two enumerations must have the same values in the same order. The
-/// case of their names is ignored, because identifiers of IEC 61131-3 do not depend on case. A chart and a program may
-/// have different ranges, but an input of the program must accept each value of the chart's input.
+/// True if the values of `a` and `b` can be compared exactly. Two enumerations must have the same values in the same
+/// order; the case of these names is ignored, because identifiers of IEC 61131-3 are not case-sensitive. The range in a
+/// chart may differ from the range in a program, but an input of a program must accept each value of the chart's input.
 bool comparable(const Plug& a, const Plug& b, bool input) {
     if (a.type.boolean != b.type.boolean) return false;
     if (a.type.boolean) return true;
@@ -65,7 +65,7 @@ bool comparable(const Plug& a, const Plug& b, bool input) {
     return !input || (of_program.type.low <= of_chart.type.low && of_chart.type.high <= of_program.type.high);
 }
 
-/// Assigns inputs and outputs of two sides to each other.
+/// Assigns each input and output of side a to an input or output of side b.
 class Matching {
 public:
     Matching(std::array<CompareSide, 2>& sides, const ProgramCompareOptions& options, Comparison& result,
@@ -94,7 +94,8 @@ public:
 private:
     bool with_programs() const { return sides_[0].is_program() || sides_[1].is_program(); }
 
-    /// Sets the names for messages. If both names are equal, `(a)` and `(b)` distinguish them, as in the report.
+    /// Sets the names of the sides for messages. If both sides have the same name, `(a)` and `(b)` are appended, as in
+    /// the report.
     void set_labels() {
         const bool equal = same_word(sides_[0].name, sides_[1].name);
         for (const std::size_t k : {0U, 1U}) {
@@ -103,7 +104,7 @@ private:
         }
     }
 
-    /// Returns the name that `--stop-output` gives for a side; empty if there is none.
+    /// Returns the name of the output of side `k` that `--stop-output` selects; empty if the option selects none.
     std::string stop_name(std::size_t k) const {
         if (options_.stop.empty() || !sides_[k].is_program()) return {};
         return options_.stop.size() == 1 ? options_.stop.front() : options_.stop[k];
@@ -117,14 +118,14 @@ private:
         if (options_.stop.size() == 2) {
             for (const std::size_t k : {0U, 1U})
                 if (taken[k].empty())
-                    reject_stop(fmt::format("needs a program with the output `{}`, but {} is not one", options_.stop[k],
-                                            sides_[k].label),
+                    reject_stop(fmt::format("needs a program with the output `{}`, but {} is not such a program",
+                                            options_.stop[k], sides_[k].label),
                                 "name an output of each program; pass one NAME if only one program has such an output");
         } else if (taken[0].empty() && taken[1].empty())
             reject_stop("names no output of a program", "name an output of a program");
     }
 
-    /// Adds an error that no place in a file causes.
+    /// Adds an error that has no position in a file.
     void reject(std::string_view problem, std::string_view remedy) {
         diagnostics_.add(messages::not_comparable({}, problem, remedy));
     }
@@ -136,7 +137,7 @@ private:
             unsupported ? "use another type" : remedy);
     }
 
-    /// Makes the output for stops internal, if the side has it.
+    /// If side `k` has the output that reports stops, makes this output internal, so that it is not compared.
     void take_stop(std::size_t k) {
         CompareSide& side = sides_[k];
         const std::string name = stop_name(k);
@@ -173,7 +174,7 @@ private:
         result_.ignored.erase(std::ranges::unique(result_.ignored).begin(), result_.ignored.end());
     }
 
-    /// True if the name is that of the output of side `k` that reports stops.
+    /// True if `name` is the name of the output of side `k` that reports stops.
     bool reports_stop(std::size_t k, std::string_view name) const {
         return !result_.stop_outputs[k].empty() && same_word(result_.stop_outputs[k], name);
     }
@@ -200,8 +201,8 @@ private:
         return std::ranges::any_of(side.unsupported, [&](const Plug& one) { return is_called(side, one, name); });
     }
 
-    /// True if the entries of `--map` name inputs or outputs that exist, and assign each of them once. Otherwise errors
-    /// are added.
+    /// True if each entry of `--map` names an existing input or output of each side, and no name is assigned twice.
+    /// Otherwise adds errors.
     bool is_valid_map() {
         const std::size_t before = diagnostics_.errors();
         for (std::size_t i = 0; i < options_.map.size(); ++i) {
@@ -236,7 +237,7 @@ private:
                "remove one of them");
     }
 
-    /// Returns `input` or `output`; empty if the side has neither with this name.
+    /// Returns `input` or `output`; empty if the side has no input or output with this name.
     static std::string_view kind_of(const CompareSide& side, std::string_view name) {
         const auto has_name = [&](const Plug& plug) { return is_called(side, plug, name); };
         if (std::ranges::any_of(side.inputs, has_name)) return "input";
@@ -262,14 +263,14 @@ private:
         diagnostics_.add(messages::no_such_choice("input or output", name, known, nearest_of(name, known)));
     }
 
-    /// Returns the option that omits this output from the comparison; empty if there is none.
+    /// Returns the command-line option that omits this output from the comparison; empty if no option omits it.
     std::string omitting_option(const CompareSide& side, std::string_view name) const {
         for (const std::string& ignored : options_.ignored)
             if (same_name(side, ignored, name)) return "--ignore " + ignored;
         return reports_stop(&side == &sides_[0] ? 0 : 1, name) ? stop_text() : "";
     }
 
-    /// Returns the name of the counterpart in the second side that the user has selected.
+    /// Returns the name in the second side that `--map` assigns to an input or output of the first side.
     std::optional<std::string> mapped(const Plug& plug) const {
         for (const auto& [first, second] : options_.map)
             if (is_called(sides_[0], plug, first)) return second;
@@ -280,8 +281,9 @@ private:
                                    [&](const auto& one) { return is_called(sides_[1], of_b, one.second); });
     }
 
-    /// Returns the counterpart of an input or output of the first side among the remaining ones of the second side. A
-    /// name that differs only in case is accepted if it is the only one.
+    /// Returns the counterpart of an input or output of the first side among `rest`, the unassigned inputs or outputs
+    /// of the second side. If a side is a program, a name that differs only in case is accepted if exactly one such
+    /// name exists.
     Plugs::iterator counterpart(const Plug& plug, Plugs& rest) const {
         if (const auto name = mapped(plug))
             return std::ranges::find_if(rest, [&](const Plug& one) { return is_called(sides_[1], one, *name); });
@@ -352,7 +354,7 @@ private:
                                                                     : "declare it with the same type in both"));
     }
 
-    /// Reports the first value that differs between two enumerations.
+    /// Reports the first position at which the values of two enumerations differ.
     void report_values(std::string_view kind, const Plug& a, const Plug& b) {
         const std::vector<std::string>&of_a = a.program_type->values, &of_b = b.program_type->values;
         const auto [first, second] = std::ranges::mismatch(of_a, of_b, same_word);
@@ -365,9 +367,8 @@ private:
             "declare the same values in the same order in both"));
     }
 
-    /// Renames the inputs and outputs of the second side to the names of the first side. Other variables of the second
-    /// side that have one of these names are also renamed. The range of an input becomes the common range of both
-    /// sides.
+    /// Renames the inputs and outputs of the second side to the names in the first side. Other variables that already
+    /// have one of these names get another name. The range of each input becomes the common range of both sides.
     void rename() {
         for (const auto member : {&CompareSide::inputs, &CompareSide::outputs})
             for (std::size_t i = 0; i < (sides_[0].*member).size(); ++i)

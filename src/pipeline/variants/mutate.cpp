@@ -20,13 +20,13 @@ CheckOptions quiet_check(const std::vector<std::string>& properties, const Limit
     return {.properties = properties, .witnesses = false, .limits = limits, .jobs = 1};
 }
 
-/// Returns the verdicts on a loop, without the causes of violations.
+/// Returns the verdicts on the properties of a closed loop, without the causes of violations.
 std::optional<Report> quiet_report(const Model& model, Id<ClosedLoop> loop, std::optional<ExecutionMode> mode,
                                    const std::vector<std::string>& properties, const Limits& limits,
                                    Diagnostics& diagnostics) {
     const auto network = network_of(model, loop, ModelOptions{.mode = mode}, diagnostics);
     if (!network) return {};
-    // The mutation may remove an implicit property of the model.
+    // Selects only existing properties, because the mutation may remove an implicit property of the model.
     const std::vector<std::string> known = property_names(*network);
     std::vector<std::string> requested;
     for (const std::string& name : properties)
@@ -37,14 +37,14 @@ std::optional<Report> quiet_report(const Model& model, Id<ClosedLoop> loop, std:
     return check_without_causes(loop_to_check(model, loop, *network), quiet_check(requested, limits));
 }
 
-/// Returns the code of the first error.
+/// Returns the diagnostic code of the first error.
 std::string first_code(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics.all())
         if (each.severity == Severity::Error) return each.code;
     return "error";
 }
 
-/// True if `text` has no syntax errors and is in canonical form.
+/// True if `text` has no syntax errors, and formatting does not change it.
 bool reads_back(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
@@ -155,7 +155,7 @@ MutantResult MutantChecker::result_of(const Mutant& mutant, const Limits& limits
         mutant_result.kind = MutantResult::Kind::Unnoticed;
     else if (mutant_result.reason.empty())
         mutant_result.reason = differs ? "the verdict on a property is unknown"
-                                       : "it is unknown if the mutant is equivalent (" + compared->reason + ")";
+                                       : "the equivalence of the mutant is unknown (" + compared->reason + ")";
     return mutant_result;
 }
 

@@ -27,11 +27,11 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Maximum number of states that the timed engine explores in the second proof. If it is not sufficient, another engine
-/// is used.
+/// Maximum number of states that the timed engine explores in the second proof. If this number is not sufficient, PDR
+/// is used for the second proof.
 constexpr std::uint64_t most_timed_states = 2'000'000;
 
-/// The game on one loop, and its result.
+/// Synthesizes conditions for one closed loop, and proves that they enforce the properties.
 class Supervising {
 public:
     Supervising(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
@@ -99,16 +99,16 @@ private:
                                               : "not a property of all states";
     }
 
-    /// Returns the name of an element of the chart of the controller. If there are several charts, the name is prefixed
-    /// by the chart.
+    /// Returns the name of an element of the controller's chart. If there are several controllers, the name is prefixed
+    /// by the name of the chart.
     std::string shown(std::size_t controller, const std::string& name) const {
         const auto& controllers = model_.loops[loop_].controllers;
         const Id<ClosedLoop::Controller> id{static_cast<std::uint32_t>(controller)};
         return controllers.size() > 1 ? model_.charts[controllers[id].chart].name + "." + name : name;
     }
 
-    /// Checks, in the timed loop without conditions, the properties that the untimed model without conditions violates.
-    /// These are the elements of `made_.kept` for which `violated` is true.
+    /// Checks in the timed loop without conditions the properties that the untimed model without conditions violates.
+    /// These properties are the elements of `made_.kept` for which `violated` is true.
     void check_timed_without(const std::vector<bool>& violated) {
         std::vector<std::string> names;
         for (std::size_t index = 0; index < violated.size(); ++index)
@@ -138,7 +138,8 @@ private:
         return held_[which.controller][which.permission].subject;
     }
 
-    /// Returns the model with the marked situation as a property, if a marked situation was given.
+    /// Returns the model. If `--marked` is given, the model has an additional property: the marked situation remains
+    /// reachable.
     std::optional<Model> with_marked_situation() {
         if (request_.marked.empty()) return model_;
         const Id<Source> file = model_.loops[loop_].origin.source;
@@ -148,7 +149,8 @@ private:
                           diagnostics_);
     }
 
-    /// Adds an input for each permission to the charts. Returns false if the charts cannot be restricted.
+    /// Adds to the charts an input for each permission. Returns false if a chart cannot be restricted because two
+    /// controllers run it.
     bool held_back(Model& model) {
         ClosedLoop& loop = model.loops[loop_];
         UniqueNames names;
@@ -159,7 +161,9 @@ private:
         for (const ClosedLoop::Controller& controller : loop.controllers) {
             if (known[controller.chart.index]) {
                 made_.reason = fmt::format(
-                    "two controllers run `{}`, but conditions apply to both; give each its own chart", controller.name);
+                    "two controllers run the chart `{}`, so each condition applies to both; give each controller a "
+                    "separate chart",
+                    controller.name);
                 return false;
             }
             known[controller.chart.index] = true;
@@ -212,8 +216,8 @@ private:
         return requested;
     }
 
-    /// Reports a run that violates a property. No permission is refused in the run, so it is also a run of the original
-    /// loop.
+    /// Reports a run that violates a property and that no conditions prevent. All permissions are granted in this run;
+    /// therefore it is also a run of the original loop.
     void report_run(const Model& plain, const Supervisor& found) {
         const auto system = transition_system_of(plain, loop_, untimed(request_), diagnostics_);
         if (!system) return;
@@ -266,7 +270,7 @@ private:
         prove(std::move(texts));
     }
 
-    /// If a marked situation was given, adds it to the loop in `texts`.
+    /// If `--marked` is given, adds the property about the marked situation to the closed loop in `texts`.
     void add_marked(std::map<std::string, std::string>& texts, Diagnostics& diagnostics) const {
         if (request_.marked.empty()) return;
         const std::string& file = sources_[model_.loops[loop_].origin.source].name;
@@ -278,7 +282,7 @@ private:
             texts[file] = std::move(*text);
     }
 
-    /// Parses the texts and proves the properties with two engines.
+    /// Parses the texts of the charts with conditions, and proves the properties with two different engines.
     void prove(std::map<std::string, std::string> texts) {
         Sources sources;
         Diagnostics diagnostics;
@@ -310,8 +314,8 @@ private:
         return made;
     }
 
-    /// Proves the properties with the timed engine, which uses another type of model. If this engine does not support
-    /// the model or does not finish, PDR is used.
+    /// Makes the second proof with the timed engine, which uses another type of model. Properties that this engine does
+    /// not decide are proved by PDR.
     void prove_again(const Model& model, Id<ClosedLoop> loop, const SystemToCheck& check) {
         Diagnostics diagnostics;
         std::vector<std::string> names = made_.kept;
@@ -341,8 +345,9 @@ private:
         return names;
     }
 
-    /// Returns the properties in `names` that the report does not prove. If there are any, sets the outcome to unknown,
-    /// and adds an internal failure for each violated property.
+    /// Returns the properties that `report` does not prove: those in `names` without a verdict, and those with a
+    /// verdict other than `holds`. If there are such properties, sets the outcome to unknown. Adds an internal failure
+    /// for each violated property.
     std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
         made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
         for (const ModelErrorTrace& breakdown : report.error_traces) made_.failures.push_back(breakdown.message);
@@ -371,9 +376,9 @@ private:
     Sources& sources_;
     const SuperviseRequest& request_;
     Diagnostics& diagnostics_;
-    std::string marked_ = {};  ///< name of the property that states that marked situations remain reachable
-    std::vector<std::vector<PermittedElement>> held_ = {};  ///< permissions per controller
-    std::vector<ObservableVariables> sights_ = {};          ///< observable variables per controller
+    std::string marked_ = {};  ///< name of the property that the marked situation remains reachable
+    std::vector<std::vector<PermittedElement>> held_ = {};  ///< for each controller: its permissions
+    std::vector<ObservableVariables> sights_ = {};  ///< for each controller: the variables that conditions may read
     Supervised made_ = {};
 };
 
@@ -381,7 +386,8 @@ private:
 
 std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
                                      const SuperviseRequest& request, Diagnostics& diagnostics) {
-    // The permissions would be held for a scan, but the supervisor chooses them for each evolution.
+    // Task cycles are rejected: a scan would use the same permissions in all its evolutions, but the supervisor chooses
+    // permissions for each evolution.
     const std::size_t errors = diagnostics.errors();
     for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
         if (model.charts[controller.chart].program)

@@ -28,8 +28,8 @@ ModelOptions untimed(const SuperviseRequest& request) {
 
 namespace {
 
-/// Marks the outputs that the chart itself reads. These outputs are not restricted, because their values depend on
-/// earlier conditions.
+/// Returns, for each variable, true if the chart reads it. Outputs that the chart reads are not restricted, because
+/// their values depend on conditions in earlier evolutions.
 std::vector<bool> read_outputs(const Chart& chart) {
     std::vector<bool> read(chart.variables.size());
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
@@ -62,7 +62,8 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
         held.back().places = {written.transitions[id].origin};
     }
     std::map<std::uint32_t, Id<Expr>> of_output;
-    // The action, the index of its element in `held`, and its index in `sets` of this element.
+    // An action without the permission, the index of its output in `held`, and the index of the action in `sets` of
+    // this entry.
     std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;
     for (const Chart::ContinuousAction& action : chart.continuous)
         if (request.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
@@ -81,7 +82,7 @@ std::vector<PermittedElement> add_permissions(Model& model, ClosedLoop& loop, Id
             held.back().places.push_back(written.continuous[id].origin);
             held.back().steps.push_back(action.step);
         }
-        // The only action of an output needs no additional output.
+        // If an output has only one action, this action needs no additional output.
         if (held.back().steps.size() == 1 && conditional > 0) unrestricted.pop_back();
     }
     for (auto& [action, subject, site] : unrestricted) {
@@ -115,7 +116,7 @@ ObservableVariables sight_of(System& system, const System::Controller& controlle
 Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop) {
     std::vector<Id<Expr>> terms;
     for (std::size_t index = 0; index < system.controllers.size(); ++index) {
-        Diagnostics none;  // errors are impossible, because the system was derived from these equations
+        Diagnostics none;  // no errors can occur, because the system was derived from the same equations
         const auto equations =
             equations_of(model, loop.controllers[{static_cast<std::uint32_t>(index)}].chart, none).value();
         for (std::size_t step = 0; step < equations.steps.size(); ++step) {

@@ -14,7 +14,7 @@ namespace grafverif {
 
 namespace {
 
-/// Builds terms in the tables of a parsed file.
+/// Adds the syntax trees of terms to the tables of a parsed file.
 class TreeTerms {
 public:
     TreeTerms(tree::File& file, Span where) : file_(file), where_(where) {}
@@ -29,7 +29,7 @@ public:
         return joined(term.all ? tree::Op::And : tree::Op::Or, groups);
     }
 
-    /// Returns the conjunction of `old`, which may be missing, and `added`.
+    /// Returns the conjunction of `old` and `added`; only `added` if `old` is invalid or the constant true.
     Id<tree::Expr> both(Id<tree::Expr> old, Id<tree::Expr> added) {
         if (!old.valid() || file_.exprs[old].op == tree::Op::True) return added;
         std::vector<Id<tree::Expr>> operands = operands_of(old);
@@ -56,7 +56,7 @@ private:
         append(file_.exprs, made, operand);
         return made;
     }
-    /// Returns the conjunction or disjunction of the operands, which are not copied.
+    /// Returns the conjunction or disjunction of the operands. The operands are moved into the new term, not copied.
     Id<tree::Expr> joined(tree::Op op, const std::vector<Id<tree::Expr>>& operands) {
         if (operands.empty()) return add(op == tree::Op::And ? tree::Op::True : tree::Op::False);
         if (operands.size() == 1) return operands.front();
@@ -100,8 +100,8 @@ void put(tree::File& file, std::vector<tree::ChartItem>& items, const std::map<s
                    item);
 }
 
-/// Returns the position of the first transition or continuous action inside `for`. `inside` is true if the items are
-/// inside `for`.
+/// Returns the position of the first transition or continuous action that a `for` declaration replicates. `inside` is
+/// true if the items themselves are inside a `for` declaration.
 std::optional<Span> first_replicated(const std::vector<tree::ChartItem>& items, bool inside) {
     std::optional<Span> first;
     for (const tree::ChartItem& item : items) {

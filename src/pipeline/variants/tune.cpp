@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The search proceeds in rounds. Each round checks one network per open box, in parallel: the relaxation of the
-// undecided points of the box. Then all transfers are made in a fixed order, so that the result does not depend on the
-// number of threads. A box whose check decides something continues with its undecided points; any other box is split. A
-// box with one point checks this point.
+// The search proceeds in rounds. Each round checks, in parallel, at most one network per open box: the relaxation of
+// the undecided points of the box. Then all transfers are made in a fixed order, so that the result does not depend on
+// the number of threads. If the check of a box decided a verdict, the box continues with its undecided points;
+// otherwise the box is split. For a box with one point, the network of this point is checked.
 #include "pipeline/variants/tune.hpp"
 
 #include <algorithm>
@@ -29,29 +29,29 @@ namespace {
 using Row = Tuning::Row;
 using Indices = std::vector<std::size_t>;
 
-/// Number of successive checks of relaxations without a result after which each point of a box is checked.
+/// Number of successive checks of relaxations without a result after which each point of a box is checked separately.
 constexpr unsigned most_misses = 2;
-/// Number of points at which a run may be impossible before its transfer ends, apart from two for each success.
+/// The transfer of a run ends after this number of failed points, plus two for each point at which it succeeded.
 constexpr std::size_t most_failures = 32;
 
-/// Properties of a row that determine how its verdicts can be transferred.
+/// Data that determine how the verdicts of a row can be transferred to other points.
 struct RowKind {
-    std::string base = {};   ///< name of the property of the model: `S` for the row `S.X7`
+    std::string base = {};   ///< name of the property in the model: `S` for the row `S.X7`
     bool watched = false;    ///< the property has an observer
     bool pointwise = false;  ///< no verdict can be transferred, except between equal networks
 };
 
 struct OpenBox {
     GridBox box = {};
-    unsigned misses = 0;  ///< number of checks of larger boxes, since the last useful one, that decided nothing
-    bool skip = false;    ///< the last check decided nothing: split once more before the next check
+    unsigned misses = 0;  ///< number of checks of enclosing boxes without a result since the last check with a result
+    bool skip = false;    ///< the check of the enclosing box had no result: split this box before the next check
 };
 
-/// A network to check, and the rows and points about which the result may decide.
+/// A network to check, and the rows and points whose verdicts the result may decide.
 struct Job {
-    std::size_t of = 0;  ///< index of the open box
+    std::size_t of = 0;  ///< index of the box for which the network is checked
     Relaxation relaxation = {};
-    bool exact = false;  ///< the relaxation is the network of each of the points
+    bool exact = false;  ///< true: the relaxation is the network of each of the points
     Indices points = {}, rows = {};
     std::vector<Verdict> verdicts = {};
     std::vector<std::string> failures = {};
@@ -120,7 +120,7 @@ private:
                     .declared = verdict.declared,
                     .origin = verdict.origin};
             row.current = point_verdict(verdict);
-            // The timed engine does not support this property, for any values.
+            // A property that the timed engine does not support is unknown at all points.
             const bool unsupported = verdict.obstacle == UnknownReason::Unsupported;
             row.verdicts.assign(tuning_.points, unsupported ? row.current : PointVerdict{});
             tuning_.rows.push_back(std::move(row));
@@ -149,7 +149,7 @@ private:
         ++decided_;
     }
 
-    /// Stores the results for the current values, which are a point of the grid in most cases.
+    /// Stores the results for the current values of the constants if they are a point of the grid.
     void note_current(const Report& report) {
         Indices indices;
         for (const TunedConstant& constant : tuning_.constants) {
@@ -171,7 +171,7 @@ private:
 
     std::size_t agreement(std::size_t row, std::size_t point) { return points_.agreement(point, kinds_[row].base); }
 
-    /// Returns the network on which the property of a row is decided. The observers of checks of points have probes.
+    /// Returns the network that decides the property of a row. An observer has probes only in the network of a point.
     Network seen_by(std::size_t row, Network network, bool exact) const {
         if (!kinds_[row].watched) return network;
         const Vacuity vacuity = exact ? Vacuity::Probed : Vacuity::Ignored;
@@ -180,7 +180,7 @@ private:
         return network;
     }
 
-    /// Returns the open points that agree with `point` on the property of the row.
+    /// Returns the undecided points that agree with `point` on the property of the row (TunePoints::agreement).
     Indices open_points(std::size_t row, std::size_t point) {
         Indices found;
         const std::size_t wanted = agreement(row, point);
@@ -198,7 +198,7 @@ private:
 
     void apply(Job& job, std::size_t row, const Verdict& verdict) {
         const std::size_t first = job.points.front();
-        // An unknown verdict on a relaxation is not a result.
+        // An unknown verdict on a relaxation implies nothing for the points.
         const PointVerdict made =
             job.exact || verdict.outcome != Outcome::Unknown ? point_verdict(verdict) : PointVerdict{};
         tuning_.model_error = tuning_.model_error || (job.exact && verdict.obstacle == UnknownReason::Faulty);
@@ -233,8 +233,8 @@ private:
         }
     }
 
-    /// Returns the open points that agree with the job on the property of the row, beginning with those next to the
-    /// point whose network was checked, if there is one.
+    /// Returns the undecided points that agree with the job on the property of the row. If the job checked the network
+    /// of a point, the points next to this point come first.
     Indices nearest_points(const Job& job, std::size_t row) {
         std::size_t start = job.points.back();
         for (const std::size_t point : job.points)
@@ -260,7 +260,7 @@ private:
 
     const ClockFacts& facts_of(Job& job) const { return job.facts ? *job.facts : job.facts.emplace(network_for(job)); }
 
-    /// True if the verdict on the relaxation is also the verdict at the point (docs/explanation/parameters.md).
+    /// True if the verdict on the relaxation is also the verdict at `point` (docs/explanation/parameters.md).
     bool is_shared(Job& job, std::size_t row, const Verdict& verdict, std::size_t point) {
         const Pattern pattern = verdict.pattern;
         if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps)
@@ -301,7 +301,7 @@ private:
                 const std::size_t before = decided_;
                 const bool last = checked && is_point(boxes[k].box);
                 if (checked) apply(*job++);
-                if (last || !shrink(boxes[k].box)) continue;  // a point whose check was stopped remains unknown
+                if (last || !shrink(boxes[k].box)) continue;  // after a stopped check, the point remains unknown
                 if (decided_ > before || is_point(boxes[k].box)) next.push_back({boxes[k].box});
                 else split(boxes[k], checked, next);
             }
@@ -324,7 +324,7 @@ private:
         for_each_point(box, [&](const Indices& at) { visit(tuning_.point(at), at); });
     }
 
-    /// Reduces a box to its open points. Returns false if there are none.
+    /// Reduces a box to its undecided points. Returns false if all points of the box are decided.
     bool shrink(GridBox& box) const {
         std::optional<GridBox> made;
         each_point(box, [&](std::size_t point, const Indices& at) {
@@ -346,11 +346,11 @@ private:
                 .rows = open_rows(point)};
     }
 
-    /// Returns the network to check for a box; nothing if the box must be split first.
+    /// Returns the check to make for a box; nothing if the box must be split before the next check.
     std::optional<Job> job_of(const OpenBox& open) {
         if (is_point(open.box)) return job_at(tuning_.point(open.box.first));
         if (request_.every_point || open.skip) return {};
-        std::map<std::size_t, Indices> by_row;  // open points
+        std::map<std::size_t, Indices> by_row;  // undecided points
         std::set<std::size_t> all;
         each_point(open.box, [&](std::size_t point, const Indices&) {
             for (const std::size_t row : open_rows(point))
@@ -359,7 +359,7 @@ private:
                     all.insert(point);
                 }
         });
-        if (all.size() < 3) return {};  // a check of each point is at most one check more
+        if (all.size() < 3) return {};  // checking each point separately takes at most one more check
         std::erase_if(by_row, [&](const auto& row) {
             return std::ranges::any_of(all, [&](std::size_t point) {
                 return agreement(row.first, point) != agreement(row.first, *all.begin());
@@ -409,8 +409,8 @@ private:
         return only;
     }
 
-    /// Returns the constant along which a box is split: the one with the most values, of those that change more than
-    /// constants of clock constraints, if there are any.
+    /// Returns the constant along which a box is split: the constant with the most values. Constants that change more
+    /// than the constants of clock constraints have priority.
     std::size_t axis_of(const GridBox& box) const {
         std::size_t best = 0;
         std::pair<bool, std::size_t> most{false, 0};
@@ -441,14 +441,14 @@ private:
         }});
     }
 
-    /// The check of a relaxation is limited, because it may have many more states than any point.
+    /// Checks the network of a job. A relaxation may have many more states than any point; its check is limited.
     void check(Job& job) {
         const Network network = network_for(job);
         if (job.exact) return check_as_declared(network, job);
-        if (!verify(network).empty()) return;  // an urgent edge may violate a relaxed invariant
+        if (!verify(network).empty()) return;  // no valid network: an urgent edge may violate a relaxed invariant
         job.verdicts =
             (*search_)(network, names_of(job.rows), search_->efforts().back(), share_of(request_.limits.deadline, 4));
-        // `no timelock` first: verdicts on other properties depend on it.
+        // The verdict on `no timelock` is transferred first, because the transfer of other verdicts depends on it.
         std::ranges::stable_partition(job.verdicts,
                                       [](const Verdict& verdict) { return verdict.pattern == Pattern::NoTimelock; });
     }
@@ -481,12 +481,12 @@ private:
     Tuning tuning_ = {};
     TunePoints points_;
     std::vector<RowKind> kinds_ = {};
-    std::vector<std::size_t> open_ = {};  ///< number of open points per row
+    std::vector<std::size_t> open_ = {};  ///< for each row: number of undecided points
     std::size_t decided_ = 0;             ///< number of decided verdicts
     std::optional<std::size_t> timelock_ = {};
     CheckOptions options_ = {};
-    std::optional<VariantSearch> search_ = {};  ///< search of relaxations
-    /// Rows for which a relaxation was checked.
+    std::optional<VariantSearch> search_ = {};  ///< checks relaxations
+    /// For each relaxation: the rows for which it was checked.
     std::map<std::pair<const Network*, Relaxation>, Indices> tried_ = {};
 };
 

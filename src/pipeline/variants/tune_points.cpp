@@ -14,10 +14,10 @@ namespace grafverif {
 
 namespace {
 
-/// Number of points that are read before their networks are merged.
+/// Number of points that are read in parallel before their networks are added to the set of frames.
 constexpr std::size_t at_once = 64;
 
-/// Adds `no timelock`, which every check decides, to a network that does not declare it.
+/// Adds the property `no timelock` to a network that does not declare it, because every check decides this property.
 void add_timelock(Network& network) {
     if (std::ranges::none_of(network.properties, timed::about_time))
         network.properties.add(timed::undeclared_timelock(network));
@@ -81,7 +81,7 @@ bool TunePoints::read_all(std::optional<std::int64_t> unit_ms, const std::functi
         for (std::size_t k = 0; k < reads.size(); ++k) {
             report(first + k, reads[k], diagnostics);
             if (reads[k].diagnostics.has_errors()) return false;
-            if (!reads[k].member) continue;  // not read
+            if (!reads[k].member) continue;  // the point was not read, because the reading was stopped
             unit_ms_ = std::gcd(unit_ms_, reads[k].member->frame.time_unit_ms);
             points_[first + k].frame = set_.add(std::move(reads[k].member->frame));
             points_[first + k].constants = std::move(reads[k].member->constants);

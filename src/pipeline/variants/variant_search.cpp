@@ -14,10 +14,11 @@ namespace grafverif {
 
 namespace {
 
-/// Lower limits of the bound on states of a search: for a check that is repeated completely, and for a check in passes.
+/// Lower limits for the maximum number of states of a search: `least_bound` if one pass searches completely,
+/// `least_bound_in_passes` if several passes are made.
 constexpr std::uint64_t least_bound = 100'000, least_bound_in_passes = std::uint64_t{1} << 20U;
 
-/// Returns `network` with the observer of `property`. The result has no other property.
+/// Returns `network` with the observer of `property`. The returned network has no other property.
 Network with_observer(const Network& network, Id<Property> property) {
     Network made = observed(network, {property});
     const Property decided = element_of(made.properties, network.properties[property].name, &Property::name);
@@ -43,8 +44,8 @@ VariantSearch::VariantSearch(const CheckOptions& options, const Report& report, 
             known_.emplace(answer.verdict.property, *answer.verdict.abstraction);
             abstract_states = std::max(abstract_states, 2 * own);
         }
-        // In most variants, localization also decides the properties that it decided in the original. Therefore the
-        // complete network is searched only briefly before localization.
+        // If localization decided a property of the original model, it usually also decides this property in the
+        // variants. Therefore the complete network is searched only briefly before localization.
         if (answer.verdict.scope.cells) last.begin.whole = bounds.brief;
     }
     const bool in_passes = (states > bounds.few_states || !known_.empty()) && !options.whole;

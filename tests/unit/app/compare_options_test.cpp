@@ -150,9 +150,10 @@ TEST(CompareOptions, WhatCannotBeComparedIsRejectedWithARemedy) {
              {latch,
               latch,
               {"--stop-output", "L=K"},
-              "`--stop-output L=K` needs a program with the output `K`, but `latch` (b) is not one; name an output of "
+              "`--stop-output L=K` needs a program with the output `K`, but `latch` (b) is not such a program; name an "
+              "output of "
               "each program; pass one NAME if only one program has such an output"},
-             {lamp, latch, {"--stop-output", "L=L"}, "a program with the output `L`, but `lamp` is not one"},
+             {lamp, latch, {"--stop-output", "L=L"}, "a program with the output `L`, but `lamp` is not such a program"},
              {latch, real, {"--stop-output", "r"}, "`--stop-output r` names an output whose type is not supported"},
              {latch,
               latch,

@@ -210,8 +210,9 @@ TEST(Compare, ChartsAreComparedFromASituation) {
         "}\n}\n";
     const Result alone = compared(enclosed, enclosed, {"--from-situation", "G.3"});
     EXPECT_EQ(alone.code, ExitCode::Input);
-    EXPECT_NE(alone.err.find("cannot start in the situation of `--from-situation`: with it `G.X3` is not active"),
-              std::string::npos)
+    EXPECT_NE(
+        alone.err.find("cannot start in the situation of `--from-situation`: in this situation, `G.X3` is not active"),
+        std::string::npos)
         << alone.err;
     EXPECT_EQ(compared(enclosed, enclosed, {"--from-situation", "1,G.3"}).code, ExitCode::Done);
 }

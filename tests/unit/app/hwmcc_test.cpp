@@ -100,8 +100,8 @@ TEST(Bmc, ShowsShortestRunsAndTheSearchedLength) {
     const Result far = grafverif({"check", file, "--engine", "bmc", "--max-steps", "20"});
     EXPECT_EQ(far.code, ExitCode::Verdict) << far.err;
     EXPECT_NE(far.out.find("one: unknown"), std::string::npos) << far.out;
-    EXPECT_NE(far.out.find("no run of up to 20 steps violates it"), std::string::npos) << far.out;
-    EXPECT_NE(far.out.find("no run of up to 20 steps reaches it"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("no run of up to 20 steps violates the property"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("no run of up to 20 steps satisfies the property"), std::string::npos) << far.out;
     EXPECT_TRUE(holds(far.out, "lit")) << far.out;
     EXPECT_NE(far.out.find("dark: violated"), std::string::npos) << far.out;
     EXPECT_NE(far.out.find("note (lit, dark): no shorter trace exists"), std::string::npos) << far.out;
@@ -110,7 +110,7 @@ TEST(Bmc, ShowsShortestRunsAndTheSearchedLength) {
 
     const Result near = grafverif({"check", file, "--engine", "bmc", "--max-steps", "1", "--property", "dark"});
     EXPECT_EQ(near.code, ExitCode::Unknown) << near.err;
-    EXPECT_NE(near.out.find("no run of up to 1 step violates it"), std::string::npos) << near.out;
+    EXPECT_NE(near.out.find("no run of up to 1 step violates the property"), std::string::npos) << near.out;
 }
 
 TEST(Auto, NamesTheSymbolicEngineThatDecidesAloneAndUsesTheTimedOneForTimedModels) {
@@ -147,7 +147,7 @@ TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
         EXPECT_EQ(properties[k]["verdict"], k == 6 ? "unknown" : "holds");
         EXPECT_EQ(properties[k].contains("cells"), k < 6);
         if (k < 6) {
-            EXPECT_EQ(properties[k]["notes"], nlohmann::json{"decided by cells"});
+            EXPECT_EQ(properties[k]["notes"], nlohmann::json{"decided by localization (cells)"});
         }
     }
     const nlohmann::json in_sequence = nlohmann::json::parse(grafverif(one_thread).out);
@@ -156,7 +156,7 @@ TEST(Auto, IsTheDefaultAndDecidesByLocalizationFirstAndTheRestByEngines) {
     std::vector<std::string> whole = command;
     whole.insert(whole.end(),
                  {"--monolithic", "--property", "no_out_of_range", "--property", "held[2]", "--timeout", "300ms"});
-    EXPECT_EQ(grafverif(whole).out.find("decided by cells"), std::string::npos);
+    EXPECT_EQ(grafverif(whole).out.find("decided by localization (cells)"), std::string::npos);
 }
 
 TEST(Pdr, TimeAndMemoryEndInUnknown) {
@@ -285,7 +285,7 @@ TEST(EngineCommand, ShareOfOneQueryIsDistinguishedFromTheTimeLimit) {
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L; property Q: never M;"));
     const Result result = grafverif({"check", file, "--engine-command", "sleep 1000; true", "--timeout", "600ms"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
-    const std::size_t first = result.out.find("why: its share of the time limit is used up");
+    const std::size_t first = result.out.find("why: the share of the time limit for this property is used up");
     EXPECT_NE(first, std::string::npos) << result.out;
     EXPECT_NE(result.out.find("why: stopped at the time limit of 0.6 s", first), std::string::npos) << result.out;
 }
