@@ -48,8 +48,8 @@ private:
         return code_.cells.add({section, name, word, initial, true, std::move(comment), {}});
     }
 
-    /// Adds the cells. The first ones store the variables of the equations and have their indices, so that the terms of
-    /// the equations are terms over cells.
+    /// Adds the cells. The first cells store the variables of the equations and have the same indices as these
+    /// variables, so that the terms of the equations are terms over cells.
     void add_cells() {
         for (const Variable id : equations_.variables.ids()) {
             const Equations::Variable& variable = equations_.variables[id];
@@ -81,7 +81,7 @@ private:
 
     struct Times {
         Id<Timer> on = {}, off = {};  ///< invalid if there is no rise time or fall time
-        Id<Cell> lasted = {};         ///< condition that the rise time has elapsed; valid if both exist
+        Id<Cell> lasted = {};         ///< condition that the rise time has elapsed; valid if both timers exist
     };
 
     void add_timer(std::size_t k) {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::int64_t longest_ms = std::numeric_limits<std::int32_t>::max();
 
-/// For each term: the reason why 32-bit arithmetic does not compute it exactly, or an empty text if it does. One pass
-/// over the table is sufficient, because children precede parents.
+/// For each term: the reason why 32-bit arithmetic does not compute the term exactly, or no text if the result is
+/// exact. One pass over the table is sufficient, because children precede parents.
 class Obstacles {
 public:
     explicit Obstacles(const Equations& equations) : exprs_(equations.exprs), reasons_(equations.exprs.size()) {

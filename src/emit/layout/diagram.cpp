@@ -97,7 +97,7 @@ Diagram diagram(const Component& component) {
     }
     for (const Component::Edge& edge : component.edges) {
         const std::string guard = guard_text(component, edge), effect = effect_text(component, edge);
-        Diagram::Arrow arrow{edge.from.index, edge.to.index, {edge.urgent ? "at once" : "timed"}, false};
+        Diagram::Arrow arrow{edge.from.index, edge.to.index, {edge.urgent ? "urgent" : "timed"}, false};
         if (!guard.empty()) arrow.lines.front() += ", when " + guard;
         if (!effect.empty()) arrow.lines.push_back("do " + effect);
         result.arrows.push_back(std::move(arrow));

@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// Returns the steps that the property names. If it names none, returns the steps of all controllers.
+    /// Returns the steps that the property names. If the property names no step, returns the steps of all controllers.
     std::vector<Id<Network::Variable>> steps(const Property& property) const {
         std::vector<Id<Network::Variable>> found;
         for (const Id<Expr> operand : property.operands)

@@ -129,7 +129,7 @@ private:
     std::size_t writes_ = 0;  // current number of writes to free variables and of joint choices
     bool loose_ = false;      // true if the current term is the value of a flag or belongs to `rest`
     bool at_rest_ = false;    // true if the current term is evaluated in states in which time passes
-    bool joint_ = false;  // true if the value of an auxiliary variable is a single choice if it reads free variables
+    bool joint_ = false;      // true if an auxiliary variable whose value reads free variables is a single choice
     using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
     std::set<Copy> copies_ = {};  // copies of the edge that were already added
 };

@@ -9,8 +9,8 @@ namespace grafverif {
 
 namespace {
 
-/// The unit of the steps of Sequential Function Charts. The name is a keyword, so that no other unit has it. The first
-/// cell is true while the step is active.
+/// The unit of the steps of Sequential Function Charts. The name is a keyword, so that no other unit has this name. The
+/// first cell of the unit is true while the step is active.
 constexpr std::string_view step_unit = "STEP";
 
 struct Walk {

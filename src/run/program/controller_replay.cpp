@@ -25,7 +25,7 @@ ProgramControllerReplay::ProgramControllerReplay(const ChartRun& run, const Char
             internals_.push_back(known->second);
         }
     }
-    // Otherwise, the replay would ignore a variable of the run.
+    // If the numbers were different, the replay would ignore a variable of the run.
     assert(internals_.size() == controller.internals.size());
     cells_.steps = step_cells(interpreter_.layout());
 }
@@ -48,7 +48,7 @@ std::string ProgramControllerReplay::does(const ChartRun::Act& act, const ChartR
         // The run does not show the variables of timers and charts that a program cannot read.
         const bool changes = kept() != earlier, changes_hidden = hidden() != unseen;
         if (act.stable && changes && *act.stable)
-            return "the scan changes nothing, but according to the program it does";
+            return "the scan changes nothing, but according to the program it changes a variable";
         if (act.stable && !changes && !changes_hidden && !*act.stable)
             return "the scan changes a variable, but according to the program it changes nothing";
         if (act.evolves) stable = act.stable.value_or(!changes);

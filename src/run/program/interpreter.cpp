@@ -176,7 +176,8 @@ std::int64_t ProgramRun::evaluate(Id<Program::Node> id, std::size_t frame) {
     }
 }
 
-/// Evaluates a condition or selector. A variable is already in the log.
+/// Evaluates a condition or selector, and logs its value. The value of a variable is not logged again, because reading
+/// the variable has already logged it.
 std::int64_t ProgramRun::decision(Id<Program::Node> id, std::size_t frame) {
     const std::int64_t value = evaluate(id, frame);
     if (log_ != nullptr && program_->nodes[id].op != Op::Read) log_->nodes.push_back({id, frame, value});

@@ -81,7 +81,8 @@ private:
         }
     }
 
-    /// Chooses the running times that have elapsed, from index `k` on. `caused` is true if one has been chosen.
+    /// Chooses the running times that have elapsed, from index `k` on. `caused` is true if an elapsed time was already
+    /// chosen.
     void choose_elapsed(std::size_t k, const Zone& zone, bool caused) {
         if (check_.limit_ != Limit::None) return;
         if (k == running_.size()) return choose_inputs(0, zone, caused);
@@ -96,7 +97,7 @@ private:
         flags[running.element] = false;
     }
 
-    /// Chooses the number of changes of each input, from signal `k` on, that the instant observes.
+    /// Chooses, for each input from signal `k` on, the number of its changes that the instant observes.
     void choose_inputs(std::size_t k, const Zone& zone, bool caused) {
         if (check_.limit_ != Limit::None) return;
         if (k == check_.signals_.size()) {
@@ -176,7 +177,7 @@ private:
         write_outputs(k + 1, std::move(next));
     }
 
-    /// Keeps only the instants that matter, in a canonical order.
+    /// Keeps only the instants to which the hypothesis still refers, in a canonical order.
     void finish(Hypothesis next) {
         std::vector<std::size_t> kept = {0, now_};
         for (std::vector<std::size_t>* const list : {&next.rise, &next.fall, &next.hidden})
@@ -327,10 +328,12 @@ void RecordingCheck::advance() {
     drop_used_changes();
 }
 
-/// Notes the output that ends the hypothesis, if it explains a longer part of the recording than the other ones.
+/// Notes the output that ends the hypothesis, if this hypothesis explains a longer part of the recording than all other
+/// hypotheses so far.
 void RecordingCheck::end(const Hypothesis& hypothesis) {
     const Ticks jitter = settings_.jitter;
-    Ticks other = Zone::unbounded;  // deadline of an event that another hypothesis observes with an earlier one
+    Ticks other =
+        Zone::unbounded;  // deadline of an event that another hypothesis observes together with an earlier event
     for (std::size_t k = 0; k < elements_.size(); ++k) {
         const auto deadline = [&](std::size_t start, std::int64_t milliseconds) {
             if (start == 0) return;
@@ -374,7 +377,8 @@ void RecordingCheck::poll() {
     if (settings_.stopped && settings_.stopped()) limit_ = Limit::Stopped;
 }
 
-/// Removes each hypothesis whose timings are included in those of another one. Ends early if too many remain.
+/// Removes each hypothesis whose timings are included in the timings of another hypothesis. Ends early if too many
+/// hypotheses remain.
 void RecordingCheck::reduce(std::vector<Hypothesis>& hypotheses) {
     if (hypotheses.size() < 2) return;
     std::unordered_map<std::string, std::vector<std::size_t>> kept;
@@ -467,8 +471,7 @@ RecordingVerdict RecordingCheck::verdict() const {
     } else if (!problem_.empty() || !end_) {
         result.kind = Kind::Unknown;
         result.reason = fmt::format(
-            "an admissible timing has a model error at {} ms, and no other one explains the "
-            "recording: {}",
+            "an admissible timing has a model error at {} ms, and no other timing explains the recording: {}",
             problem_time_ / settings_.ticks_per_ms, problem_);
     } else {
         result.kind = Kind::Deviates;

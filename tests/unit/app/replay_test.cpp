@@ -139,7 +139,7 @@ TEST(Replay, NamesTheTimeOfAModelErrorThatExplainsTheRecording) {
         "transition a: 1 -> 2 when A; transition b: 2 -> 1 when B; }\n";
     const Result result = replayed("t,A,B,L\n0,0,0,0\n1,1,,1\n2,0,,\n2.01,,1,0\n3,,0,\n100,,,1\n101,,,\n", {}, chart);
     EXPECT_EQ(result.code, ExitCode::Unknown);
-    EXPECT_NE(result.out.find("an admissible timing has a model error at 2010 ms, and no other one explains the "
+    EXPECT_NE(result.out.find("an admissible timing has a model error at 2010 ms, and no other timing explains the "
                               "recording"),
               std::string::npos)
         << result.out;

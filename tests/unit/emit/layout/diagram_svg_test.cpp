@@ -172,7 +172,7 @@ TEST(DiagramSvg, AComponentShowsItsInvariantsGuardsAndAssignments) {
     ASSERT_EQ(drawn.nodes.size(), 3u) << "unreachable locations are also drawn";
     EXPECT_EQ(drawn.nodes[1].lines, (std::vector<std::string>{"moves", "t <= STEP"}));
     EXPECT_TRUE(drawn.nodes[0].initial);
-    EXPECT_EQ(drawn.arrows[0].lines, (std::vector<std::string>{"at once, when OPEN", "do t := 0"}));
+    EXPECT_EQ(drawn.arrows[0].lines, (std::vector<std::string>{"urgent, when OPEN", "do t := 0"}));
     EXPECT_EQ(drawn.arrows[1].lines,
               (std::vector<std::string>{"timed, when OPEN && WIDE < WIDE_max && t == STEP", "do WIDE := WIDE + 1"}));
     EXPECT_EQ(drawn.arrows[2].lines, (std::vector<std::string>{"timed"}));
