@@ -96,7 +96,7 @@ Diagnostic missing_program(std::string_view program, std::string_view instead) {
 Diagnostic no_closed_loop() {
     return error("no-closed-loop", {},
                  "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`, or use a command "
-                 "for charts: `plc` runs one, `check` checks it, `nusmv` writes a model");
+                 "for charts: `plc` runs a chart, `check` checks a chart, `nusmv` writes a model of a chart");
 }
 
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,

@@ -67,10 +67,11 @@ Diagnostic assigned_input(Span where, std::string_view variable) {
 }
 
 Diagnostic continuous_and_stored(Span where, std::string_view output, Span other) {
-    Diagnostic diagnostic = error(
-        "continuous-and-stored", where,
-        fmt::format("`{}` has continuous and stored actions; use only one kind for each output", clipped(output)));
-    diagnostic.notes.push_back(note(other, "the other kind is here"));
+    Diagnostic diagnostic =
+        error("continuous-and-stored", where,
+              fmt::format("`{}` has continuous and stored actions; use only one kind of action for each output",
+                          clipped(output)));
+    diagnostic.notes.push_back(note(other, "the action of the other kind is here"));
     return diagnostic;
 }
 
@@ -151,7 +152,7 @@ Diagnostic owned_twice(Span where, std::string_view chart, Span first) {
         error("owned-twice", where,
               fmt::format("`{}` already belongs to another step; use a separate partial chart for this step",
                           clipped(chart)));
-    diagnostic.notes.push_back(note(first, "the first one is here"));
+    diagnostic.notes.push_back(note(first, "the first step is here"));
     return diagnostic;
 }
 

@@ -69,7 +69,7 @@ Diagnostic two_initial_locations(Span where, std::string_view component, Span fi
         fmt::format(
             "`{}` has a second initial location; keep one, and select another one for an instance with `initially`",
             clipped(component)));
-    diagnostic.notes.push_back(note(first, "the first one is here"));
+    diagnostic.notes.push_back(note(first, "the first initial location is here"));
     return diagnostic;
 }
 

@@ -10,7 +10,8 @@ namespace grafverif::messages {
 
 Diagnostic excludes_every_input(Span where) {
     return error("excludes-every-input", where,
-                 "no combination of inputs satisfies this constraint and those before it; weaken one of them");
+                 "no combination of inputs satisfies this constraint and the constraints before it; weaken one of "
+                 "these constraints");
 }
 
 Diagnostic initial_never_stable(Span where, std::string_view inputs, std::string_view cycle) {
@@ -70,7 +71,8 @@ Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit) {
 Diagnostic too_many_states(Span where, std::uint64_t limit) {
     return error(
         "bound-reached", where,
-        fmt::format("the Mealy machine has more than {} states, timers included; raise `--max-states`", limit));
+        fmt::format("the Mealy machine has more than {} states, including states of timers; raise `--max-states`",
+                    limit));
 }
 
 Diagnostic automaton_too_large(Span where) {

@@ -83,7 +83,7 @@ Diagnostic chosen_kind(Span where, std::string_view variable, std::string_view k
 Diagnostic mixed_actions(Span where, std::string_view output, std::string_view stored) {
     return warning("mixed-actions", where,
                    fmt::format("`{0}` has continuous and stored actions; it is true if a continuous action sets it or "
-                               "if the value last stored, now `{1}`, is true",
+                               "if the last stored value, which is imported as the variable `{1}`, is true",
                                clipped(output), clipped(stored)));
 }
 
@@ -200,8 +200,9 @@ Diagnostic no_program(Span where) {
 }
 
 Diagnostic several_programs(Span where, std::string_view name) {
-    return error("several-programs", where,
-                 fmt::format("`{}` is a second program; instantiate one of them in a CONFIGURATION", clipped(name)));
+    return error(
+        "several-programs", where,
+        fmt::format("`{}` is a second program; instantiate one of the programs in a CONFIGURATION", clipped(name)));
 }
 
 Diagnostic bad_property(Span where, std::string_view what, std::string_view hint) {

@@ -60,7 +60,7 @@ Diagnostic decimal_number(Span where, std::string_view text) {
 }
 
 Diagnostic number_too_large(Span where) {
-    return error("number-too-large", where, "the number exceeds 64 bits; write a smaller one");
+    return error("number-too-large", where, "the number exceeds 64 bits; write a smaller number");
 }
 
 Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit) {
@@ -91,7 +91,9 @@ Diagnostic empty_replication(Span where, std::string_view index, std::int64_t lo
 
 Diagnostic expansion_too_large(Span where, std::size_t limit) {
     return error("too-large", where,
-                 fmt::format("the copies contain more than {} declarations and terms; reduce the range", limit));
+                 fmt::format("the copies of replications contain more than {} declarations and terms; reduce the "
+                             "ranges of the index variables",
+                             limit));
 }
 
 Diagnostic in_copy(Span where, std::string_view values) {

@@ -36,7 +36,7 @@ Diagnostic unknown_location(Span where, std::string_view name, std::string_view 
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
     Diagnostic diagnostic = error("duplicate-name", where,
                                   fmt::format("a second {} is named `{}`; rename one of them", kind, clipped(name)));
-    diagnostic.notes.push_back(note(first, "the first one is here"));
+    diagnostic.notes.push_back(note(first, "the first declaration is here"));
     return diagnostic;
 }
 

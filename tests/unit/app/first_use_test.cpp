@@ -68,7 +68,9 @@ TEST(FirstUse, ChartWithoutLoopGetsAHintToSuitableCommands) {
         const Result result = grafverif({verb, chart});
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_TRUE(
-            says(result, "or use a command for charts: `plc` runs one, `check` checks it, `nusmv` writes a model"))
+            says(result,
+                 "or use a command for charts: `plc` runs a chart, `check` checks a chart, `nusmv` writes a model of a "
+                 "chart"))
             << result.err;
     }
     EXPECT_EQ(grafverif({"simulate", chart}, "quit\n").code, ExitCode::Done);

@@ -204,9 +204,10 @@ TEST(LocationAutomaton, RejectsChartsThatCannotBeTested) {
               "[nothing-to-test] `chart` has no inputs and cannot be tested; declare at least one");
     EXPECT_EQ(refusal("input a; initial step 1; step 2; transition t0: 1 -> 2 when a;"),
               "[nothing-to-test] `chart` has no outputs and cannot be tested; declare at least one");
-    EXPECT_EQ(refusal("input a; output O; constraint a; constraint !a; initial step 1 { O; }"),
-              "[excludes-every-input] no combination of inputs satisfies this constraint and those before it; weaken "
-              "one of them");
+    EXPECT_EQ(
+        refusal("input a; output O; constraint a; constraint !a; initial step 1 { O; }"),
+        "[excludes-every-input] no combination of inputs satisfies this constraint and the constraints before it; "
+        "weaken one of these constraints");
     EXPECT_EQ(
         refusal("input a; output O; initial step 1 { O; } step 2; transition t0: 1 -> 2 when true; transition "
                 "t1: 2 -> 1 when true;"),

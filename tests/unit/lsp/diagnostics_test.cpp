@@ -96,7 +96,7 @@ TEST(LspDiagnostics, NameTheOtherPlace) {
     ASSERT_EQ(codes(diagnostics), Codes{"duplicate-name"});
     const Json related = diagnostics[0]["relatedInformation"];
     ASSERT_EQ(related.size(), 1U);
-    EXPECT_EQ(related[0]["message"], "the first one is here");
+    EXPECT_EQ(related[0]["message"], "the first declaration is here");
     EXPECT_EQ(related[0]["location"]["uri"], address);
     EXPECT_EQ(related[0]["location"]["range"]["start"], at(1, 10));
 }
