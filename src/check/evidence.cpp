@@ -60,7 +60,7 @@ private:
         else if (const std::string then = next ? differs(values, &FlatSystem::Variable::next, *next) : "";
                  !then.empty())
             why = "is followed by a state that is not a successor: the value of `" + then + "` differs";
-        if (!why.empty()) broken_ = "state " + std::to_string(state + 1) + " of its trace " + why;
+        if (!why.empty()) broken_ = "state " + std::to_string(state + 1) + " of the trace " + why;
     }
 
     std::string out_of_range(std::size_t state) const {
@@ -154,7 +154,7 @@ std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Proper
     if (!evidence.broken().empty()) return evidence.broken();
     return shows(evidence, property, operands, settled, trace.loop.value_or(0))
                ? ""
-               : "its trace does not establish the verdict";
+               : "the trace does not establish the verdict";
 }
 
 }  // namespace grafverif

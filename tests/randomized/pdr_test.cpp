@@ -70,8 +70,9 @@ void compare_bounded(const System& system, const SymbolicResult& symbolic, std::
         }
         EXPECT_EQ(verdict.outcome, Outcome::Unknown);
         EXPECT_EQ(verdict.obstacle, UnknownReason::Bound);
-        EXPECT_EQ(verdict.reason, "no run of up to " + std::to_string(steps) + (steps == 1 ? " step" : " steps") +
-                                      (verdict.pattern == Pattern::Reachable ? " reaches it" : " violates it"));
+        EXPECT_EQ(verdict.reason,
+                  "no run of up to " + std::to_string(steps) + (steps == 1 ? " step" : " steps") +
+                      (verdict.pattern == Pattern::Reachable ? " satisfies the property" : " violates the property"));
         ++compared.bounded;
     }
 }

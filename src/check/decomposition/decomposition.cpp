@@ -223,8 +223,9 @@ void DecomposedCheck::take(SubsystemQuery& question, Verdict verdict) const {
 
 /// Returns the outcome for which preservation must be checked. For a property that is undecided only because of a model
 /// error or inexact time, the result is the outcome that the property would have without this obstacle. If a limit
-/// ended the search, the result is an outcome that is preserved if time can pass forever in the other parts. If that is
-/// the case, the complete network has at least as many states as the searched parts and need not be searched.
+/// ended the search, the result is an outcome that is preserved if time can pass forever in the other parts. In that
+/// case, the complete network has at least as many states as the searched parts, so that a search of the complete
+/// network would also reach the limit.
 Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
     switch (verdict.obstacle) {

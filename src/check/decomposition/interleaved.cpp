@@ -58,7 +58,7 @@ SymbolicResult InterleavedCheck::result() {
         try {
             parts_.about_each(system_.properties[id]) ? result_of_each(id) : answer(id);
         } catch (const BddExhausted&) {
-            needs_complete(id, "the interaction of the sub-loops could not be determined");
+            needs_complete(id, "a limit was reached before the interaction of the sub-loops was determined");
         }
     }
     parts_.forget();
@@ -126,8 +126,8 @@ void InterleavedCheck::answer(Id<Property> id) {
 }
 
 /// Decides `inevitable` or `leads to` in a system without clocks, if the property holds in the search and another part
-/// can move forever. In such a system, this other part can prevent the progress of all other parts. Returns false if
-/// the property is not decided.
+/// can move forever. Without clocks, a part that moves forever can prevent the progress of all other parts. Returns
+/// true if the verdict is decided.
 bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, Verdict& verdict,
                                       const std::vector<const OmittedSubsystem*>& rest) {
     if (preservation_class_of(verdict) != PreservationClass::Unavoidable) return false;
@@ -154,7 +154,7 @@ bool InterleavedCheck::decide_starved(Id<Property> id, SubsystemResult& search, 
         concatenated(subsystem_run(search, path), subsystem_run(moving, parts_.interleaving(moving).endless_run()));
     verdict.outcome = Outcome::Violated;
     verdict.vacuous = false;
-    verdict.notes = {"`" + (*mover)->name + "` can move forever while the others wait"};
+    verdict.notes = {"`" + (*mover)->name + "` can move forever while all other sub-loops wait"};
     give(id, verdict, scope(search.chosen, "shares nothing with it and can move forever while it waits"),
          replayed(parts_.flat(), made));
     return true;

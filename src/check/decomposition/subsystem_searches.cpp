@@ -126,8 +126,8 @@ symbolic::InterleavingPremises& SubsystemSearches::interleaving(SubsystemResult&
 void SubsystemSearches::know(SubsystemResult& search, PreservationClass claim, bool at_stable) {
     OmittedSubsystem& as = search.as;
     if (!as.searched || (claim == PreservationClass::Everywhere && !at_stable)) return;
-    // If a computation reaches the memory limit, an exception skips the assignment of the flag `knows_...`, so that the
-    // next call repeats the computation.
+    // Each flag `knows_...` is set last. Therefore, if a computation ends with an exception because of the memory
+    // limit, the next call repeats the computation.
     if (timed() && !search.knows_time) {
         as.never_locks = interleaving(search).never_locks();
         as.diverges = as.never_locks || interleaving(search).diverges();

@@ -102,7 +102,7 @@ private:
 
     bool assign(std::string_view name, std::string_view value) {
         const auto place = places_.find(std::string(name));
-        if (place == places_.end()) return true;  // a name that is not known is the name of a definition
+        if (place == places_.end()) return true;  // an unknown name is the name of a definition
         const auto number = value_of(place->second, value);
         if (number) now_[place->second.index] = *number;
         return number.has_value();
@@ -167,8 +167,7 @@ UnknownReason obstacle_of(const ProgramResult& program_result) {
     return stopped ? UnknownReason::Stopped : UnknownReason::Failed;
 }
 
-/// The output of the program, which is divided into sections by markers. If a signal has ended the program, its output
-/// is ignored.
+/// The output of NuSMV, divided into sections by markers. If a signal has ended NuSMV, the output is ignored.
 class NusmvOutput {
 public:
     explicit NusmvOutput(const ProgramResult& program_result) {

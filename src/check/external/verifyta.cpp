@@ -21,7 +21,8 @@ std::string marked(std::string_view text) {
         result += text[i];
         if (text[i] != escape) continue;
         if (i + 1 == text.size() || text[i + 1] != '[') continue;
-        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;  // skips to the final byte
+        // skips to the final byte of the control sequence
+        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;
     }
     return result;
 }

@@ -30,7 +30,8 @@ bool wanted(const Property& property) { return property.pattern == Pattern::Reac
 /// True if the verdict was decided without a search of the complete network.
 bool is_decided_separately(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
 
-/// True if `options` select a property that localization, or the caller between the steps of a CellSearch, can decide.
+/// True if `options` select a property that localization can decide, or that the caller of a CellSearch can decide
+/// between the steps of the search.
 bool has_local(const Network& network, const TimedOptions& options) {
     return terms_have_values(network) && std::ranges::any_of(network.properties, [&](const Property& property) {
                const Pattern pattern = property.pattern;
@@ -380,7 +381,7 @@ void LocalizationCheck::take_local() {
 }
 
 /// Returns true if an unknown verdict requires a search of the complete network. An unknown verdict on the undeclared
-/// property `no timelock` does not require this search, but is replaced if another property requires it.
+/// property `no timelock` does not require this search, but is replaced if another property requires the search.
 bool LocalizationCheck::needs_whole() {
     if (searched_whole_ || !is_open()) return false;
     if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;

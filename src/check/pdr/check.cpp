@@ -82,7 +82,7 @@ private:
         if (const std::string why = refusal(property.pattern); !why.empty())
             return give_up(question, UnknownReason::Unsupported, why);
         if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // BMC cannot prove that a property holds
-            return give_up(question, UnknownReason::Unsupported, "its property is not proved");
+            return give_up(question, UnknownReason::Unsupported, "the probed property is not proved");
         if (fault_obstacle_ != UnknownReason::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
         if (options_.decided_elsewhere != nullptr)
@@ -160,7 +160,8 @@ private:
 
     // -- validity of the system ------------------------------------------------------------------------------------
 
-    /// Calls `work` and handles exhausted limits and invalid results. In both cases open queries remain undecided.
+    /// Calls `work`. If a limit is reached or a result is invalid, stores the reason in `obstacle_` and `reason_`; open
+    /// queries remain undecided.
     template <class Work>
     void guarded(const Work& work) {
         obstacle_ = UnknownReason::None;
@@ -180,7 +181,8 @@ private:
         } catch (const UnsoundResult& unsound) {
             disbelieve(unsound.what);
         }
-        if (obstacle_ == UnknownReason::Stopped && !watch_.over()) reason_ = "its share of the time limit is used up";
+        if (obstacle_ == UnknownReason::Stopped && !watch_.over())
+            reason_ = "the share of the time limit for this property is used up";
     }
 
     /// Records that the result of an engine is invalid. An invalid result of an internal engine is a failure; an
@@ -243,7 +245,7 @@ private:
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &PropertyQuery::is_open));
         for (PropertyQuery& question : questions_) {
-            if (!matters(question)) give_up(question, UnknownReason::Stopped, "its property is violated");
+            if (!matters(question)) give_up(question, UnknownReason::Stopped, "the probed property is violated");
             if (!question.is_open()) question.search = nullptr;
             if (!question.is_open()) continue;
             const auto start = Clock::now();
@@ -259,8 +261,8 @@ private:
         }
     }
 
-    /// Evaluates the result of the work on a query. If `later` is true, and only the query's share of the time is
-    /// exceeded, the query remains open.
+    /// Updates a query after PDR or BMC has worked on the query. If `later` is true, and only the query's share of the
+    /// time is exceeded, the query remains open.
     void conclude(PropertyQuery& question, const char* by, bool later) {
         if (obstacle_ == UnknownReason::None) {
             if (options_.method != PdrOptions::Method::Alternating || question.verdict.outcome == Outcome::Unknown)
@@ -322,7 +324,8 @@ private:
         question.has_value =
             question.has_value || undefined == Gates::no || !searched(undefined, question.property.name).reached;
         if (question.has_value) return false;
-        give_up(question, UnknownReason::Faulty, "its condition divides by zero in some reachable state");
+        give_up(question, UnknownReason::Faulty,
+                "the condition of the property divides by zero in some reachable state");
         return true;
     }
 
@@ -424,7 +427,8 @@ private:
         if (question.cleared == 0) return words;
         const std::size_t steps = question.cleared - 1;
         return words + (words.empty() ? "" : "; ") + "no run of up to " + std::to_string(steps) +
-               (steps == 1 ? " step" : " steps") + (question.is_reachability() ? " reaches it" : " violates it");
+               (steps == 1 ? " step" : " steps") +
+               (question.is_reachability() ? " satisfies the property" : " violates the property");
     }
 
     /// True if some reachable state is quiescent.

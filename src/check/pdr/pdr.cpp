@@ -36,7 +36,7 @@ public:
         for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
     }
 
-    /// Runs the search and returns its result. After Exhausted, another call continues the search.
+    /// Runs the search and returns its result. If a call throws Exhausted, the next call continues the search.
     PdrAnswer result() {
         obligations_.clear();
         if (frames_.empty()) add_frame();  // frame 0 contains only the first state

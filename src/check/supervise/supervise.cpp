@@ -91,7 +91,8 @@ private:
     struct Terms {
         Id<Expr> evolves = {};
         std::vector<Id<Expr>> seen = {}, may = {}, effects = {};
-        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< for each permission: term of each site, or invalid
+        /// For each permission and site: a term or an invalid id.
+        std::vector<std::vector<Id<Expr>>> site_effects = {};
     };
 
     Supervisor unknown(std::string why) {
@@ -394,8 +395,8 @@ private:
         return std::move(result_);
     }
 
-    /// Appends a step from `state` to a stage before `stage`: a move if there is such a move, otherwise an evolution with
-    /// all permissions.
+    /// Appends a step from `state` to a stage before `stage`: a move if there is such a move, otherwise an evolution
+    /// with all permissions.
     void step(symbolic::Path& path, symbolic::State& state, const LosingRegion& losing, std::size_t stage) const {
         const Bdd only = model_->only(state);
         const auto go = [&](const Bdd& to, const Bdd& how) {
@@ -431,8 +432,8 @@ private:
     std::vector<std::vector<Bdd>> effects_ = {};  ///< for each player and permission: condition of its effect
     /// For each player, permission and site: set of the steps in which the action of the site sets the output.
     std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};
-    std::vector<std::vector<Bdd>> observed_ = {};  ///< observed functions of each player
-    std::vector<Bdd> bads_ = {};                   ///< states of each bad term
+    std::vector<std::vector<Bdd>> observed_ = {};  ///< functions of the state that each player observes
+    std::vector<Bdd> bads_ = {};                   ///< for each bad term: states in which it is true or undefined
     Bdd bad_ = {}, marked_ = {};
     std::vector<Policy> policies_ = {};  ///< policy of each player
     Bdd under_ = {};                     ///< states that are reachable under the policies

@@ -106,7 +106,8 @@ QueryResult PropertyQueries::answer(const PropertyQuery& question, const StateSp
     }
     const Sets here = sets(question, model, search);
     if (here.undefined) {
-        set_unknown(verdict, UnknownReason::Faulty, "its condition divides by zero in some reachable state");
+        set_unknown(verdict, UnknownReason::Faulty,
+                    "the condition of the property divides by zero in some reachable state");
         return found;
     }
     if (is_about_single_states(pattern)) result_state(found, question, here, model, search);

@@ -14,8 +14,8 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::uint32_t largest_tree = 4096;  // maximum number of nodes; larger terms share subterms
-constexpr double largest_value = 4.0e18;      // a term whose value may be greater may overflow
+constexpr std::uint32_t largest_tree = 4096;  // maximum number of nodes of a tree; larger terms are compiled by `eager`
+constexpr double largest_value = 4.0e18;      // a term that may have a greater absolute value may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 

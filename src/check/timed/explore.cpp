@@ -59,10 +59,10 @@ namespace {
 constexpr std::uint32_t slices_each = 64;      // number of slices for each thread in a block
 constexpr std::size_t many_text = 1U << 21U;   // number of words of computed successors at which a block ends
 constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory that a slice keeps for reuse
-// Minimum number of slices of states or new states for which the work is performed in parallel.
+// Minimum amount of work, in slices of states or new states, that is performed in parallel.
 constexpr std::size_t worth_sharing = 16;
 constexpr std::size_t link_bytes = 24;  // maximum number of bytes of links per state; above it, links are dropped
-constexpr std::size_t link_grace = 1U << 18U;  // total bytes up to which links are never dropped
+constexpr std::size_t link_grace = 1U << 18U;  // up to this total number of bytes, links are never dropped
 
 class Exploration {
 public:
@@ -216,7 +216,8 @@ private:
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        // The function `lead` later replaces the target by the target of an edge, unless states may have been omitted.
+        // If an urgent edge is enabled, or if time cannot pass, the function `lead` later stores the target of an edge,
+        // unless states may have been omitted.
         if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -264,7 +265,7 @@ private:
         }
     }
 
-    /// Returns the number of the target. Requires that the target has a number.
+    /// Returns the number of the state to which `target` refers. Requires that this state has a number.
     std::uint32_t number_of(const SuccessorBatch& slice, std::uint32_t target) const {
         const std::uint32_t number = target & SuccessorBatch::number;
         return (target & SuccessorBatch::new_state) == 0 ? number : new_states_.number(slice.new_states[number].entry);
@@ -274,8 +275,8 @@ private:
     enum class By : std::uint8_t { Edge, Delay };
 
     /// Returns a state that simulates the new state in `words`, or Store::none if there is no such state. Two
-    /// consecutive delays are one move. Therefore, if a delay has reached the new state, the result is a state of the
-    /// current or an earlier depth, or a state whose delay is known, unless the search ignores depths.
+    /// consecutive delays are one move. Therefore, after a delay, the depth of the result is at most the current depth,
+    /// or the delay of the result is known. This restriction does not apply if the search ignores depths.
     std::uint32_t simulating(const Word* words, By by) {
         if (graph_.covering && !graph_.covering->is_useful()) graph_.covering.reset();
         if (!graph_.covering) return Store::none;
@@ -398,7 +399,7 @@ private:
     Limits& limits_;
     ThreadPool& team_;
     std::vector<SuccessorBatch> slices_ = {};
-    std::vector<Slicer> slicers_ = {};  // one per thread
+    std::vector<Slicer> slicers_ = {};  // one slicer per thread
     NewStates new_states_ = {};
     std::size_t filled_ = 0;  // number of slices in the current block
     std::atomic<std::size_t> next_slice_ = 0;

@@ -55,7 +55,7 @@ bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, b
     return true;
 }
 
-/// Adds to `set` the states that were not expanded.
+/// Adds to `set` the states with unknown successors: states that were not expanded, and states with a model error.
 void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
     limits.share_states(graph.states(), [&](std::size_t begin, std::size_t end) {
         for (auto state = static_cast<std::uint32_t>(begin); state != end; ++state)
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, cons
     return list;
 }
 
-/// Returns the expanded states that are not in `set`. Adds to `set` the states that were not expanded.
+/// Adds to `set` the states with unknown successors (see join_open). Returns all other states that are not in `set`.
 std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Limits& limits) {
     join_open(graph, set, limits);
     return all_but(set, graph.states(), limits);
@@ -98,12 +98,12 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Li
 
 constexpr std::size_t most_walkers = 4;  // maximum number of walkers, each of which stores a path
 
-/// Decides the states that are open after the sweeps, by a depth-first walk from the roots. When all successors of a
+/// Decides the states that the sweeps leave undecided, by a depth-first walk from the roots. When all successors of a
 /// state are in `met`, the walk backtracks from the state and adds it to `met`. Several threads walk in parallel, from
 /// different roots and with different orders of successors. A thread does not enter a state from which another thread
-/// has backtracked. If a run from a state avoids `met`, the state lies on a cycle outside of `met`, has no successors,
-/// or leads to such a cycle or to a state without successors. No thread ever backtracks from a state of this type.
-/// Therefore some thread finds the run, independently of the distribution of the states to threads.
+/// has backtracked. A state from which a run avoids `met` lies on a cycle outside of `met`, has no successors, or leads
+/// to such a cycle or to a state without successors. No thread ever backtracks from a state of this type. Therefore
+/// some thread finds the run, independently of the distribution of the states to threads.
 class DepthFirst {
 public:
     DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,

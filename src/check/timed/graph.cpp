@@ -11,7 +11,7 @@ void Graph::urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& f
     found.clear();
     each_action(state, [&](std::uint32_t next) { found.push_back(next); });
     expand(state);
-    std::size_t move = 0;  // index of the move; the successors are in the order of the moves
+    std::size_t move = 0;  // index of the move to the next successor; moves and successors have one order
     std::erase_if(found, [&](std::uint32_t) { return !machine.urgent(moves_.edges[move++]); });
 }
 

@@ -10,8 +10,8 @@ namespace grafverif::timed {
 
 namespace {
 
-/// Allocates the bits of fields in words. Each field is placed in the first open word with enough free bits. Related
-/// fields are allocated consecutively.
+/// Allocates the bits of all fields. Each field is placed in the first open word with enough free bits. Related fields
+/// are allocated consecutively.
 class Bits {
 public:
     Field take(std::uint64_t values, std::int64_t low) {

@@ -70,8 +70,8 @@ Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
 }
 
 /// Executes the code of the edge once for each combination of sets of input valuations that the code distinguishes. If
-/// only some of the possible valuations satisfy a test, the execution splits there, and the registers of the path
-/// select the branch. After each execution, the path is advanced depth-first.
+/// only some of the possible valuations satisfy a test, the execution splits at this test, and the path in the
+/// registers selects the branch. After each execution, the path is advanced depth-first.
 void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const {
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;

@@ -103,8 +103,8 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     compiled.index = id.index;
     compiled.urgent = edge.urgent;
     compile_guard(edge.guard, compiled);
-    // The invariant of the target location, evaluated after the resets, reads only clocks. Therefore the invariant is
-    // tested before the effect is executed.
+    // The invariant of the target location reads only clocks. Therefore the invariant, with the clock values after the
+    // resets, can be tested before the effect is executed.
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, automaton.clocks.size());
     const std::vector<Interval> after =
         admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());

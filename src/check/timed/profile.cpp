@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Each field of a state has a pseudorandom number that depends on its value. The hash of a state is the sum of the
 // numbers of all fields; the hash of a component (a part or a clock) is the sum of the numbers of its fields. The
-// difference is the hash of the rest: the state without the component. Therefore, one pass over the states computes,
-// for every component, the hash of the rest of each state. The hashes are divided into 2^k classes, and only rests of
-// one class are counted, to bound the memory. A class contains either all states with a given rest or none of them.
+// difference of these two hashes is the hash of the rest: the state without the component. Therefore, one pass over the
+// states computes, for every component, the hash of the rest of each state. To bound the memory, the hashes are divided
+// into 2^k classes, and only rests of one class are counted. A class contains either all states with a given rest or
+// none of them.
 #include "check/timed/profile.hpp"
 
 #include <algorithm>

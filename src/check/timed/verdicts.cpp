@@ -31,7 +31,7 @@ std::string text_of(UnknownReason ended, const Graph& graph, const Limits& limit
     return graph.states() > 1 ? "stopped after " + states : "stopped before the exploration";
 }
 
-/// Returns the expanded states for whose kind the predicate `is` is true.
+/// Returns the expanded states for which `is(kind)` is true.
 template <class Is>
 StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) {
     StateSet set(graph.states());
@@ -56,7 +56,7 @@ Run without_time(Graph& graph, std::uint32_t state) {
 std::vector<Verdict> PropertyQueries::answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
                                               const Limits& limits) {
     if (ended == UnknownReason::Unsupported)
-        outcomes_ = {ended, "a state of this model exceeds the memory that the timed engine can address"};
+        outcomes_ = {ended, "the states of this model are too large for the timed engine"};
     else if (ended != UnknownReason::None) outcomes_ = {ended, text_of(ended, graph, limits)};
     else if (!errors.empty()) outcomes_ = {UnknownReason::Faulty, "model error: " + text_of(network_, errors.front())};
     else if (inexact_) outcomes_ = {UnknownReason::Inexact, inexact_reason()};
@@ -130,7 +130,8 @@ void PropertyQueries::result_state(PropertyQuery& query, Graph& graph) const {
         return;
     }
     if (monitor_.broken(query.search))
-        return set_unknown(query.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
+        return set_unknown(query.verdict, UnknownReason::Faulty,
+                           "an operand of the property divides by zero in some reachable state");
     holds_unless(query, outcomes_.obstacle, outcomes_.reason);
     if (wanted && query.verdict.outcome == Outcome::Holds) query.verdict.outcome = Outcome::Violated;
 }
@@ -154,7 +155,8 @@ std::optional<StateSet> PropertyQueries::states_where(PropertyQuery& query, Grap
         }
     });
     if (!broken) return set;
-    set_unknown(query.verdict, UnknownReason::Faulty, "an operand divides by zero in some state");
+    set_unknown(query.verdict, UnknownReason::Faulty,
+                "an operand of the property divides by zero in some reachable state");
     return {};
 }
 
@@ -244,8 +246,8 @@ void PropertyQueries::decide_possible(PropertyQuery& query, Graph& graph, const 
     holds_unless(query, outcomes_.obstacle, outcomes_.reason);
     if (query.verdict.outcome == Outcome::Holds && machine_.timed())
         set_unknown(query.verdict, UnknownReason::Inexact,
-                    "integer time does not cover the states between two ticks; use `--untimed` to decide it for the "
-                    "untimed model");
+                    "integer time does not cover the states between two ticks; use `--untimed` to decide the property "
+                    "for the untimed model");
 }
 
 /// Adds the note on dead transitions. The note is omitted if it needs more time or memory than is available.
