@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tokens of Structured Text and of textual Sequential Function Charts. This file defines their syntax; their values are
-   computed in syntax/st/st_lexer. */
+/* Tokens of Structured Text and of textual Sequential Function Charts. This file defines the syntax of the tokens;
+   syntax/st/st_lexer computes their values. */
 %option reentrant noyywrap nodefault batch never-interactive 8bit nounput noinput nounistd case-insensitive
 %option prefix="st_"
 
@@ -15,7 +15,7 @@ using Section = grafverif::st::Section;
 // NOLINTBEGIN
 #define YY_DECL grafverif::st::Parser::symbol_type st_scan(grafverif::st::Lexer& lexer, yyscan_t yyscanner)
 #define YY_USER_ACTION lexer.advance(static_cast<std::size_t>(yyleng));
-#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* the only possible error: memory is refused */
+#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* the only possible error: memory allocation fails */
 // NOLINTEND
 #define MATCH std::string_view(yytext, static_cast<std::size_t>(yyleng))
 %}

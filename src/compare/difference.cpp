@@ -40,9 +40,11 @@ public:
             }
     }
 
-    /// Returns the step of the other chart that corresponds to `step` of chart `k`; invalid if there is none.
+    /// Returns the step of the other chart that corresponds to `step` of chart `k`. The result is invalid if no step of
+    /// the other chart corresponds to `step`.
     Step counterpart(std::size_t k, Step step) const { return of_[k][step.index]; }
-    /// Returns the name in the first chart if the step exists there, otherwise its name in chart `k`.
+    /// Returns the name of `step` in the first chart. If the first chart does not contain the step, returns its name in
+    /// chart `k`.
     std::string common_name(std::size_t k, Step step) const {
         const Step other = of_[k][step.index];
         if (k == 0 || !other.valid()) return name_of(*charts_[k], step).text();
@@ -55,8 +57,8 @@ private:
         of_[1][of_b.index] = of_a;
     }
 
-    /// Returns the features of an unmatched step. If `whole` is true, they include its transitions and their
-    /// conditions.
+    /// Returns the features of an unmatched step. If `whole` is true, the features include the transitions of the step
+    /// and the conditions of these transitions.
     std::string looks(std::size_t k, Step step, bool whole) const {
         const Wording words(*charts_[k], [&](Step each) {
             return each == step ? "@" : of_[k][each.index].valid() ? common_name(k, each) : std::string("?");
@@ -72,7 +74,7 @@ private:
         return words.head(step) + '\n' + sorted_text(std::move(lines));
     }
 
-    /// Matches steps whose features are unique in both charts. Returns true if there were such steps.
+    /// Matches steps whose features are unique in both charts. Returns true if at least one pair of steps was matched.
     bool pair_by_looks(bool whole) {
         std::map<std::string, std::array<std::vector<Step>, 2>> alike;
         for (const std::size_t k : {0U, 1U})
@@ -161,8 +163,8 @@ private:
         return lines;
     }
 
-    /// Adds the entries that only one of the lists contains. Two such entries that begin with the same word are
-    /// reported as one changed entry.
+    /// Adds the entries that only one of the two lists contains. If an entry of `before` and an entry of `after` begin
+    /// with the same word, they are reported as one changed entry.
     void add_lists(const std::string& subject, std::vector<Line> before, std::vector<Line> after) {
         for (auto line = before.begin(); line != before.end();) {
             const auto same = std::ranges::find(after, line->common, &Line::common);

@@ -24,7 +24,8 @@ void collect_lists(Items& items, std::vector<Items*>& lists) {
         else if (auto* copies = std::get_if<tree::ReplicatedChartItems>(&item)) collect_lists(copies->items, lists);
 }
 
-/// A position in a chart, which denotes the same item in every copy of the file.
+/// The position of an item, or of an action of a step, in the lists of a chart. A position denotes the same item in
+/// every copy of the file.
 struct At {
     std::size_t list = 0, item = 0, action = 0;
 };
@@ -83,8 +84,8 @@ private:
                    .substr(std::string("transition ").size());
     }
 
-    /// Adds a mutant if no other mutant has the same text. The mutant is the file with `change` applied to the item at
-    /// `at` and to its list.
+    /// Adds a mutant if its text differs from the original and from all other mutants. The mutant is a copy of the file
+    /// in which `change` is applied to the item at `at` and to the list that contains this item.
     template <class Change>
     void add(const char* kind, At at, const Change& change) {
         tree::File file = file_;
@@ -102,7 +103,7 @@ private:
 
     // -- terms --------------------------------------------------------------------------------------------------------
 
-    /// Overwrites the node. The siblings of the node do not change.
+    /// Overwrites the node at `place`. The operands that follow this node in its parent do not change.
     static void put(tree::File& file, Id<tree::Expr> place, tree::Expr node) {
         node.next = file.exprs[place].next;
         file.exprs[place] = node;
@@ -122,7 +123,7 @@ private:
             found.push_back(each);
         return found;
     }
-    /// Removes an operand. If only one operand remains, this operand replaces the node.
+    /// Removes an operand of the node at `place`. If only one operand remains, this operand replaces the node.
     static void drop(tree::File& file, Id<tree::Expr> place, std::size_t operand) {
         std::vector<Id<tree::Expr>> left = operands(file, place);
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(operand));
@@ -133,8 +134,8 @@ private:
             file.exprs[left[k]].next = k + 1 < left.size() ? left[k + 1] : Id<tree::Expr>{};
     }
 
-    /// Adds the mutants of a Boolean term. Operands of edges, time conditions and comparisons are not changed, except
-    /// for durations.
+    /// Adds the mutants of a Boolean term. The operands of edges, of time conditions
+    /// and of comparisons do not change, except for durations.
     void change_condition(At at, Id<tree::Expr> term) {
         if (!term.valid()) return;
         add("term-negated", at, [term](tree::File& file, Items&, tree::ChartItem&) { negate(file, term); });
@@ -198,7 +199,8 @@ private:
         }
     }
 
-    /// Replaces the successor by the next step in the cyclic order of the list that is not already a successor.
+    /// Replaces the successor at index `place`. The new successor is the next step, in the cyclic order of the list,
+    /// that is not already a successor of the transition.
     void change_successor(At at, const tree::Transition& transition, std::size_t place, const Items& list) {
         std::vector<tree::Name> steps;
         for (const tree::ChartItem& item : list)

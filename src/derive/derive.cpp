@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Entry point of derive: declares the variables of the equations, calls the parts of derive in order, and derives the
-// stability condition.
+// Entry point of the derivation of equations: declares the variables of the equations, derives the equations of
+// outputs, firing conditions, steps and stored variables in this order, and derives the stability condition.
 #include "derive/derive.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& need
     }
 }
 
-/// Determines the properties in one pass, because children precede parents.
+/// Determines the properties of all terms in one pass, which is possible because operands precede their term.
 Edges edges(const Exprs& exprs) {
     Edges result{std::vector<bool>(exprs.size()), std::vector<bool>(exprs.size()), std::vector<bool>(exprs.size())};
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
@@ -54,7 +54,7 @@ Edges edges(const Exprs& exprs) {
     return result;
 }
 
-/// Reports each edge that the standard forbids, and each missing edge.
+/// Reports each edge that IEC 60848 forbids, and each event whose term does not require an edge.
 struct Refusal {
     const Chart& chart;
     Diagnostics& diagnostics;
@@ -73,14 +73,15 @@ struct Refusal {
                 diagnostics.add(messages::edge_of_edge(action.origin));
     }
 
-    /// Reports edges in assignation conditions, because such an action would not be continuous.
+    /// Reports edges in assignation conditions: an action with such a condition would not be continuous.
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
                 diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
-    /// Reports events without an edge: an event is instantaneous, so that its term must contain an edge.
+    /// Reports events whose term can be true without an edge: an event is instantaneous, so that its term must require
+    /// an edge.
     void events() const {
         for (const Chart::StoredAction& action : chart.stored)
             if (action.on == Chart::StoredOn::Event && !edge.needed[action.event.index])
@@ -155,10 +156,10 @@ void index_actions(Derivation& derivation) {
     }
 }
 
-/// Returns the stability condition: one more cycle with the same inputs would change nothing. A stored value changes
-/// only when a transition is cleared, when a step changes (which also requires a clearing), or at an event (which
-/// requires an edge). Forced and enclosed charts are consistent with their forcing orders and enclosing steps from
-/// power-on, and change only when one of these orders or steps changes.
+/// Returns the stability condition, which is true if one more cycle with the same inputs changes nothing. A stored
+/// value changes only when a transition is cleared, when a step changes (which also requires a clearing), or at an
+/// event (which requires an edge). From power-on, forced and enclosed charts are consistent with their forcing orders
+/// and enclosing steps. They change only when one of these orders or steps changes.
 Id<Expr> stable(Derivation& derivation) {
     const Equations& equations = derivation.equations;
     Exprs& exprs = derivation.equations.exprs;
@@ -170,8 +171,8 @@ Id<Expr> stable(Derivation& derivation) {
     return exprs.negation(exprs.disjunction(changes));
 }
 
-/// Copies the constraints of the chart. Inputs keep their indices, because the variables of the chart come first in the
-/// equations.
+/// Copies the constraints of the chart. The indices of the inputs do not change, because the variables of the chart
+/// precede all other variables of the equations.
 void derive_assumptions(Derivation& derivation) {
     Exprs& exprs = derivation.equations.exprs;
     for (const Chart::Constraint& constraint : derivation.chart.constraints) {

@@ -42,8 +42,8 @@ private:
         return owner.valid() ? chart_.steps[owner].chart : Id<Partial>{};
     }
 
-    /// Checks that ownership has no cycle. Each chart has one owner. Therefore there is a cycle if a traversal from a
-    /// chart to its owners reaches a chart twice.
+    /// Checks that no chart contains itself. Each chart has at most one owner. Therefore, there is a cycle if and only
+    /// if the path from some chart to its owner, the owner of its owner, and so on reaches a chart twice.
     void check_ownership() {
         std::vector<std::uint32_t> trail(chart_.partial_charts.size(), Id<Partial>::none);
         for (const Id<Partial> start : chart_.partial_charts.ids())
@@ -119,7 +119,8 @@ private:
         return inner == region;
     }
 
-    /// Sorts the root charts by Kahn's algorithm. Charts that remain lie on a cycle or depend on a chart of a cycle.
+    /// Sorts the root charts by Kahn's algorithm. Charts that the algorithm does not sort lie on a cycle or depend on a
+    /// chart on a cycle.
     void sort_root_charts() {
         std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
         std::vector<std::size_t> waits(chart_.partial_charts.size());
@@ -145,9 +146,9 @@ private:
         }
     }
 
-    /// Determines the initial situation (IEC 60848, rule 1). First activates the steps declared as initial. Then, in
-    /// topological order of the charts, applies the forcing orders of active steps and deactivates charts whose
-    /// enclosing step is inactive.
+    /// Determines the initial situation (IEC 60848, rule 1). This function first activates the steps declared as
+    /// initial. Then, in topological order of the charts, it applies the forcing orders of active steps and deactivates
+    /// the charts whose enclosing step is inactive.
     void find_initial() {
         std::vector<bool>& initial = result_.initial;
         initial.resize(chart_.steps.size());
@@ -206,7 +207,7 @@ private:
             diagnostics_.add(messages::forced_twice(second.origin, partial(forced).name, first.origin));
             return;
         }
-        // true: `second` is the order for the expansion, `first` the order for the chart that contains it.
+        // True if `second` forces the expansion, and `first` forces the chart that contains the expansion.
         const bool own = second.forced == forced;
         const Chart::ForcingOrder& inner = own ? second : first;
         const Chart::ForcingOrder& whole = own ? first : second;
@@ -223,8 +224,8 @@ private:
             diagnostics_.add(messages::forced_differently(second.origin, partial(first.forced).name, first.origin));
     }
 
-    /// False if the steps, or the steps that contain them, are different steps of one partial chart. It is possible
-    /// that such steps are never active simultaneously.
+    /// Returns false if the steps, or the macro-steps or enclosing steps that contain them, are different steps of one
+    /// partial chart. Such steps may exclude each other.
     bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
         for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
             for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)

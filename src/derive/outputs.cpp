@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Derives equation (13) of CEP13 for every output without stored actions: a disjunction over its continuous actions.
-// Each operand is the conjunction of step activity and assignation condition. Outputs that conditions read are derived
-// first; a cycle among them is rejected.
+// The operand of an action is the conjunction of its step activity and assignation condition. An output that a
+// condition reads is derived before the output of this condition; a cycle among outputs is rejected.
 #include <algorithm>
 #include <array>
 
@@ -12,8 +12,8 @@ namespace grafverif {
 
 namespace {
 
-/// An output whose equation is being derived, the outputs that it reads, and the positions of the actions that read
-/// them.
+/// An output whose equation is being derived, the outputs that its conditions read, and the positions of the actions
+/// with these conditions.
 struct Visit {
     struct Read {
         Id<Chart::Variable> output = {};
@@ -58,7 +58,7 @@ Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) 
     return exprs.conjunction(terms);
 }
 
-/// Returns equation (13), or an invalid id if a condition is too large.
+/// Returns the right-hand side of equation (13), or an invalid id if a condition is too large.
 Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     const Chart::Variable& variable = derivation.chart.variables[output];
     Exprs& exprs = derivation.equations.exprs;
@@ -105,8 +105,8 @@ void derive_outputs(Derivation& derivation) {
                 path.push_back(visit(derivation, read));
                 continue;
             }
-            // An output on a cycle, or with a term that is too large, is replaced by false in the terms that read it.
-            // The error has already been reported.
+            // After an error (a cycle of outputs, or a term that is too large), the constant false replaces the output
+            // in the terms that read it. The error has already been reported.
             const Id<Expr> value = failed(derivation) ? none : output_value(derivation, top.output);
             derivation.values[top.output.index] = value.valid() ? value : none;
             marks[top.output.index] = Mark::Done;

@@ -5,11 +5,14 @@
 //   X_s' = X_e' and (raised or ((base or linked) and not cleared))
 //     base      equation (12)
 //     X_e'      the step that encloses the chart of s remains or becomes active
-//     linked    s has an activation link, and the enclosing step becomes active while no order forces the chart
-//     raised    an active order for the chart of s activates s; cleared: such an order does not activate s
+//     linked    s has an activation link, and the enclosing step becomes active while no order keeps the current
+//               situation of the chart
+//     raised    an active forcing order for the chart of s activates s
+//     cleared   an active forcing order for the chart of s deactivates s
 //   X_M' = disjunction of X_s', s in the expansion of the macro-step M
 //
-// An active order blocks the transitions of its chart. Contradictory orders must not be active simultaneously.
+// An active forcing order blocks the transitions of the forced chart. Contradictory forcing orders must not be active
+// simultaneously.
 #include <algorithm>
 #include <array>
 
@@ -59,7 +62,7 @@ public:
             if (chart_.steps[step].activation_link) linked_[hierarchy_.entered[step.index].index] = true;
         std::vector<Equations::StepActivity>& steps = derivation_.equations.steps;
         steps.resize(chart_.steps.size());
-        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // per root chart
+        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // by root chart
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (hierarchy_.root_chart[id.index] != id) expansions[hierarchy_.root_chart[id.index].index].push_back(id);
         for (const Id<Chart::PartialChart> root_chart : hierarchy_.order) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Stored actions (IEC 60848). Actions that store the same value in a variable form a group. A race occurs if two groups
-// with different values are triggered in one cycle. For constant values, the race condition is built by divide and
-// conquer and has the size n log n: there is a race within one half of the groups, or a trigger in each half.
+// Derives the equations of stored actions (IEC 60848). Actions that store the same value in a variable form a group. A
+// race occurs if two groups with different values are triggered in one cycle. For n groups with constant values, divide
+// and conquer yields a race condition of size n log n: there is a race within one half of the groups, or each half
+// contains a triggered group.
 #include <algorithm>
 #include <array>
 
@@ -145,7 +146,7 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     result.next = next(exprs, grouped, before);
     result.race = race(derivation, grouped);
     result.first = before;
-    std::vector<Id<Expr>> differing;  // for initial writes: the value differs from the first value
+    std::vector<Id<Expr>> differing;  // for each initial value: it is not equal to the first value
     if (!written.first.empty()) result.first = written.first.front();
     for (const Id<Expr> value : written.first)
         if (value != result.first) differing.push_back(exprs.apply(Op::NotEqual, result.first, value));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Translates terms of the chart to the variables of the equations, and computes their sizes.
+// Translates terms of the chart to terms over the variables of the equations, and computes the sizes of these terms.
 #include <algorithm>
 
 #include "derivation.hpp"
@@ -14,7 +14,7 @@ constexpr std::uint64_t saturated = std::uint64_t{1} << 40U;
 
 std::uint64_t sum(std::uint64_t left, std::uint64_t right) { return std::min(saturated, left + right); }
 
-/// Returns the size of the term `root` of the chart after its outputs are replaced by their equations. A subterm that
+/// Returns the size that the term `root` of the chart has after equations replace its outputs. A subterm that
 /// reads no output counts as one node.
 std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
                             std::unordered_map<std::uint32_t, std::uint64_t>& known) {

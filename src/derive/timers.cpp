@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Creates the state variables of the equations: previous values for edges, values observed by timers, and timers (IEC
-// 60848; CEP13 Fig. 33b). A variable is created on first use, so that unused values are not stored.
+// Creates the state variables of the equations: previous values of terms with edges, values observed by timers, and
+// timers (IEC 60848; CEP13 Fig. 33b). A variable is created on first use, so that values that no equation reads are not
+// stored.
 #include "derivation.hpp"
 #include "syntax/print/dialect.hpp"
 
@@ -8,8 +9,8 @@ namespace grafverif {
 
 namespace {
 
-/// Returns `prefix` followed by the name of the variable if `term` is a variable, otherwise by a number: `P_START`,
-/// `P_1`.
+/// Returns `prefix` and a name: `P_START` if `term` is the variable `START`, `P_1` with the number 1 if `term` is not a
+/// variable.
 std::string name_for(Derivation& derivation, const std::string& prefix, Id<Expr> term, std::size_t number) {
     const Expr& node = derivation.equations.exprs[term];
     if (node.op != Op::Variable) return derivation.names.fresh(prefix + std::to_string(number));
@@ -17,7 +18,7 @@ std::string name_for(Derivation& derivation, const std::string& prefix, Id<Expr>
     return derivation.names.fresh(prefix + derivation.equations.variables[variable].name);
 }
 
-/// Returns `X2` or `G_X2` for a step. For any other term, returns the name of its variable without `V_`.
+/// Returns `X2` or `G_X2` for the variable of a step. For any other variable, returns its name without the prefix `V_`.
 std::string watched_name(const Derivation& derivation, Id<Equations::Variable> watched) {
     const Equations::Variable& variable = derivation.equations.variables[watched];
     if (variable.role != Equations::Role::Step) return variable.name.substr(2);

@@ -117,8 +117,8 @@ bool is_new(ReadState& reading, std::unordered_map<std::string, Span>& seen, std
     return fresh;
 }
 
-/// True if the names in a declaration are to be resolved: the declaration is complete and its name is new, or the recorder
-/// also needs the references of faulty declarations.
+/// True if the names in a declaration are to be resolved: the declaration is complete and its name is new, or the
+/// recorder also needs the references of faulty declarations.
 bool is_resolved(const ReadState& reading, bool fresh, bool broken) {
     return reading.record.beyond_errors() || (fresh && !broken);
 }
@@ -270,8 +270,8 @@ void read_loops(ReadState& reading, const tree::File& file, const LoopContext& c
     }
 }
 
-/// Adds the declarations of the files to the model. If declarations are `hidden` (omitted because of an error), loops are
-/// not added, because they may refer to hidden declarations.
+/// Adds the declarations of the files to the model. If declarations are `hidden` (omitted because of an error), loops
+/// are not added, because they may refer to hidden declarations.
 void read_all(ReadState& reading, std::span<const tree::File> files, bool hidden) {
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);

@@ -19,7 +19,8 @@ class ControllerEquations {
 public:
     explicit ControllerEquations(Scan scan) : scan_(std::move(scan)) {}
 
-    /// True if every operation has a value of 64 bits. Terms can then be evaluated at any place.
+    /// True if the value of every operation fits into 64 bits. Then, a term can be evaluated under any condition,
+    /// because its evaluation cannot overflow.
     bool is_total() const {
         const auto type_of = [&](const Expr& leaf) {
             return equations().variables[{static_cast<std::uint32_t>(leaf.value)}].type;
@@ -27,7 +28,7 @@ public:
         return std::ranges::none_of(intervals(equations().exprs, type_of), is_clipped);
     }
 
-    /// `first` is the scan at power-on.
+    /// Returns the equations of the controller. `first` is the scan at power-on.
     Equations build(const Scan& first, const ProgramController& controller) && {
         TermCopier copy(first.equations.exprs, exprs(),
                         [this](const Expr& leaf) { return exprs().leaf(Op::Variable, variable_of(leaf)); });
@@ -36,7 +37,8 @@ public:
         for (const Scan::Event& fault : scan_.faults) equations().conflicts.push_back({fault.condition, fault.origin});
         for (const Scan::Event& fault : first.faults)
             equations().conflicts.push_back({exprs().constant(false), fault.origin, copy(fault.condition)});
-        // Without a cycle, a scan follows until `stable` is true.
+        // Without a cycle time, scans follow until `stable` is true. The number of these scans depends on all
+        // variables, so that no equation can be removed.
         if (controller.cycle && !controller.reads_stable) omit_unread(controller.observed);
         separate_steps();
         hide(controller.observed);
@@ -51,7 +53,8 @@ private:
     Exprs& exprs() { return equations().exprs; }
     static std::uint32_t variable_of(const Expr& leaf) { return static_cast<std::uint32_t>(leaf.value); }
 
-    /// Removes the equations of variables on which nothing depends. A scan is stable if the others are unchanged.
+    /// Removes the equations of variables on which no observed value depends. A scan is stable if the remaining
+    /// variables are unchanged.
     void omit_unread(const std::vector<Id<Equations::Variable>>& observed) {
         std::vector<Id<Expr>> roots;
         const auto add = [&](Id<Equations::Variable> id) { roots.push_back(exprs().leaf(Op::Variable, id.index)); };
@@ -78,8 +81,8 @@ private:
         }
     }
 
-    /// Hides variables from results that a program cannot read: those of timers, of which the elapsed times change in
-    /// every scan, and those of charts, whose names are generated.
+    /// Hides variables that are not `observed` from the results: variables of timers, because elapsed times change in
+    /// every scan, and variables of charts with generated names.
     void hide(const std::vector<Id<Equations::Variable>>& observed) {
         std::vector<std::size_t> cells;
         for (const ProgramTimer& timer : scan_.layout.timers) cells.insert(cells.end(), {timer.running, timer.elapsed});
@@ -94,7 +97,7 @@ private:
         }
     }
 
-    /// Replaces the stored variables of steps by activities of steps, so that results show the situation.
+    /// Converts the stored variables of steps to step activities, so that results show the situation.
     void separate_steps() {
         for (const std::size_t cell : step_cells(scan_.layout)) {
             const Id<Equations::Variable> id = scan_.variables[cell];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Executes statements. `returned_` and `exited_` are memory cells, so that their values are merged after branches in
-// the same way as other values. After a statement that may have set one of them, the rest of the block is executed as a
-// branch.
+// Executes statements symbolically. `returned_` and `exited_` are memory cells, so that their values are merged after
+// branches in the same way as other values. After a statement that may have set one of these cells, the remaining
+// statements of the block are executed as a branch.
 #include "derive/program/execution.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using Kind = Program::Statement::Kind;
 
 constexpr std::uint64_t most_statements = 2'000'000;  ///< maximum number of statements executed in one scan
-constexpr std::size_t most_branches = 1000;  ///< maximum number of nested branches, because each branch is a recursion
+constexpr std::size_t most_branches = 1000;  ///< maximum number of nested branches; each branch is a recursive call
 constexpr std::uint64_t most_iterations = 100'000;  ///< maximum number of iterations of a loop with constant bounds
 constexpr std::size_t most_terms = 20'000'000;
 
@@ -62,8 +62,8 @@ void SymbolicExecution::write(std::uint32_t cell, Id<Expr> value) {
     memory_[cell] = value;
 }
 
-/// Restores the cells that were written after `mark` of the journal, and returns the values that are discarded. Cells
-/// of functions that have returned no longer exist.
+/// Restores the cells that were written after position `mark` of the journal, and returns the discarded values. Skips
+/// the cells of functions that have returned, because these cells no longer exist.
 std::vector<SymbolicExecution::Changed> SymbolicExecution::undo(std::size_t mark) {
     std::vector<Changed> changed;
     for (std::size_t i = mark; i < journal_.size(); ++i)
@@ -100,7 +100,7 @@ void SymbolicExecution::branch(Id<Expr> condition, const Step& then, const Step&
     }
 }
 
-/// Returns the condition under which execution reaches the next statement.
+/// Returns the condition that neither RETURN nor EXIT was executed, so that the next statement is reached.
 Id<Expr> SymbolicExecution::alive() {
     return exprs_.negation(exprs_.disjunction(memory_[returned_], memory_[exited_]));
 }
@@ -113,7 +113,7 @@ void SymbolicExecution::event(std::vector<Scan::Event>& events, Id<Expr> conditi
     if (!is_false(exprs_, reached)) events.push_back({reached, origin, fault});
 }
 
-/// Records an execution, which occurs if `condition` is true.
+/// Records an execution, which occurs if the current path is taken and `condition` is true.
 void SymbolicExecution::note(Scan::Execution execution, Id<Expr> condition) {
     if (executions_ == nullptr) return;
     std::vector<Id<Expr>> all = path_;
@@ -127,7 +127,7 @@ void SymbolicExecution::note_read(std::uint32_t cell) {
     if (cell < layout_.cells.size() && layout_.cells[cell].output) note({.cell = cell}, exprs_.constant(true));
 }
 
-/// Returns the value of a condition of a branch or loop.
+/// Returns the value of the condition of a branch or loop, and records its evaluation.
 Id<Expr> SymbolicExecution::decision(Id<Program::Node> node, std::uint32_t frame) {
     const Id<Expr> term = value(node, frame);
     note({.node = node, .value = term}, exprs_.constant(true));
@@ -223,8 +223,8 @@ void SymbolicExecution::loop(const Program::Statement& statement, Id<Expr> last,
     write(exited_, exprs_.constant(false));
 }
 
-/// Executes the remaining iterations. While the condition of the loop is constant, iterations are executed in this
-/// call, otherwise in a branch.
+/// Executes the remaining iterations. While the condition of the loop is constant, this call executes the iterations;
+/// otherwise, the further iterations are executed in a branch.
 void SymbolicExecution::iterate(const Program::Statement& statement, Id<Expr> last, std::uint32_t frame) {
     const Program::Body& body = statement.arms.front().body;
     const std::uint32_t variable = statement.kind == Kind::For ? address(statement.place, frame) : 0;

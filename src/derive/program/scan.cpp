@@ -15,7 +15,7 @@ namespace {
 
 using Role = Equations::Role;
 
-/// Maximum depth of terms, because some engines traverse terms recursively.
+/// Maximum depth of terms. The depth is limited, because some engines traverse terms recursively.
 constexpr std::uint32_t deepest_term = 5000;
 
 class ScanDerivation {
@@ -37,8 +37,8 @@ public:
         scan_.faults = std::move(execution.faults);
         scan_.overflows = std::move(execution.overflows);
         if (is_too_deep()) {
-            diagnostics_.add(
-                messages::program_too_large(scan_.equations.origin, "dependent operations per scan", deepest_term));
+            diagnostics_.add(messages::program_too_large(
+                scan_.equations.origin, "operations per scan that depend on each other", deepest_term));
             return {};
         }
         store();
@@ -64,7 +64,7 @@ private:
     }
 
     void advance_timers(std::vector<Id<Expr>>& memory) {
-        if (scan_.layout.longest == 0) return;  // there is no timer with an elapsed time
+        if (scan_.layout.longest == 0) return;  // the program has no timer with an elapsed time
         Id<Expr> step;
         if (program_.interval_ms) {
             step = exprs().integer(*program_.interval_ms);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Evaluates expressions. Values outside the range of a type wrap around. The ranges of the operands determine if one
-// addition or subtraction is sufficient.
+// Evaluates expressions. Values outside the range of a type wrap around. The operation and the ranges of its operands
+// determine if one addition or subtraction of the number of values of the type is sufficient.
 #include <algorithm>
 #include <bit>
 
@@ -57,8 +57,8 @@ std::vector<SymbolicExecution::Element> SymbolicExecution::elements(const Progra
     return found;
 }
 
-/// Returns the value of a variable or array element. An index outside the array is a fault, and the value is then
-/// arbitrary.
+/// Returns the value of a variable or array element. An index outside the array is a fault; after this fault, the value
+/// is arbitrary.
 Id<Expr> SymbolicExecution::read(const Program::Node& node, std::uint32_t frame) {
     if (node.place.indices.empty()) {
         note_read(address(node.place, frame));
@@ -72,8 +72,8 @@ Id<Expr> SymbolicExecution::read(const Program::Node& node, std::uint32_t frame)
     return result;
 }
 
-/// Evaluates the second operand in a branch, so that its faults and overflows occur only under the condition of the
-/// branch.
+/// Evaluates AND_THEN and OR_ELSE. The second operand is evaluated in a branch, so that its faults and overflows occur
+/// only if the first operand does not determine the result.
 Id<Expr> SymbolicExecution::lazy(const Program::Node& node, std::uint32_t frame) {
     const Id<Expr> first = value(node.operands[0], frame);
     const bool conjunction = node.op == Operation::AndThen;
@@ -231,15 +231,15 @@ Id<Expr> SymbolicExecution::in_range(const Program::Node& node, Id<Expr> value) 
     const Id<Expr> below = only_up ? exprs_.constant(false) : exprs_.apply(Op::Less, value, low);
     if ((only_up && type.low == 0) || (is_false(exprs_, above) && is_false(exprs_, below))) return value;
     event(time ? faults : overflows, exprs_.disjunction(above, below), node.origin, ProgramFault::Range);
-    if (only_up) {  // the result can only be the negated minimum
+    if (only_up) {  // only the negated minimum is outside of the range
         const std::int64_t count = type.high - type.low + 1;
         return exprs_.conditional(above, exprs_.apply(Op::Minus, value, exprs_.integer(count)), value);
     }
     return wrapped_term(type, value, node.op != Operation::Times);
 }
 
-/// Wraps a value around. If `once` is true, the distance of the value from the range is at most the number of values of
-/// the range.
+/// Returns the value of the type that is congruent to `value` modulo the number of values of the type. If `once` is
+/// true, the caller guarantees that one addition or subtraction of this number is sufficient.
 Id<Expr> SymbolicExecution::wrapped_term(const Program::Type& type, Id<Expr> value, bool once) {
     const Id<Expr> count = exprs_.integer(type.high - type.low + 1);
     if (once) {

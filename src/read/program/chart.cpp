@@ -388,8 +388,8 @@ void Reader::execute(const ChartAction& action, Program::Body& body) {
 
 // -- step times -------------------------------------------------------------------------------------------------------
 
-/// Returns the operands of a comparison. The counted time of a step saturates above the constants with which the time is
-/// compared, because larger values do not change the results.
+/// Returns the operands of a comparison. The counted time of a step saturates above the constants with which the time
+/// is compared, because larger values do not change the results.
 std::array<Reader::MaybeTyped, 2> Reader::compared(const std::vector<Id<st::Expr>>& sides) {
     const auto is_member = [&](std::size_t side) { return file_->exprs[sides[side]].op == st::Op::Member; };
     std::array<MaybeTyped, 2> values;

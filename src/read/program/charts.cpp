@@ -47,8 +47,9 @@ constexpr std::array qualifiers = {
 };
 
 /// Returns the text of an ACTION_CONTROL block. Q is the value of the action if the action is a Boolean variable. The
-/// statements of an action are executed while A is true, which includes one scan after Q becomes false (the final scan).
-/// `times` contains the constant durations; if there are several, the inputs `TIME_1`, `TIME_2`, ... select one of them.
+/// statements of an action are executed while A is true, which includes one scan after Q becomes false (the final
+/// scan). `times` contains the constant durations; if there are several, the inputs `TIME_1`, `TIME_2`, ... select one
+/// of them.
 std::string control_text(const ChartAction& action, const std::vector<std::int64_t>& times) {
     const std::string duration = times.empty() ? "T" : fmt::format("T#{}ms", times.front());
     const std::string reset = action.steps.contains("R") ? "R" : "FALSE";
@@ -354,9 +355,9 @@ private:
         file_.units.back().name.word = file_.intern(fmt::format("ACTION_CONTROL {}", action.control));
     }
 
-    /// Finds the transitions that can activate an active step in some situation. Conditions are ignored. The simultaneous
-    /// clearing of several transitions has the same effect as clearing them in sequence. If a chart
-    /// has too many situations, every transition is assumed to activate an active step.
+    /// Finds the transitions that can activate an active step in some situation. Conditions are ignored. The
+    /// simultaneous clearing of several transitions has the same effect as clearing them in sequence. If a chart has
+    /// too many situations, every transition is assumed to activate an active step.
     void check_safety(const st::Network& network) {
         chart_.checked.assign(network.transitions.size(), false);
         chart_.checked_actions.assign(chart_.actions.size(), false);

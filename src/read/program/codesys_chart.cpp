@@ -12,8 +12,8 @@
 //      enabled, the leftmost transition is cleared.
 //
 // Where the documentation does not define the behaviour, an interpretation is chosen and reported by a warning:
-//   - S and R of a Boolean variable set and reset one stored value per instance, which all charts of the instance share;
-//     while R is active, the variable is false;
+//   - S and R of a Boolean variable set and reset one stored value per instance, which all charts of the instance
+//     share; while R is active, the variable is false;
 //   - SFCReset sets _X of the initial step and resets the stored values of S and R; exit actions are not executed, and
 //     actions in action blocks end;
 //   - if the file does not contain the settings of the chart, a variable with the name of a flag acts as this flag.

@@ -84,8 +84,8 @@ void Reader::read_body(std::size_t index) {
     }
 }
 
-/// Returns the function block that no unit instantiates. The result is empty if there are several such blocks or none, or
-/// if the file has programs or program instances.
+/// Returns the function block that no unit instantiates. The result is empty if there are several such blocks or none,
+/// or if the file has programs or program instances.
 std::optional<std::size_t> Reader::main_block(std::size_t user) const {
     if (!file_->instances.empty()) return {};
     std::set<std::uint32_t> instantiated;

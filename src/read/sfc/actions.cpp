@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block is converted separately, in the order of
-// the steps. Result for each qualifier, or for a list of statements:
+// Converts action blocks (IEC 61131-3, 2.6.4) to actions of GRAFCET. Each block is converted separately, in the order
+// of the steps. Result for each qualifier, or for a list of statements:
 //
 //   N            a continuous action                        S, R     stored actions on activation
 //   D, L         a continuous action with a delay or limit  DS       a stored action after the time has elapsed
@@ -8,9 +8,9 @@
 //   SD, SL       the step sets a latch; the output is then true after (SD) or until (SL) the time has elapsed
 //   statements   stored actions for the assignments that bodies.cpp computes
 //
-// A latch is an internal variable. There is one latch for each output and type of qualifier, which the blocks of several
-// steps share. The conversion of R depends on all blocks, because R ends the effects of other blocks on its output.
-// Therefore, R is completed last, with the list of all blocks.
+// A latch is an internal variable. There is one latch for each output and type of qualifier, which the blocks of
+// several steps share. The conversion of R depends on all blocks, because R ends the effects of other blocks on its
+// output. Therefore, R is completed last, with the list of all blocks.
 #include <algorithm>
 #include <iterator>
 
@@ -62,8 +62,8 @@ Id<tree::Expr> timed(Draft& draft, std::int64_t milliseconds, const std::string&
     return draft.node(tree::Op::Divide, {draft.duration(milliseconds, where), draft.variable(watched, where)}, where);
 }
 
-/// Detects differences in the order of evaluation: an SFC executes the actions of a scan sequentially, but in GRAFCET all
-/// actions of an evolution read the previous values. Each type of difference is reported once per variable.
+/// Detects differences in the order of evaluation: an SFC executes the actions of a scan sequentially, but in GRAFCET
+/// all actions of an evolution read the previous values. Each type of difference is reported once per variable.
 class Order {
 public:
     /// Records an action at `where` that assigns `target` and reads `reads`. Returns the new differences.

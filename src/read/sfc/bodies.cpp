@@ -16,8 +16,8 @@ class Execution {
 public:
     explicit Execution(Sfc& sfc) : sfc_(sfc), first_term_(sfc.draft.file().exprs.size()) {}
 
-    /// Returns the assigned values after the statements, given the values assigned `before` the statements. The result is
-    /// empty if a statement is rejected.
+    /// Returns the assigned values after the statements, given the values assigned `before` the statements. The result
+    /// is empty if a statement is rejected.
     std::optional<SfcEffects> run(const st::Block& block, SfcEffects before, int calls) {
         std::optional<SfcEffects> state = std::move(before);
         for (const Id<st::Statement> id : block)
@@ -107,8 +107,8 @@ private:
         return sfc_.draft.lossy() ? std::optional(std::move(state)) : std::nullopt;
     }
 
-    /// Returns the condition of a branch of CASE: a disjunction over the labels of the branch. The operand of a label is
-    /// `selector = label`, the operand of a range is `low <= selector AND selector <= high`.
+    /// Returns the condition of a branch of CASE: a disjunction over the labels of the branch. The operand of a label
+    /// is `selector = label`, the operand of a range is `low <= selector AND selector <= high`.
     Id<tree::Expr> matches(const st::Statement& statement, const st::Branch& branch, const SfcEffects& state) {
         Id<tree::Expr> any = sfc_.draft.constant(false, branch.where);
         for (const Id<st::Expr> label : branch.conditions) {

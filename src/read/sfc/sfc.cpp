@@ -97,8 +97,8 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
 }
 
-/// Returns the steps. If several steps have the same name, the first of these steps gets the actions; the duplicate name
-/// has already been reported.
+/// Returns the steps. If several steps have the same name, the first of these steps gets the actions; the duplicate
+/// name has already been reported.
 std::vector<tree::ChartItem> steps_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
                                       const std::unordered_map<Id<st::Word>, std::string>& expansions) {
     std::vector<tree::ChartItem> items;

@@ -185,7 +185,8 @@ Id<Expr> Builder::duration(std::int64_t milliseconds, Span where) {
     return id;
 }
 
-/// Returns a node with the word of `name`. Its operands are the owner, if any, and the indices of the name.
+/// Returns a node with the word of `name`. The operands of the node are the owner, if `owner` is valid, and the indices
+/// of the name.
 Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {
     const Id<Expr> id = owner.valid() ? node(op, {owner}, where) : constant(op, where);
     file_->exprs[id].word = name.word;
@@ -199,7 +200,8 @@ Id<Expr> Builder::named_node(Op op, Id<Expr> owner, Name name, Span where) {
 
 namespace {
 
-/// Returns the position `where`, which ends with `name` and its indices, without the indices.
+/// Returns the position from the beginning of `where` to the end of `name`. The position `where` also includes the
+/// indices of the name.
 Span up_to(Name name, Span where) { return {where.source, where.begin, name.where.end}; }
 
 }  // namespace

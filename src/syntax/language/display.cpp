@@ -22,7 +22,8 @@ namespace grafverif {
 
 namespace {
 
-/// Characters that control editors and terminals, with their first position and number of occurrences.
+/// Collects characters that control editors and terminals. Stores, for each character, its first position and the
+/// number of further occurrences.
 class Controls {
 public:
     explicit Controls(Span part) : part_(part) {}
@@ -54,7 +55,7 @@ private:
     std::map<std::uint32_t, Occurrence> seen_ = {};
 };
 
-/// True for ASCII white space; a carriage return is allowed only before a line feed.
+/// True if `text` begins with ASCII white space. A carriage return is white space only before a line feed.
 bool is_blank(std::string_view text) {
     if (text.front() == '\r') return text.size() > 1 && text[1] == '\n';
     return std::string_view(" \t\n\f\v").find(text.front()) != std::string_view::npos;
@@ -81,7 +82,7 @@ std::string narrow(std::string_view name) {
     return text;
 }
 
-/// Lists the non-ASCII characters: `U+0430, U+0443`.
+/// Lists the non-ASCII characters of `name`, for example `U+0430, U+0443`.
 std::string characters(std::string_view name) {
     std::string text;
     for (std::size_t at = 0; at < name.size();) {
@@ -104,13 +105,14 @@ public:
             add(file.words[word].text, "name", word.index < first_places.size() ? first_places[word.index] : Span{});
     }
 
-    /// Returns the first declared text that differs from `name` but looks the same.
+    /// Returns a declared text that differs from `name` but looks the same. An ASCII text is preferred; otherwise the
+    /// result is the first such text that is declared before `name`.
     const Lookalike* like(std::string_view name) const {
         const auto found = by_skeleton_.find(skeleton(name));
         if (found == by_skeleton_.end()) return nullptr;
         const Lookalike* best = nullptr;
         for (const Lookalike& each : found->second) {
-            if (each.text == name) break;  // of two names, only the later one is reported
+            if (each.text == name) break;  // a later text is reported as a lookalike of `name`
             if (best == nullptr) best = &each;
         }
         for (const Lookalike& each : found->second)

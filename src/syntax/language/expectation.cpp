@@ -13,7 +13,7 @@ namespace {
 
 using Symbols = Parser::symbol_kind;
 
-/// True for contextual keywords, which are also allowed as names.
+/// True for identifiers and for contextual keywords, which are also allowed as names.
 bool is_word(Symbol symbol) {
     return (symbol >= Symbols::S_CONSTRAINT && symbol <= Symbols::S_FALL) || symbol == Symbols::S_IDENTIFIER;
 }
@@ -53,7 +53,7 @@ std::string shown(Symbol symbol) {
 
 struct Group {
     std::string name = {};
-    /// The group is expected if both tokens are expected.
+    /// The two tokens that identify the group: the group is expected if and only if both tokens are expected.
     Symbol marks = Symbols::S_YYEMPTY, marks_too = Symbols::S_YYEMPTY;
 };
 

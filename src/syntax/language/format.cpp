@@ -19,21 +19,22 @@ namespace grafverif {
 
 namespace {
 
-// Page: the output lines with the comments and blank lines between them. A comment is written before the first element
-// that follows it in the source.
+// The output lines of the formatter, with the comments and blank lines between elements. A comment is written before
+// the first element that follows the comment in the source.
 
 class Page {
 public:
     explicit Page(const tree::File& file) : file_(&file) {}
 
-    /// Starts the element that begins at `begin` in the source. Writes the comments before it, and a blank line if the
-    /// source has one or if `apart` is true.
+    /// Starts the element that begins at `begin` in the source. Writes the comments before the element. Writes a blank
+    /// line before the element if the source has a blank line there or if `apart` is true.
     void before(std::uint32_t begin, bool apart = false);
-    /// Writes the comments inside an element that is printed as a unit.
+    /// Writes the comments that begin before `end` on separate lines. They are inside an element that is printed as a
+    /// unit.
     void within(std::uint32_t end);
     void line(std::string text);
-    /// Writes the comments at the end of the current line that precede `limit`. Later comments belong to the next
-    /// element.
+    /// Appends to the current line the end-of-line comments that begin before `limit`. Later comments belong to the
+    /// next element.
     void trailing_comments(std::uint32_t limit);
     /// Writes the comments up to the end of a block or of the file.
     void remaining(std::uint32_t end);
@@ -148,7 +149,7 @@ public:
         for (std::size_t i = 0; i < file_.declarations.size(); ++i) {
             const tree::Declaration& declaration = file_.declarations[i];
             const Span where = tree::where(declaration);
-            // Successive includes form a group, and so do successive programs.
+            // Successive includes form a group without blank lines; successive programs also form a group.
             const bool in_group = i > 0 && declaration.index() == file_.declarations[i - 1].index() &&
                                   (std::holds_alternative<tree::Include>(declaration) ||
                                    std::holds_alternative<tree::PlcProgram>(declaration));

@@ -11,7 +11,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the precedence of an operator, as in the grammar.
+/// Returns the precedence of an operator; the order of precedences is that of the grammar.
 int precedence(tree::Op op) {
     switch (op) {
     case tree::Op::Implies: return 0;
@@ -131,7 +131,7 @@ private:
     void infix(const tree::Expr& node) {
         const int own = precedence(node.op);
         const bool junction = node.op == tree::Op::And || node.op == tree::Op::Or;
-        // An implication that is an operand of another implication has brackets, both as left and as right operand.
+        // An operand of an implication that is itself an implication is printed in brackets.
         const bool comparison = own == 3 || own == 0;
         const std::string sign(spelling(node.op));
         bool first = true;

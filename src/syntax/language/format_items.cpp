@@ -14,7 +14,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t widest = 120;       ///< longer lines are broken if possible
-constexpr std::size_t comfortable = 100;  ///< maximum length of an element that can also be written on several lines
+constexpr std::size_t comfortable = 100;  ///< longest line of an element that can also be written on several lines
 
 std::string joined(const std::vector<std::string>& parts) {
     std::string line;
@@ -260,7 +260,7 @@ Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::siz
 
 namespace {
 
-/// Returns the instance; `head` precedes the name of the component.
+/// Returns the lines of an instance. `head` is the text before the name of the component.
 Lines instance_lines(const tree::File& file, std::string head, const tree::Instance& written, std::size_t column) {
     head += formatted(file, written.component) + '(';
     std::vector<std::string> parts;

@@ -23,7 +23,8 @@ using Symbols = Parser::symbol_kind;
 
 constexpr std::size_t longest_name = 1000;
 
-/// The number and unit of a duration; empty if the unit is unknown.
+/// The components of a duration such as `1.5s`: digits before the decimal point, decimals and unit. The unit may be
+/// unknown.
 struct Measure {
     std::string_view digits = {}, decimals = {}, unit = {};
 };
@@ -47,7 +48,7 @@ std::optional<std::int64_t> milliseconds_in(std::string_view unit) {
     return {};
 }
 
-/// True for keywords that precede the name of a block.
+/// True for keywords that begin the heading of a block.
 bool begins_block(Parser::symbol_kind_type kind) {
     switch (kind) {
     case Symbols::S_GRAFCET:
@@ -62,7 +63,8 @@ bool begins_block(Parser::symbol_kind_type kind) {
     }
 }
 
-/// Returns `digits`.`decimals` times `factor`; empty if the result is not an integer or exceeds the range of durations.
+/// Returns the number `digits`.`decimals` multiplied by `factor`. The result is empty if the product is not an integer
+/// or exceeds the range of durations.
 std::optional<std::int64_t> scaled(std::string_view digits, std::string_view decimals, std::int64_t factor) {
     constexpr std::int64_t bound = std::int64_t{1} << 40U;
     std::int64_t whole = 0;
@@ -137,7 +139,7 @@ void Lexer::advance(std::string_view match) {
 
 void Lexer::lines() { line_ends_ += static_cast<std::uint32_t>(match_.size()); }
 
-/// Records a blank line before the current token or comment.
+/// Begins a token or comment. Records the blank line before this token or comment, if there is a blank line.
 void Lexer::begin_element() {
     if (line_ends_ > 1 && anything_) file_->gaps.push_back(here_.begin);
     line_ends_ = 0;
@@ -164,7 +166,7 @@ Token Lexer::word(Parser::token_kind_type kind) {
     return {kind, last_name_, here_};
 }
 
-/// Reads an identifier with non-ASCII characters, or reports characters that identifiers cannot contain.
+/// Reads an identifier with non-ASCII characters, or reports the first character that identifiers cannot contain.
 Token Lexer::wide_name() {
     const std::size_t length = identifier_length(match_);
     if (length < match_.size()) {
@@ -207,8 +209,8 @@ Token Lexer::decimal_without_unit() {
     return broken(messages::decimal_number(here_, match_));
 }
 
-/// Returns the span of a path operator of CTL or UPPAAL with brackets (`A[]`, `<>`) that begins a pattern: its letter,
-/// if any, and the brackets. The result is invalid if there is no such operator.
+/// Returns the span of an operator of CTL or UPPAAL, such as `A[]` or `<>`, if the current token is its bracket and the
+/// operator begins a pattern. The result is invalid in all other cases.
 Span Lexer::operator_of_ctl() const {
     const std::string_view brackets = std::string_view(source_->text).substr(here_.begin, 2);
     if (brackets != "[]" && brackets != "<>") return {};
@@ -219,7 +221,8 @@ Span Lexer::operator_of_ctl() const {
     return is_letter && earlier_ == Symbols::S_COLON ? spanning(before_where_, both) : Span{};
 }
 
-/// Reports an operator of CTL or UPPAAL that begins a pattern, with the keyword of the language.
+/// Reports an operator of CTL or UPPAAL that begins a pattern, and names the corresponding keyword of the .grafcet
+/// language.
 std::optional<Token> Lexer::error_of_ctl() {
     const Span where = operator_of_ctl();
     if (!where.source.valid()) return {};
@@ -250,14 +253,14 @@ Token Lexer::unexpected_character() {
     return broken(messages::unexpected_character(here_, match_));
 }
 
-/// Reads the `[` of an index.
+/// Reads a `[`, which begins an index unless it belongs to an operator of CTL or UPPAAL.
 Token Lexer::index() {
     begin_element();
     if (const auto error = error_of_ctl()) return *error;
     return {Parser::token::INDEX, here_};
 }
 
-/// Reports a lexical error; the parser resumes at the next declaration.
+/// Reports a lexical error. After this error, the parser resumes at the next declaration.
 Token Lexer::broken(Diagnostic diagnostic) {
     const Span where = diagnostic.where;
     report(std::move(diagnostic));
@@ -265,7 +268,8 @@ Token Lexer::broken(Diagnostic diagnostic) {
     return Parser::make_YYerror(where);
 }
 
-/// Reports an error. While tokens are skipped, no error is reported, so that each fault causes only one error.
+/// Reports an error unless the lexer is skipping tokens after an earlier error, so that each fault causes only one
+/// error.
 void Lexer::report(Diagnostic diagnostic) {
     if (!recovering_) diagnostics_->add(std::move(diagnostic));
 }

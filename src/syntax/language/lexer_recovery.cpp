@@ -29,7 +29,7 @@ bool declares_in_file(Symbol kind) {
     }
 }
 
-/// True for reserved words that begin a declaration of a chart. Such words cannot be an action of a step.
+/// True for reserved words that begin a declaration of a chart. An action of a step cannot begin with such a word.
 bool declares_in_chart(Symbol kind) {
     switch (kind) {
     case Symbols::S_INPUT:
@@ -96,8 +96,8 @@ std::size_t Lexer::indentation(std::uint32_t place) const {
     return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
-/// Reports a missing `}` under two conditions: a `}` is permitted at `where`, and the text ends there or the line
-/// begins there with a declaration that is not allowed in the current block. Returns true if it is reported.
+/// Reports a missing `}` if a `}` is permitted at `where` and one of two conditions holds: the text ends at `where`, or
+/// a line begins at `where` with a declaration that the current block does not allow. Returns true after a report.
 bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
     if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
     const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);
@@ -110,7 +110,8 @@ bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> ex
     return true;
 }
 
-/// Reports keywords of other languages, and keywords of this language at positions that do not allow them.
+/// Reports operators and keywords of other languages, and keywords of the .grafcet language at positions that do not
+/// allow these keywords. Returns true after a report.
 bool Lexer::report_other_notation(Kind seen, Span where, std::span<const Kind> expected) {
     const std::string_view text = seen_text(where), before = seen_text(before_where_);
     const bool in_pattern = contains(expected, Symbols::S_PRECEDES);
@@ -158,7 +159,7 @@ void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expec
     diagnostics_->add(messages::unexpected(where, text, words));
 }
 
-/// Inserts the missing `}` of `count` open blocks.
+/// Inserts the missing `}` of the `count` innermost open blocks.
 void Lexer::close_blocks(std::size_t count) {
     for (; count > 0; --count) pending_.emplace_back(Parser::token::CLOSE, here_);
 }

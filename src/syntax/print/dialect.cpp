@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Dialects and the expression printer (see the header). The precedence levels, from lowest to highest, are:
-// conditional, or, and, comparison, sum, product, prefix, atom. Each dialect assigns operators to levels according to
-// its language.
+// Dialects of the target languages, and the printer of expressions. The precedence levels, from lowest to highest, are:
+// conditional, or, and, comparison, sum, product, prefix, atom. Each dialect assigns operators to these levels
+// according to the precedence in the target language.
 #include "syntax/print/dialect.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr int sum_level = 5;
 constexpr int product_level = 6;
 constexpr int prefix_level = 7;
 
-/// Returns the spelling that the chart language and UPPAAL share, because both use C operators.
+/// Returns the spelling of an operator in the .grafcet language and in UPPAAL. Both languages use the operators of C.
 Spelling c_spelling(Op op) {
     switch (op) {
     case Op::False: return {"false", atom_precedence};
@@ -128,7 +128,8 @@ Spelling scl_spelling(Op op) {
     return spelling;
 }
 
-// The operand of `!` has brackets unless it is a leaf, and so has `!` in comparisons, about which compilers warn.
+// The operand of `!` is printed in brackets unless it is a leaf. An operand `!x` of a comparison is also printed in
+// brackets, because compilers warn about `!x == y`.
 Spelling c_language_spelling(Op op) {
     switch (op) {
     case Op::Not: return {"!", comparison_level};
@@ -189,7 +190,8 @@ struct Printer {
         if (bracketed) out << ')';
     }
 
-    /// Prints a conditional as a function call. The value for `false` is the second argument.
+    /// Prints a conditional as a function call. The second argument is the value if the condition is false, the third
+    /// argument is the value if the condition is true.
     void selection(std::span<const Id<Expr>> operands, Spelling spelling) const {
         out << spelling.token << '(' << spelling.arguments[0];
         term(operands[0]);

@@ -25,14 +25,14 @@ const std::string& name(const Equations& equations, Id<Equations::Variable> vari
     return equations.variables[variable].name;
 }
 
-/// True if the first evolution assigns a value to a stored variable.
+/// True if actions assign a value to the stored variable in the first evolution.
 bool starts_with_actions(const Equations& equations, const Equations::Stored& stored) {
     const Expr& first = equations.exprs[stored.first];
     return first.op != Op::Variable || first.value != static_cast<std::int64_t>(stored.variable.index);
 }
 
-/// Writes the sections of the plain and LaTeX text. `title(text)` opens a section, and `close()` ends it. `line(name,
-/// term)` writes one equation, and `timer(timer)` writes the equation that starts a timer.
+/// Writes the sections of the equations as plain text or LaTeX. `title(text)` opens a section, and `close()` ends it.
+/// `line(name, term)` writes one equation, and `timer(timer)` writes the equation that starts a timer.
 template <class Writer>
 void write_sections(const Equations& equations, Writer& writer) {
     if (!equations.firings.empty()) {

@@ -90,7 +90,7 @@ void Reader::fail(std::size_t begin, std::size_t end, std::string what) {
 }
 
 Reader::Nest::Nest(Reader& reader) : reader_(reader) {
-    if (++reader_.depth_ > deepest) reader_.fail_here(fmt::format("nested deeper than {}", deepest));
+    if (++reader_.depth_ > deepest) reader_.fail_here(fmt::format("nested deeper than {} levels", deepest));
 }
 
 }  // namespace grafverif::formulas

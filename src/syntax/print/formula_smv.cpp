@@ -47,7 +47,7 @@ public:
 
     void read() {
         const Subformula whole = implication();
-        if (kind_ != Kind::End) expected("an operator or the end");
+        if (kind_ != Kind::End) expected("an operator or the end of the formula");
         require(whole, Type::Boolean, "a formula");
     }
 
@@ -279,7 +279,7 @@ private:
         const std::size_t begin = begin_;
         const std::string function(here());
         if (function == "next" && !ltl_) fail_here("`next` is allowed only in LTL, not in CTL");
-        if (function == "next" && in_next_) fail_here("`next` in `next`");
+        if (function == "next" && in_next_) fail_here("`next` is not allowed within `next`");
         advance();
         expect("(");
         const bool outer = std::exchange(in_next_, in_next_ || function == "next");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads the symbolic queries of UPPAAL and the expressions in them. This reader ignores operator precedence, which
-// UPPAAL applies: an expression is a sequence of operands and operators, and an operand may have prefix operators and
-// indices.
+// Reads the symbolic queries of UPPAAL and the expressions in these queries. This reader ignores operator precedence,
+// because UPPAAL itself parses the query: here, an expression is a sequence of operands and operators. An operand may
+// have prefix operators and indices.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ private:
     void refuse_operator() {
         if (is_one_of({"=", ":=", "++", "+="}))
             return fail_here(fmt::format("{} is an assignment; write `==` for equality", shown()));
-        expected("an operator or the end");
+        expected("an operator or the end of the formula");
     }
 
     void expression() {

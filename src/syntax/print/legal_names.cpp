@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Contains the reserved words of the targets, and changes names that are reserved.
+// Contains the reserved words of the target languages, and changes names that are reserved in a target language.
 //
 // UPPAAL reserves the keywords of its declarations and queries, its mathematical functions, and its built-in constants
-// and types. A variable with the name of a query keyword can be declared but not used in queries. NuSMV: the list
-// contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files. Single capital letters in the list are
-// operators of temporal logic. Structured Text: the list contains the keywords, elementary types, standard functions
-// and function blocks of IEC 61131-3. C: the list contains the keywords of C and C++ up to 2023, names of <stdbool.h>
-// and <stdint.h>, and some macros of other headers and of compilers.
+// and types. A variable with the name of a query keyword can be declared, but cannot be used in queries. NuSMV: the
+// list contains the keywords of NuSMV 2.6 and of nuXmv, which reads the same files. Single capital letters in the list
+// are operators of temporal logic. Structured Text: the list contains the keywords, elementary types, standard
+// functions and function blocks of IEC 61131-3. C: the list contains the keywords of C and C++ up to 2023, names of
+// <stdbool.h> and <stdint.h>, and some macros of other headers and of compilers.
 #include "syntax/print/legal_names.hpp"
 
 #include <algorithm>
@@ -94,8 +94,8 @@ constexpr auto c_keywords = std::to_array<std::string_view>({
     "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
 });
 
-/// A set of words. For most names that are not in the set, the first letter and the length are sufficient to determine
-/// this.
+/// A set of words. For most names that are not in the set, the comparison of the first letter and of the length is
+/// sufficient.
 class Words {
 public:
     explicit Words(std::span<const std::string_view> list) : set_(list.begin(), list.end()) {
@@ -131,10 +131,11 @@ bool has_single_underscores(std::string_view name) {
     return !name.ends_with('_') && name.find("__") == std::string_view::npos;
 }
 
-/// True if a name of the target must not contain `__` or end with `_`. C++ reserves names with `__`.
+/// True if a name in the target language must not contain `__` or end with `_`. C++ reserves names with `__`, and
+/// IEC 61131-3 forbids `__` and a trailing `_`.
 bool has_plain_underscores(Target target) { return target == Target::StructuredText || target == Target::C; }
 
-/// True if <stdint.h> defines the name, or may define it in future versions of C (C99, 7.26.8).
+/// True if <stdint.h> defines the name, or if a future version of <stdint.h> may define the name (C99, 7.26.8).
 bool is_of_stdint(std::string_view name) {
     const bool type = (name.starts_with("int") || name.starts_with("uint")) && name.ends_with("_t");
     const bool macro = (name.starts_with("INT") || name.starts_with("UINT")) &&
@@ -147,13 +148,13 @@ bool has_reserved_beginning(std::string_view name) {
     return name.size() > 1 && name[0] == '_' && name[1] >= 'A' && name[1] <= 'Z';
 }
 
-/// Returns `name`, in which all characters that are not allowed in identifiers are replaced.
+/// Returns `name` with all characters replaced that are not allowed in identifiers of the target language.
 std::string spelled(Target target, std::string_view name) {
     const std::string ascii = in_ascii(name);
     std::string text;
     if (ascii.empty() || is_digit(ascii.front())) text += '_';
     for (const char c : ascii)
-        if (c != ']') text += is_letter(c) || is_digit(c) ? c : '_';  // `FULL[1]`: `FULL_1`
+        if (c != ']') text += is_letter(c) || is_digit(c) ? c : '_';  // `FULL[1]` becomes `FULL_1`
     if (!has_plain_underscores(target)) return text;
     if (target == Target::C && has_reserved_beginning(text)) text.insert(0, "v");
     std::string single;
@@ -162,13 +163,13 @@ std::string spelled(Target target, std::string_view name) {
     return single.ends_with('_') ? single + "0" : single;
 }
 
-/// Returns the first of `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts. `next` stores the next suffix for
-/// each base, so that the total cost is linear in the number of names.
+/// Returns the first of the names `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts. `next` stores, for each
+/// base, the next suffix to try, so that the total cost is linear in the number of names.
 template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {
         std::string name = base;
-        if (tried == 1) name += '_';  // a trailing `_` is always rejected for Structured Text and C
+        if (tried == 1) name += '_';  // for Structured Text and C, `free` rejects a trailing `_`
         if (tried >= 2) name += '_' + std::to_string(tried);
         if (free(name)) return name;
     }

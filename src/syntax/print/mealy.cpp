@@ -162,7 +162,7 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
 
 namespace {
 
-/// For each situation: the situations directly before it, or directly after it, in a test.
+/// For each situation: the situations that directly precede the situation in a test, or that directly follow it.
 using Adjacency = std::vector<std::set<std::uint32_t>>;
 
 Adjacency adjacency(const TestSequence& test, bool back) {
@@ -186,9 +186,10 @@ std::set<std::uint32_t> led_to(const Adjacency& next, std::uint32_t from) {
     return found;
 }
 
-/// Returns, for each terminal strongly connected component that the test reaches, the situation in which the test first
-/// enters it. The test takes all reachable transitions. Therefore, if no step of the test leaves a component, no
-/// transition leaves it. Several sequences are necessary only if the machine has such components.
+/// Returns, for each terminal strongly connected component that the test reaches, the first situation of the component
+/// in a sequence. The test takes all reachable transitions. Therefore, if no step of the test leaves a component, no
+/// transition of the machine leaves this component. Several sequences are necessary only because a sequence cannot
+/// leave a terminal component.
 std::vector<std::string> traps(const TestSequence& test) {
     if (test.sequences.size() < 2 || test.cover == TestCover::Locations) return {};
     const Adjacency next = adjacency(test, false), before = adjacency(test, true);
@@ -198,7 +199,7 @@ std::vector<std::string> traps(const TestSequence& test) {
         const std::uint32_t end = sequence.steps.back().situation.index;
         if (known.contains(end)) continue;
         const std::set<std::uint32_t> stays = led_to(next, end);
-        // The test could continue from this situation.
+        // A situation after `end` that does not lead back to `end` shows that the component of `end` is not terminal.
         if (!std::ranges::includes(led_to(before, end), stays)) continue;
         known.insert(stays.begin(), stays.end());
         const auto entered = std::ranges::find_if(

@@ -36,10 +36,10 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
 
 namespace {
 
-/// Returns the text as an operand before `and`: in brackets unless it is a single word.
+/// Returns `text` as an operand before `and`: a text of several words is put in brackets.
 std::string bracketed(const std::string& text) { return text.find(' ') == std::string::npos ? text : '(' + text + ')'; }
 
-/// Returns the scope with its operands `of`.
+/// Returns the text of a scope, whose operands are `of`.
 std::string scope_text(Sentence::Scope scope, std::span<const std::string> of) {
     switch (scope) {
     case Sentence::Scope::Globally: return "";

@@ -10,7 +10,7 @@ namespace grafverif {
 
 namespace {
 
-/// Prints a field according to RFC 4180: in quotes if it contains a comma, a quote or a line end.
+/// Prints a field according to RFC 4180. A field that contains a comma, a quote or a line end is printed in quotes.
 void print_field(std::ostream& out, std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
         out << text;

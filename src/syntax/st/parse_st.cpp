@@ -9,7 +9,7 @@ namespace grafverif::st {
 
 namespace {
 
-/// Parses `text` into `file`. Returns true if no error was found.
+/// Parses `text` and adds the result to `file`. Returns true if `text` has no error.
 bool parsed(Builder& build, const Text& text, Parser::token_kind_type goal, File& file, const Sources& sources,
             Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();

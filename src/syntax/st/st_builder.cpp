@@ -40,7 +40,7 @@ void Builder::structure(Name name, std::vector<Variable> members, Span where) {
     file_->types.push_back({name, {}, {}, true, where, std::move(members)});
 }
 
-/// Returns the type of an array. A range that is not written as `LOW..HIGH` makes its dimension invalid.
+/// Returns the type of an array. If a range is not written as `LOW..HIGH`, the bounds of its dimension are invalid.
 Type Builder::array(const std::vector<Id<Expr>>& ranges, Type element) const {
     element.composite = true;
     std::vector<std::array<Id<Expr>, 2>> dimensions;

@@ -48,7 +48,8 @@ std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     return value;
 }
 
-/// Removes one component of a duration, such as `30m`, from the front of `rest`, and returns its value in microseconds.
+/// Removes the first component of a duration, such as `30m`, from `rest`. Returns the value of this component in
+/// microseconds.
 std::optional<std::int64_t> part_of(std::string_view& rest) {
     std::size_t end = 0;
     while (end < rest.size() && is_digit(rest[end])) ++end;
@@ -115,7 +116,7 @@ bool is_operator(Parser::symbol_kind_type symbol) {
            symbol == Symbols::S_OPEN;
 }
 
-/// Describes the tokens that are allowed at a position, grouped by type.
+/// Describes the tokens that are allowed at a position. Tokens of one group, such as expressions, are named together.
 std::string expectation(std::span<const Parser::symbol_kind_type> expected) {
     const auto has = [&](Parser::symbol_kind_type symbol) {
         return std::ranges::find(expected, symbol) != expected.end();
@@ -127,7 +128,7 @@ std::string expectation(std::span<const Parser::symbol_kind_type> expected) {
         if (!is_operator(symbol) && symbol != Symbols::S_YYerror && symbol != Symbols::S_PRIORITY)
             items.push_back(shown(symbol));
     if (has(Symbols::S_AND)) items.emplace_back("an operator");
-    if (items.empty() || items.size() > 6) return "something else";
+    if (items.empty() || items.size() > 6) return "another keyword or symbol";
     std::string text;
     for (std::size_t i = 0; i < items.size(); ++i)
         text += (i == 0 ? "" : i + 1 == items.size() ? " or " : ", ") + items[i];
@@ -153,7 +154,7 @@ Token Lexer::next() {
         return {goal_, here_};
     }
     if (too_deep_ || ended_ || !scanner_) return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
-    auto passing = Symbols::S_YYEMPTY;  // end keyword of a section that is skipped because charts do not need it
+    auto passing = Symbols::S_YYEMPTY;  // end keyword of a skipped section; charts do not need types and configurations
     for (;;) {
         Token token = scanner_->next(*this);
         const auto kind = token.kind();
@@ -205,7 +206,8 @@ void Lexer::advance(std::size_t length) {
 
 void Lexer::comment(std::string_view match) { file_->comments.push_back({std::string(match), here_}); }
 
-/// Counts open brackets and statements. Returns true if the nesting exceeds the limit.
+/// Counts open brackets, prefix operators and nested statements. Reports an error and returns true if their number
+/// exceeds the limit.
 bool Lexer::nests_too_deep(Kind kind) {
     switch (kind) {
     case Parser::token::LEFT:
@@ -232,7 +234,7 @@ bool Lexer::nests_too_deep(Kind kind) {
     return true;
 }
 
-/// Ends the text after an error: the rest is skipped.
+/// Returns an error token. The text after this token is skipped.
 Token Lexer::failed() {
     too_deep_ = true;
     return Parser::make_YYerror(here_);
@@ -284,7 +286,8 @@ Token Lexer::integer(std::string_view digits, int base) {
     return {Parser::token::INTEGER, value.value_or(0), here_};
 }
 
-/// Reads `INT#5` or `BYTE#-1`. A literal with any other type is unsupported.
+/// Reads a literal with the name of an integer or bit string type, such as `INT#5` or `BYTE#-1`, or of a duration.
+/// Literals with other type names are unsupported.
 Token Lexer::typed_integer(std::string_view match) {
     const std::size_t hash = match.find('#');
     const std::string type = capitals(match.substr(0, hash));
