@@ -11,20 +11,20 @@ namespace grafverif::draw {
 
 namespace {
 
-/// An edge of the graph that is being reduced. It connects two ends.
+/// An edge of the graph that is being reduced. The edge connects two ends and represents a block.
 struct Edge {
     std::size_t from = 0, to = 0, block = 0;
-    /// Blocks that are attached to inner ends of the edge and longer than the edge.
+    /// Blocks that are attached to removed ends inside the edge and that extend beyond the edge.
     std::vector<std::size_t> hanging = {};
     bool removed = false;
 };
 
-/// A vertex of the reduced graph. `in` and `out` are the exclusive or of the numbers of all edges on this side; if one
-/// edge remains, they are its number.
+/// A vertex of the reduced graph. `in` is the exclusive or of the numbers of all incoming edges, and `out` that of all
+/// outgoing edges. If only one edge remains on a side, this value is the number of the edge.
 struct End {
     std::size_t in_count = 0, out_count = 0;
     std::size_t in = 0, out = 0;
-    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< blocks that are attached to this end
+    std::vector<std::size_t> from_nowhere = {}, to_nowhere = {};  ///< attached blocks with a free end
     bool removed = false;
 };
 
@@ -122,7 +122,8 @@ private:
         return edge;
     }
 
-    /// Returns a block that consists of `parts`. A part of the same type is replaced by its own parts.
+    /// Returns a block of type `kind` that consists of `parts`. If a part has the same type, the parts of this part are
+    /// used instead.
     std::size_t joined(Block::Kind kind, const std::vector<std::size_t>& parts) {
         if (parts.size() == 1 && kind != Block::Kind::Core) return parts.front();
         Block block{.kind = kind, .key = nowhere};
@@ -142,8 +143,8 @@ private:
         return blocks.size() - 1;
     }
 
-    /// Returns a block that contains `block` in parallel with those blocks of `hanging` that do not extend beyond
-    /// `block` or, if `all` is true, with all blocks of `hanging`.
+    /// Returns a block that contains `block` in parallel with blocks of `hanging`: with all of them if `all` is true,
+    /// otherwise with those that do not extend beyond `block`.
     std::size_t with_hanging(std::size_t block, std::vector<std::size_t>& hanging, bool all = false) {
         std::vector<Block>& blocks = result_.blocks;
         std::vector<std::size_t> parts{block}, others;
@@ -184,7 +185,8 @@ private:
         }
     }
 
-    /// Attaches an edge with a free end, and the blocks attached to this free end, to its other end.
+    /// Removes an edge with a free end. The block of the edge, together with the blocks `free` at the free end, is
+    /// added to `list`, the list of blocks that are attached to the other end.
     void hang(const std::vector<std::size_t>& free, Edge& edge, bool below, std::vector<std::size_t>& list) {
         std::size_t block = edge.block;
         if (!free.empty()) {
@@ -194,7 +196,7 @@ private:
         list.push_back(with_hanging(block, edge.hanging, true));
     }
 
-    /// Handles the last end of a connected component of the flow.
+    /// Completes a connected component of the flow of which only the end `end` remains.
     void finish(const End& end) {
         std::vector<std::size_t> halves;
         for (const std::vector<std::size_t>* hanging : {&end.from_nowhere, &end.to_nowhere})
@@ -256,7 +258,7 @@ private:
     std::unordered_map<std::uint64_t, std::size_t> between_ = {};
     std::deque<std::size_t> waiting_ = {};
     std::vector<std::size_t> parts_ = {};  ///< blocks of the connected components of the flow
-    std::vector<std::size_t> part_ = {};   ///< union-find parent of each end in its component
+    std::vector<std::size_t> part_ = {};   ///< parent of each end in the union-find structure of components
 };
 
 }  // namespace

@@ -9,8 +9,9 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Returns the content of an element, independently of its position. For a link, the content is its ends and direction.
-/// The result is empty if the element does not represent an element of the chart.
+/// Returns a text that identifies the content of a drawn element, independently of its position. For a link, the
+/// content consists of its ends and its direction. The text is empty if the drawn element does not represent an element
+/// of the chart.
 std::string content(const Drawing::Element& element) {
     if (!element.id.empty()) return element.classes + '\n' + element.title;
     if (!element.classes.starts_with("link")) return {};
@@ -22,7 +23,7 @@ std::string content(const Drawing::Element& element) {
 }  // namespace
 
 void mark_changes(Drawing& drawing, const Drawing& other) {
-    std::map<std::string, int> there;  // number of occurrences in the other drawing minus the number matched so far
+    std::map<std::string, int> there;  // for each content: number of occurrences in `other` that are not matched yet
     std::map<std::string, std::string> by_id;
     for (const Drawing::Element& element : other.elements) {
         ++there[content(element)];

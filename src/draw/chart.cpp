@@ -18,7 +18,7 @@ using Element = Drawing::Element;
 using Point = Drawing::Point;
 
 constexpr int margin = 16, title_height = 22, title_size = 13;
-constexpr int greatest_page = 1400;  ///< maximum width of the page, unless one partial chart is wider
+constexpr int greatest_page = 1400;  ///< maximum width of the page, if no partial chart is wider
 
 void shift(Element& element, Point by) {
     const auto move = [&](Point& point) { point = {point.x + by.x, point.y + by.y}; };
@@ -32,7 +32,7 @@ Drawing::Text heading(int x, int y, const std::string& text) {
     return {{x, y}, {{text, false}}, Drawing::Anchor::Start, title_size, width_of(text, title_size), "title"};
 }
 
-/// The drawing of a partial chart, with its upper left corner at (0, 0).
+/// The drawing of a partial chart. The upper left corner is at (0, 0).
 struct Panel {
     std::vector<Element> elements = {};
     Drawing::Size size = {};
@@ -44,7 +44,8 @@ struct Members {
     std::vector<Id<Chart::Transition>> transitions = {};
 };
 
-/// Builds the flow of one partial chart, whose nodes are its members, and draws the panel.
+/// Builds the flow of one partial chart, and draws its panel. The nodes of the flow are the steps and transitions of
+/// the partial chart.
 class PanelMaker {
 public:
     PanelMaker(const Chart& chart, const Symbols& symbols, const DrawOptions& options, std::vector<std::size_t>& nodes)
@@ -149,7 +150,8 @@ std::string title_of(const Chart& chart, const Chart::PartialChart& partial) {
     return name;
 }
 
-/// Adds a frame and a title, if the partial chart has a name.
+/// Adds the element of the partial chart to its panel. If the partial chart has a name, the element has a frame and a
+/// title.
 Panel framed(const Chart& chart, Id<Chart::PartialChart> id, const std::string& element_id, Panel panel) {
     const Chart::PartialChart& partial = chart.partial_charts[id];
     Element frame{.id = element_id, .classes = "partial-chart"};
@@ -171,12 +173,13 @@ Panel framed(const Chart& chart, Id<Chart::PartialChart> id, const std::string& 
     return panel;
 }
 
-/// Places each panel as high as possible on the page, and then as far to the left as possible.
+/// Places panels on a page. Each panel is placed as high as possible; among the positions with this height, the
+/// leftmost position is used.
 class Skyline {
 public:
     Skyline(int top, int right) : levels_({{margin, top}}), right_(right) {}
 
-    /// Returns the first free position for a panel.
+    /// Returns the position for a panel of this size, and marks the area of the panel as used.
     Point place(Drawing::Size size) {
         std::size_t best = 0;
         int y = std::numeric_limits<int>::max();
@@ -193,7 +196,7 @@ public:
     }
 
 private:
-    /// Returns the smallest y at which a panel that begins at level `k` is below all other panels.
+    /// Returns the smallest y at which a panel that begins at the x of level `k` is below all panels that were placed.
     int lowest_above(std::size_t k, int width) const {
         int lowest = levels_[k].y;
         for (std::size_t j = k; j < levels_.size() && levels_[j].x < levels_[k].x + width + margin; ++j)
@@ -201,7 +204,7 @@ private:
         return lowest;
     }
 
-    std::vector<Point> levels_;  ///< from x to the x of the next entry, the page is free below y
+    std::vector<Point> levels_;  ///< upper contour of the free area: it is at y from x to the x of the next entry
     int right_;
 };
 
@@ -224,7 +227,7 @@ Packing packed(const std::vector<Panel>& panels, int top, int right) {
     return made;
 }
 
-/// Tries several page widths and selects the smallest page.
+/// Places the panels for several page widths, and uses the smallest page.
 void place(std::vector<Panel> panels, int top, Drawing& drawing) {
     constexpr int tries = 12;
     int widest = 0;

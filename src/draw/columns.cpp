@@ -10,18 +10,19 @@ namespace grafverif::draw {
 
 namespace {
 
-constexpr int gap = 14;                 ///< distance between parallel elements
-constexpr std::size_t rounds = 8;       ///< number of iterations for ordering the strips of a core
-constexpr std::size_t far_enough = 32;  ///< number of parallel parts that are examined for the choice of a side
+constexpr int gap = 14;                 ///< minimum horizontal distance between parallel parts
+constexpr std::size_t rounds = 8;       ///< number of iterations for ordering the strips of a Core
+constexpr std::size_t far_enough = 32;  ///< maximum number of parallel parts examined to choose a side
 
-/// Extent of a block on both sides of its axis, and offset of its axis from the axis of its parent.
+/// Horizontal extent of a block to the left and to the right of its axis, and offset of its axis from the axis of its
+/// parent.
 struct Reach {
     int left = 0, right = 0, offset = 0;
 };
 
 enum class Side : unsigned char { Left, Right };
 
-/// Lanes on one side of a block.
+/// The lanes on one side of a block.
 struct SideLanes {
     std::vector<std::size_t> lanes = {};
     int width = 0;
@@ -72,8 +73,9 @@ private:
         return stub != nowhere ? stub : blocks_.of_node[flow_.arcs[arc].to];
     }
 
-    /// Counts the parallel parts that a horizontal line from `block` to a side of `whole` would cross in `channel`.
-    /// Examines at most `far_enough` parts of each block. Returns the number on the left minus the number on the right.
+    /// Counts the parallel parts that horizontal lines in `channel` from `block` to both sides of `whole` would cross.
+    /// Returns the number on the left minus the number on the right. At most `far_enough` parts of each enclosing block
+    /// are examined.
     int leaning(std::size_t block, std::size_t whole, std::size_t channel) const {
         int crossed = 0;
         for (; block != whole; block = at(block).parent) {
@@ -89,10 +91,10 @@ private:
         return crossed;
     }
 
-    /// Assigns upward links to lanes. Upward links to the same step share a lane on each side.
+    /// Assigns each upward link to a lane. On each side, upward links to the same step share a lane.
     void choose_lanes() {
         std::map<std::tuple<std::size_t, Side>, std::size_t> shared;
-        std::vector<std::pair<std::size_t, Side>> places;  ///< block and side of each lane
+        std::vector<std::pair<std::size_t, Side>> places;  ///< for each lane: block and side
         for (std::size_t arc = 0; arc < flow_.arcs.size(); ++arc) {
             if (!order_.upward[arc]) continue;
             const auto [from, to] = flow_.arcs[arc];
@@ -114,11 +116,12 @@ private:
         for (std::size_t lane = 0; lane < places.size(); ++lane) side_lanes_[places[lane]].lanes.push_back(lane);
     }
 
-    /// Places shorter lanes nearer to the block. Lanes with disjoint rows may share a column. `x` is relative to the
-    /// block.
+    /// Computes the columns of lanes relative to the side of their block. Shorter lanes are placed nearer to the block.
+    /// Lanes without a common row may share a column.
     void pack_lanes() {
         for (auto& [place, side_lanes] : side_lanes_) {
-            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // pairs of low and high for each column
+            std::vector<std::set<std::pair<std::size_t, std::size_t>>>
+                taken;  // `low` and `high` of the lanes of each column
             std::ranges::stable_sort(side_lanes.lanes, {}, [&](std::size_t lane) {
                 return columns_.lanes[lane].high - columns_.lanes[lane].low;
             });
@@ -164,8 +167,8 @@ private:
         }
     }
 
-    /// The parts of a Series share one axis. If a branch that is attached to a part extends into the rows of later
-    /// parts, these parts are placed to the right of the preceding parts.
+    /// Places the parts of a Series on one axis. If a part extends into the rows of the next part because of an
+    /// attached branch, the next part is placed to its right.
     void measure_series(std::size_t number) {
         std::vector<Strip> strips;
         each_part(number, [&](std::size_t part) {
@@ -180,14 +183,14 @@ private:
         settle(number, strips.front().reach.offset);
     }
 
-    /// A group of parts with the same axis.
+    /// Consecutive parts of a block with a common axis.
     struct Strip {
         std::size_t low = 0, high = 0;
         Reach reach = {};
         std::vector<std::size_t> parts = {};
     };
 
-    /// Places each strip as far to the left as possible without an overlap with the preceding strips.
+    /// Places each strip as far to the left as possible such that it does not overlap the preceding strips.
     void pack(std::size_t number, std::vector<Strip>& strips) {
         const std::size_t low = at(number).low;
         std::vector<int> skyline(at(number).high - low + 1, 0);
@@ -200,7 +203,8 @@ private:
         }
     }
 
-    /// Places the axis in the middle between the first and the last part that extends from one end to the other.
+    /// Places the parts of a Parallel next to each other. The axis is in the middle between the first and the last part
+    /// that connect both ends of the block.
     void measure_parallel(std::size_t number) {
         int right = 0, first = 0, last = 0;
         bool any = false;
@@ -221,7 +225,7 @@ private:
         settle(number, (first + last) / 2);
     }
 
-    /// Moves the parts such that `axis` becomes 0.
+    /// Moves the parts such that the position `axis` becomes 0.
     void settle(std::size_t number, int axis) {
         Reach& whole = reach_[number];
         each_part(number, [&](std::size_t part) {
@@ -245,7 +249,7 @@ private:
     }
 
     void order_strips(std::vector<std::size_t>& strips) const {
-        std::map<std::size_t, std::vector<std::size_t>> ends;  // strips that meet at each end
+        std::map<std::size_t, std::vector<std::size_t>> ends;  // for each end: the strips that meet there
         for (const std::size_t strip : strips)
             for (const std::size_t end : {at(strip).above, at(strip).below})
                 if (end != nowhere) ends[end].push_back(strip);
@@ -270,7 +274,7 @@ private:
         return places;
     }
 
-    /// Returns the barycentre of all strips that are connected to each strip.
+    /// Returns, for each strip, the barycentre of all strips that are connected to it.
     static std::map<std::size_t, double> centres_of(const std::vector<std::size_t>& strips, const Ends& ends) {
         const std::map<std::size_t, double> places = places_of(strips);
         std::map<std::size_t, std::pair<double, double>> sums;

@@ -7,7 +7,8 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Depth-first search. The search is iterative, because charts may be long.
+/// Depth-first search of a flow. The search is iterative, because a recursion could exceed the call stack for long
+/// charts.
 class DepthFirstSearch {
 public:
     explicit DepthFirstSearch(const Flow& flow) : flow_(flow), state_(flow.nodes.size(), State::New) {
@@ -56,7 +57,8 @@ private:
         }
     }
 
-    /// Determines the rows. A node is finished after all its successors.
+    /// Computes the row of each node. The nodes are visited in the reverse order of their completion in the search, so
+    /// each node is visited before the successors to which its downward links lead.
     void settle_rows() {
         std::vector<bool> led_to(flow_.nodes.size(), false);
         for (std::size_t node = 0; node < flow_.nodes.size(); ++node)
@@ -73,7 +75,7 @@ private:
         for (const std::size_t row : order_.rows) order_.row_count = std::max(order_.row_count, row + 1);
     }
 
-    /// Places a source transition directly above the steps that it activates.
+    /// Places a source transition one row above the highest step that it activates.
     void lower_source(std::size_t node) {
         std::size_t lowest = 0;
         for (const std::size_t arc : flow_.nodes[node].out) {

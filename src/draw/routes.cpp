@@ -16,7 +16,7 @@ using Line = Drawing::Line;
 
 constexpr int track_pitch = 12, channel_margin = 10;
 constexpr int double_line = 4;  ///< distance between the two lines of a double line
-constexpr int overhang = 10;    ///< length by which a double line extends beyond its last link
+constexpr int overhang = 10;    ///< length by which a double line extends beyond its outermost links
 constexpr int piece_gap = 36;   ///< distance between adjacent pieces of a folded flow
 constexpr int page_height = 1600;
 constexpr double page_shape = 1.3;  ///< ratio of the height of a page to its width
@@ -28,7 +28,7 @@ public:
 
     int assign() {
         std::ranges::stable_sort(spans_, {}, &Span::low);
-        std::set<std::pair<int, std::size_t>> free_from;  // pairs of the end of the last line of a track, and the track
+        std::set<std::pair<int, std::size_t>> free_from;  // for each track: end of its last line, and its number
         for (const Span& span : spans_) {
             const auto first = free_from.begin();
             if (first == free_from.end() || first->first >= span.low) {
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Track of a link that needs no horizontal line, because it does not join other links.
+    /// Value instead of a track if a link needs no horizontal line.
     static constexpr std::size_t straight = nowhere;
 
     struct Place {
@@ -86,8 +86,8 @@ private:
     bool meets_below(std::size_t node) const { return flow_.nodes[node].bar && flow_.nodes[node].out.size() > 1; }
     bool meets_above(std::size_t node) const { return flow_.nodes[node].bar && flow_.nodes[node].in.size() > 1; }
 
-    /// Return the x positions at which a link leaves the horizontal line below its first node, and at which it enters
-    /// the horizontal line above its last node.
+    /// `leaves_at` returns the x position at which a link leaves the horizontal line below its first node. `enters_at`
+    /// returns the x position at which a link enters the horizontal line above its last node.
     int leaves_at(std::size_t arc) const {
         if (!order_.upward[arc]) return columns_.arcs[arc];
         return has_exit(arc) ? columns_.exits[arc] : lane(arc).x;
@@ -212,7 +212,8 @@ private:
         measure_pieces();
     }
 
-    /// Computes the horizontal extent of each piece from the elements that it contains.
+    /// Computes the horizontal extent of each piece from the nodes and links in the piece, and the positions of the
+    /// pieces.
     void measure_pieces() {
         const std::size_t count = begins_.size();
         std::vector<int> left(count, columns_.width), right(count, 0);
@@ -259,7 +260,7 @@ private:
 
     // -- lines -------------------------------------------------------------------------------------------------------
 
-    /// Return points on a track of the upper or lower part of `channel`.
+    /// `upper` and `lower` return a point on a track in the upper or lower part of `channel`.
     Place upper(int x, std::size_t channel, std::size_t track) const {
         return {x, upper_y(channel, track), piece_of_row(channel == 0 ? 0 : channel - 1)};
     }
@@ -286,7 +287,7 @@ private:
             meet(span_below(node), port(node, 1), upper(columns_.nodes[node], row + 1, below_[node]), double_line);
     }
 
-    /// Returns the path of a link from its first node to the column in which it continues downwards.
+    /// Returns the path of a link from its first node to the column in which the link continues downwards.
     std::vector<Place> beginning(std::size_t arc) const {
         const std::size_t node = flow_.arcs[arc].from, channel = order_.rows[node] + 1;
         if (meets_below(node)) {
@@ -316,7 +317,8 @@ private:
         add_lines(places);
     }
 
-    /// Routes an upward link: down to its lane, up with an arrow next to the target node, and down into the node.
+    /// Routes an upward link: down to its lane, up the lane to an arrow next to the target node, further up, and down
+    /// into the target node.
     void route_upward(std::size_t arc) {
         const auto [from, to] = flow_.arcs[arc];
         const int x = lane(arc).x;
@@ -338,7 +340,7 @@ private:
         add_lines(down);
     }
 
-    /// Adds the lines that connect `places`. They are cut at the boundaries of pieces.
+    /// Adds lines that connect `places`. The lines are cut at the boundaries of pieces.
     void add_lines(const std::vector<Place>& places) {
         std::vector<Line>& lines = routes_.arcs[arc_];
         lines.emplace_back();
@@ -369,7 +371,8 @@ private:
         }
     }
 
-    /// Adds a label for an end of the line at `x` that is cut between two pieces. Each end has at most one label.
+    /// Adds a label to one end of a line that is cut at `boundary`. Links with the same x position share a line; each
+    /// of its two ends has only one label.
     void refer(Point at, bool below, int x, std::size_t boundary) {
         const std::size_t number = numbers_.try_emplace({boundary, x}, numbers_.size() + 1).first->second;
         if (named_.emplace(number, below).second) routes_.references.push_back({at, below, number, arc_});
@@ -379,14 +382,14 @@ private:
     const Order& order_;
     const Columns& columns_;
     std::size_t rows_;
-    std::vector<std::size_t> below_ = {}, above_ = {};  ///< tracks below and above each node
-    std::vector<std::size_t> exit_ = {}, entry_ = {};   ///< tracks of each arc
+    std::vector<std::size_t> below_ = {}, above_ = {};  ///< for each node: track of its links below, and above
+    std::vector<std::size_t> exit_ = {}, entry_ = {};   ///< for each arc: tracks of its stubs
     std::vector<int> upper_count_ = {}, lower_count_ = {};
-    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};         ///< positions of each channel
-    std::vector<int> centres_ = {};                                    ///< position of each row
-    std::vector<std::size_t> begins_ = {};                             ///< first row of each piece
-    std::vector<int> shift_x_ = {}, shift_y_ = {};                     ///< displacement of each piece
-    std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};  ///< number of each cut line
+    std::vector<int> tops_ = {}, middles_ = {}, bottoms_ = {};         ///< for each channel: y positions
+    std::vector<int> centres_ = {};                                    ///< for each row: y position
+    std::vector<std::size_t> begins_ = {};                             ///< for each piece: first row
+    std::vector<int> shift_x_ = {}, shift_y_ = {};                     ///< for each piece: displacement
+    std::map<std::pair<std::size_t, int>, std::size_t> numbers_ = {};  ///< for each cut line: boundary and x, number
     std::set<std::pair<std::size_t, bool>> named_ = {};
     std::size_t arc_ = 0;
     Routes routes_ = {};

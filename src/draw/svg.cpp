@@ -15,7 +15,7 @@ namespace {
 
 using Point = Drawing::Point;
 
-constexpr std::size_t longest_title = 1000;  ///< maximum length of a title in characters
+constexpr std::size_t longest_title = 1000;  ///< maximum number of characters of a title (tooltip)
 
 std::string escaped(std::string_view text) {
     std::string xml;
@@ -79,7 +79,7 @@ private:
         if (line.arrow && line.points.size() > 1) head(line.points[line.points.size() - 2], line.points.back());
     }
 
-    /// Draws the head of an arrow with the last segment from `from` to `tip`.
+    /// Draws an arrow head at `tip`. The head has the direction of the line from `from` to `tip`.
     void head(Point from, Point tip) {
         const int along = 8, across = 4;
         const int dx = tip.x == from.x  ? 0

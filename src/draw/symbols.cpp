@@ -13,13 +13,13 @@ namespace {
 
 using Anchor = Drawing::Anchor;
 
-constexpr int half_step = 20;  ///< half the height of a step; also half the width of a step with a short name
+constexpr int half_step = 20;  ///< half the height of a step, and half the width of a step with a short name
 constexpr int half_bar = 15;
 constexpr int box_height = 24;  ///< height of the box of an action
 constexpr int line_height = 15;
 constexpr int text_size = 12, small_size = 11;
 constexpr int widest_text = 260;  ///< maximum width of a condition; longer conditions are broken into lines
-constexpr int widest_row = 280;   ///< maximum width of a row of actions; wider rows are stacked
+constexpr int widest_row = 280;   ///< maximum width of a row of actions; if the row is wider, the actions are stacked
 constexpr int widest_comment = 170;
 constexpr std::size_t longest_comment = 120;  ///< maximum length of a comment in characters
 
@@ -49,14 +49,14 @@ int widest_of(const std::vector<Runs>& lines, int size) {
 
 }  // namespace
 
-/// A box that is attached to a step or a transition.
+/// The box of an action or forcing order of a step, or of an action of a transition.
 struct Symbols::Action {
     enum class Sign { None, Up, Down, Event };
     Drawing::Element element = {};
     std::string label = {};
     std::vector<Runs> above = {};  ///< lines of the condition of the action
     Sign sign = Sign::None;
-    bool twofold = false;  ///< true for a forcing order
+    bool twofold = false;  ///< true: double frame of a forcing order
 
     int width() const {
         return std::max({half_step, width_of(label, text_size) + 16, widest_of(above, small_size) + 14});
@@ -67,7 +67,7 @@ struct Symbols::Action {
     }
     int foot() const { return sign == Sign::Down ? 10 : 0; }
 
-    /// Returns the element, placed with its left edge and vertical centre at this position.
+    /// Returns the drawn element. Its left edge is at `left`, and its vertical centre is at `middle`.
     Drawing::Element at(int left, int middle) const {
         Drawing::Element drawn = element;
         const int top = middle - box_height / 2;
@@ -147,7 +147,7 @@ std::string Symbols::title(Id<Chart::Transition> id) const {
 
 // -- actions ---------------------------------------------------------------------------------------------------------
 
-/// Returns the action with its condition. The delay and the time limit of the action are written as time conditions:
+/// Returns the box of a continuous action with its condition. A delay and a time limit are written as time conditions:
 /// for a delay of 3 s and a limit of 5 s, `3s/X2` and the negation of `8s/X2`.
 Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     const Chart::ContinuousAction& action = chart_.continuous[id];
@@ -157,7 +157,7 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     if (!is_true(chart_.exprs, action.condition)) {
         Runs condition = runs(text_.continuous, id.index, action.condition);
         const bool alone = action.delay_ms == 0 && action.limit_ms == 0;
-        // The text in the source file may contain a disjunction that the simplified term does not contain.
+        // The notation of the source is searched for a disjunction, because the simplified term may not contain it.
         const std::string text = plain_text(condition);
         const bool disjunction =
             iec ? chart_.exprs[action.condition].op == Op::Or
@@ -228,8 +228,8 @@ Symbols::Action Symbols::forcing(Id<Chart::ForcingOrder> id) const {
             .twofold = true};
 }
 
-/// Draws actions in a row, connected with the node by a line. If the row would be too wide, the actions are stacked and
-/// connected by a line at the left.
+/// Draws the actions of a node in a row that a line connects with the node. If the row would be wider than
+/// `widest_row`, the actions are stacked, and a line at the left connects them.
 void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol) const {
     if (actions.empty()) return;
     int width = 0;

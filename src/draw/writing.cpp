@@ -13,7 +13,7 @@ namespace grafverif::draw {
 
 namespace {
 
-/// Widths of the characters from space to tilde, in thousandths of an em.
+/// Widths of the ASCII characters from space to tilde, in thousandths of an em.
 constexpr std::array<int, 95> widths = {318,  401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
                                         636,  636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 556,
                                         1015, 684, 686, 722, 770, 667, 611, 778, 752, 295, 500, 667, 557, 863, 748, 787,
@@ -57,7 +57,8 @@ Spelling iec_spelling(Op op) {
     return spelling;
 }
 
-/// Splits marked text into runs. Overlines are not nested: an inner negation is written with the sign `¬` and brackets.
+/// Splits a text with markers into runs with and without an overline. Overlines are not nested: a negation inside an
+/// overline is written with the sign `¬` and brackets.
 Runs runs_of_marked(std::string_view marked) {
     Runs runs;
     int depth = 0;

@@ -21,7 +21,7 @@ ChartContent content_of_program(const Model& model, const Sources& sources, Id<C
     return content;
 }
 
-/// Returns the sections about one chart, or nothing after an error.
+/// Returns the contents of the sections about one chart; nothing after an error.
 std::optional<ChartContent> content_of(const Model& model, const Sources& sources, Id<Chart> chart, bool single,
                                        std::optional<ExecutionMode> mode, const Limits& limits,
                                        Diagnostics& diagnostics) {
@@ -37,7 +37,7 @@ std::optional<ChartContent> content_of(const Model& model, const Sources& source
     return content;
 }
 
-/// Returns the components of the loop, with drawings unless they are too large.
+/// Returns the components of the closed loop. A component whose automaton is too large has no drawing.
 std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> loop) {
     std::set<Id<Component>> used;
     for (const ClosedLoop::Instance& instance : model.loops[loop].instances) used.insert(instance.component);

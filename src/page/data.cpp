@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The values of the statements of each controller; empty for a chart.
+/// For each chart or program of the page: the values of its statements; empty for a chart.
 using AllScans = std::vector<std::optional<ProgramScans>>;
 
 Json charts_json(const PageContent& content, const AllScans& programs) {
@@ -46,7 +46,7 @@ Json charts_json(const PageContent& content, const AllScans& programs) {
     return list;
 }
 
-/// Returns the scans of the programs of a run, for each controller.
+/// Returns, for each controller of a run, the scans of its program; null for a chart.
 Json scans_json(const ChartRun& run, const Playable& playable, AllScans& programs, std::size_t& remaining) {
     Json list = Json::array();
     for (const std::size_t chart : playable.charts) {
@@ -102,10 +102,10 @@ Json violation_json(const std::optional<SentenceViolation>& violation) {
     return {{"moment", violation->moment}, {"steps", std::move(steps)}};
 }
 
-/// Omits the moves of observers, which do not change the loop.
+/// Removes the moves of observers from a run, because observers do not change the state of the closed loop.
 void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) {
     std::vector<ChartRun::Event> kept;
-    // For each event, the index in `kept` of the last event that is kept, up to this event.
+    // For each event: the index in `kept` of the last event that is kept and not later than this event.
     std::vector<std::size_t> places;
     for (ChartRun::Event& moment : run.moments) {
         if (moment.kind != ChartRun::Kind::Observer) kept.push_back(std::move(moment));

@@ -26,7 +26,7 @@ std::size_t undecided(const PageContent& content) {
     return count.unknown + count.undeclared_unknown + left_out(content).size();
 }
 
-/// Returns the number of errors that the analyses of the charts found, without accepted ones.
+/// Returns the number of findings with level `error` in the analyses of the charts. Accepted findings are not counted.
 std::size_t errors_found(const PageContent& content) {
     std::size_t errors = 0;
     for (const ChartContent& each : content.charts)
@@ -36,8 +36,7 @@ std::size_t errors_found(const PageContent& content) {
     return errors;
 }
 
-/// Returns text about the findings of the chart analyses, or an empty string if the analyses are complete and found no
-/// errors.
+/// Returns text about the analyses of the charts; an empty string if the analyses are complete and found no errors.
 std::string errors_text(const PageContent& content) {
     if (const std::size_t errors = errors_found(content); errors != 0)
         return "the chart analysis found " + counted(errors, "error", "errors");
@@ -46,8 +45,8 @@ std::string errors_text(const PageContent& content) {
     return complete ? "" : "the chart analysis is incomplete";
 }
 
-/// Returns the summary. It is positive only if every property was decided as expected, no verdict is vacuous, and the
-/// charts have no errors.
+/// Returns the summary of the page. The summary is positive only if every verdict is as expected, no property holds
+/// vacuously, and the analyses of the charts are complete and found no errors.
 SummaryItem glance_of(const PageContent& content) {
     const Report& report = content.report;
     const Tally count = tally(report);

@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// True for an inline element. A browser renders a line break after such an element as a blank.
+/// True for inline elements. After an inline element, no line break is written, because browsers render it as a blank.
 bool inline_tag(std::string_view tag) { return tag == "code" || tag == "strong" || tag == "span"; }
 
 }  // namespace

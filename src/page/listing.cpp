@@ -68,11 +68,12 @@ private:
         return unit.name;
     }
 
-    /// Adds a line, unless the lines are those of the source.
+    /// Adds a printed line. Has no effect if the listing consists of the lines of the source.
     void print(const std::string& text) {
         if (printed_) listing_.lines.push_back(std::string(2 * depth_, ' ') + text);
     }
-    /// Makes the line of `origin` the current line; its text is printed if it is not part of the source.
+    /// Makes the line of `origin` in the source the current line. If the listing is printed, adds the line `printed`
+    /// and makes it the current line.
     void begin(Span origin, const std::string& printed) {
         print(printed);
         line_ = line_of(listing_, origin).value_or(static_cast<std::uint32_t>(listing_.lines.size() - 1));
@@ -201,7 +202,8 @@ private:
         print("END_FOR;");
     }
 
-    /// The interpreter records a condition that is a variable as a read variable.
+    /// Adds a condition and the variables that it reads. A condition that is only a variable is not added, because the
+    /// interpreter records it as a read variable.
     void add_condition(Id<Program::Node> id) {
         add_reads(id);
         const Program::Node& node = program_.nodes[id];
@@ -224,7 +226,8 @@ private:
     const Program& program_;
     Id<Source> source_;
     Id<Program::Unit> unit_ = {};  ///< the unit that owns the frame of the current body
-    std::map<std::uint32_t, const Program::Sequence::Transition*> tests_ = {};  ///< by statement
+    std::map<std::uint32_t, const Program::Sequence::Transition*> tests_ =
+        {};  ///< transition that each statement tests
     bool printed_ = false;
     std::uint32_t line_ = 0;
     std::size_t depth_ = 0;

@@ -13,7 +13,7 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the content security policy. It permits only the style and the script of the document.
+/// Returns the content security policy of the page, which permits only the style and the script of the page itself.
 std::string policy() {
     return "default-src 'none'; script-src 'sha256-" + std::string(page_script().sha256) + "'; style-src 'sha256-" +
            std::string(page_style().sha256) + "'; base-uri 'none'; form-action 'none'";
@@ -34,7 +34,7 @@ void add_contents(const PageContent& content, Html& html) {
     html.close("ul").close("nav");
 }
 
-/// Adds the transitions that each scan of a program clears to the runs of the report.
+/// Adds to the runs of the report the transitions that each scan of a program clears.
 void add_cleared_transitions(PageContent& content) {
     const auto add = [&](ChartRun& run) {
         for (std::size_t k = 0; k < content.charts.size() && k < run.controllers.size(); ++k)

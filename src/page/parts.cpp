@@ -20,7 +20,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t longest_table = 400;  // maximum number of rows of a run that is shown as text
+constexpr std::size_t longest_table = 400;  // if a run has more rows, it is not shown as text
 
 void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
@@ -94,8 +94,8 @@ void add_remedies(const PageContent& content, Html& html) {
 void add_run_as_text(const Playable& playable, Html& html) {
     html.put("h3", playable.title);
     if (playable.run->rows.size() > longest_table) {
-        html.put("p",
-                 fmt::format("Its {} rows are omitted; `grafverif check` prints them.", playable.run->rows.size()));
+        html.put("p", fmt::format("The {} rows of this run are omitted; `grafverif check` prints them.",
+                                  playable.run->rows.size()));
         return;
     }
     std::ostringstream table;
@@ -106,7 +106,7 @@ void add_run_as_text(const Playable& playable, Html& html) {
 
 // -- programs ---------------------------------------------------------------------------------------------------------
 
-/// Adds the lines of a program. The player reads them from this element.
+/// Adds an element with the lines of a program. The player reads the lines from this element.
 void add_listing(const PageContent& content, const ChartContent& one, const std::string& id, Html& html) {
     const Program& program = *content.model.charts[one.chart].program;
     const ProgramListing& listing = one.program->listing;
@@ -115,7 +115,7 @@ void add_listing(const PageContent& content, const ChartContent& one, const std:
                              fmt::format("{} ({})", file,
                                          listing.begins.empty() ? "its statements in Structured Text"
                                                                 : counted(listing.lines.size(), "line", "lines")));
-    std::string text = "\n";  // parsers of HTML ignore a newline at the begin of `pre`
+    std::string text = "\n";  // parsers of HTML ignore a newline at the beginning of `pre`
     for (const std::string& line : listing.lines) text += line + '\n';
     html.put("pre", text, {{"id", id}, {"class", "source"}}).close("details");
 }
@@ -149,7 +149,8 @@ void add_open_queries(const Analysis& analysis, Html& html) {
     html.close("ul").close("details");
 }
 
-/// Names of the elements that the runs use, and of the other elements.
+/// `yes`: names of the steps or transitions that occur in the runs of the page. `no`: names of the other steps or
+/// transitions.
 struct Used {
     std::vector<std::string> yes = {}, no = {};
     void add(const std::string& name, bool used) { (used ? yes : no).push_back(name); }

@@ -61,7 +61,7 @@ void ProgramScans::add(const std::vector<ScanLog::Evaluation<T>>& evaluations,
     }
 }
 
-/// Returns the points whose values differ from those of the previous scan.
+/// Returns the points whose values in this scan differ from their values in the previous scan, with the new values.
 Json ProgramScans::changes() {
     Json changes = Json::array();
     for (const std::size_t at : now_) {

@@ -56,7 +56,8 @@ const char* name_of(Op op) {
 
 bool is_number(Op op) { return op == Op::Integer || op == Op::Duration || is_arithmetic(op); }
 
-/// Returns the index of a variable among the variables of its kind, as in the lists of a controller.
+/// Returns the index of a variable among the variables of the same kind (input, output, internal). The lists of a
+/// controller have the same order.
 std::size_t place_of(const Chart& chart, Id<Chart::Variable> wanted) {
     std::size_t place = 0;
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
@@ -110,8 +111,8 @@ public:
     }
 
 private:
-    /// Returns the steps that enable the transition. They include the exit step of a macro-step; a source transition is
-    /// enabled by the owner of its partial chart.
+    /// Returns the steps that must be active to enable the transition. For a transition after a macro-step, they
+    /// include the exit step; for a source transition, they are the owner of its partial chart.
     std::vector<Id<Chart::Step>> enabling(const Chart::Transition& transition) const {
         std::vector<Id<Chart::Step>> steps = transition.from;
         const Id<Chart::Step> owner = chart_.partial_charts[transition.chart].owner;
@@ -134,7 +135,7 @@ private:
         if (chart_.variables[{index}].kind == Chart::VariableKind::Output) add_output({index}, node);
         return node;
     }
-    /// Replaces a continuous output by its actions (CEP13 (13)).
+    /// Adds the actions of a continuous output to its node; they determine the value of the output (CEP13 (13)).
     void add_output(Id<Chart::Variable> output, Json& node) {
         Json actions = Json::array();
         for (const Chart::ContinuousAction& action : chart_.continuous)
@@ -152,7 +153,7 @@ private:
 
 // -- loops ------------------------------------------------------------------------------------------------------------
 
-/// The node of an element to which a property refers, and the text of the element in the loop.
+/// An element to which a property refers: its node in the term, and its name in the closed loop.
 struct Named {
     Json node = {};
     std::string text = {};
@@ -180,7 +181,8 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
             },
             [&](const ClosedLoop::InternalSymbol& internal) -> Named {
                 const Chart& chart = chart_of(internal.controller);
-                // A run of a program omits variables on which nothing depends.
+                // The node is the signal of this name, because a run of a program does not contain all internal
+                // variables.
                 if (chart.program)
                     return {{{"op", "signal"}, {"boolean", chart.variables[internal.variable].type.boolean}},
                             before(internal.controller) + chart.variables[internal.variable].name};
@@ -246,7 +248,7 @@ const char* pattern_of(Pattern pattern) {
     unreachable();
 }
 
-/// Returns, for each operand of the sentence, a heading that states the role of the operand.
+/// Returns, for each operand of a property that has an observer, a heading that states the role of the operand.
 std::vector<std::string> headings_of(const Sentence& sentence) {
     const std::string bound = bound_text(sentence);
     const auto own = [&]() -> std::vector<std::string> {
@@ -327,7 +329,7 @@ std::string expectation_text(const Model& model, const ClosedLoop& loop, const P
 
 namespace {
 
-/// Returns a property as in its file, in one line without comments; empty if the property was not read from a
+/// Returns the text of a property in its file, as one line without comments; empty if the property was not read from a
 /// `.grafcet` file.
 std::string written_expectation(const Property& property, const Sources& sources) {
     const Span name = property.origin;
