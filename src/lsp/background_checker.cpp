@@ -94,7 +94,7 @@ void BackgroundChecker::work() {
             const std::lock_guard hold(door_);
             const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
             if (std::ranges::none_of(tasks_, proves)) callbacks_.progress("");
-        } catch (const std::bad_alloc&) {  // the failure is not reported, because this requires memory
+        } catch (const std::bad_alloc&) {  // the failure is not reported, because a report requires memory
         } catch (const std::system_error&) {
         }
     }
@@ -117,7 +117,7 @@ void BackgroundChecker::run_and_report(const Task& task, const std::string& sour
     if (!stop_) callbacks_.found(std::move(outcome));
 }
 
-/// Derives the models of the root, and reports the errors that this reveals.
+/// Derives the models of the root, and reports the errors that the derivation finds.
 void BackgroundChecker::make_models(const Task& task) {
     run_and_report(task, "models", [&](Found& outcome) {
         outcome.diagnostics = lsp_diagnostics(refused_models(task), *task.root->places);

@@ -74,12 +74,13 @@ private:
         add({std::string(prefix) + element.name, kind_of(element.kind), declaration_text(element),
              comment_of(*element.file, element.whole), ""});
     }
-    /// Proposes elements of `owner`, which may be null.
+    /// Proposes the elements of `owner` that have one of the `kinds`. `owner` may be null.
     void parts(const Declaration* owner, std::initializer_list<DeclarationKind> kinds, std::string_view prefix = "") {
         for (const Declaration* const part : owner == nullptr ? List() : names_.parts(owner))
             if (std::ranges::find(kinds, part->kind) != kinds.end()) element(*part, prefix);
     }
-    /// Proposes the steps of a partial chart, or of a chart if it has no partial chart `partial`.
+    /// Proposes the steps of the partial chart `partial` of `chart`. If `chart` has no such partial chart, proposes the
+    /// steps of `chart`.
     void steps(const Declaration* chart, std::string_view partial, std::string_view prefix) {
         const Declaration* const found = names_.part(chart, partial, {DeclarationKind::Partial});
         parts(found == nullptr ? chart : found, {DeclarationKind::Step}, prefix);

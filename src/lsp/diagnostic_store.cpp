@@ -68,7 +68,7 @@ std::shared_ptr<const Root> DiagnosticStore::read(const std::string& path, Works
     diagnostics.add(*failure);
     root->reading = {};
     root->references = {};
-    root->inputs = {{path, nullptr}};  // a null text is never current, so that the next call reads the document again
+    root->inputs = {{path, nullptr}};  // a null text is never current, so the next call reads the document again
     root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
     root->typed = lsp_diagnostics(diagnostics, *root->places);
     return root;

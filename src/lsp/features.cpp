@@ -76,8 +76,8 @@ std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
     return file;
 }
 
-/// Returns the names of a file, of all files that include it, and of all their includes. The result is valid until one
-/// of the texts changes, or this function is called for another file.
+/// Returns the names of a file, of all files that include it, and of the files that these files include. The result is
+/// valid until the text of one of these files changes, or until this function is called for another file.
 const Names& Session::names(const std::string& path) {
     settle();
     const ReserveUse use(false);
@@ -99,7 +99,7 @@ Session::Pointed Session::pointed(const Json& params) {
     const Names& all = names(file->path);
     const std::size_t offset = file->text->offset(position_of(params.at("position")));
     if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->element, use->where};
-    for (const Word& word : words_of(file->text->bytes()))  // for text that the parser has skipped
+    for (const Word& word : words_of(file->text->bytes()))  // finds names in text that the parser has skipped
         if (word.begin <= offset && offset <= word.end &&
             (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
             const std::string name = file->text->bytes().substr(word.begin, word.end - word.begin);

@@ -10,7 +10,7 @@ namespace grafverif::lsp {
 
 namespace {
 
-/// Returns the text of a file as a Markdown code block. No part of it is interpreted as markup.
+/// Returns `text` as a Markdown code block. No part of the text is interpreted as markup.
 std::string fenced(std::string_view text, const char* language) {
     std::string fence = "```";
     while (text.find(fence) != std::string_view::npos) fence += '`';
@@ -57,7 +57,7 @@ std::string documentation_of(const Names& names, const Declaration& element) {
     return comment_of(*element.file, element.whole);
 }
 
-/// Returns the declaration with types that are implicit in the source.
+/// Returns the declaration. If a variable has no type in the source, its implicit type `bool` is added.
 std::string shown_declaration(const Declaration& element) {
     const std::string text = declaration_text(element);
     const bool variable = element.kind == DeclarationKind::Input || element.kind == DeclarationKind::Output ||

@@ -30,14 +30,14 @@ Names::Names(const std::vector<Recording>& recordings) {
 
 namespace {
 
-/// Returns the file of a position, or null if it has none.
+/// Returns the file of a position, or null if the position belongs to no file of the recording.
 const Parsed* file_of(const Recording& recording, Span where) {
     return where.source.index < recording.files.size() ? recording.files[where.source.index].get() : nullptr;
 }
 
 }  // namespace
 
-/// Returns the element whose name is declared at `where`, or null if it is not recorded.
+/// Returns the element whose name is declared at `where`, or null if no element is recorded there.
 const Declaration* Names::declared(const Recording& recording, Span where) const {
     const auto found = sites_.find({file_of(recording, where), where.begin});
     return found == sites_.end() ? nullptr : found->second;

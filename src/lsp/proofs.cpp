@@ -16,7 +16,7 @@ void Session::request_client(const std::string& id, const std::string& method, c
 
 // -- checks in the background -----------------------------------------------------------------------------------------
 
-/// Checks the saved file and all files that include it, starting with open files.
+/// Checks every open file, and then every other file that includes an open file.
 void Session::saved() {
     dirty_ = true;
     settle();
@@ -157,11 +157,12 @@ Json Session::show(const std::string& uri, bool elsewhere, const std::string& wo
 
 Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
     const VerdictDetails* known = shown(path, key_of(loop, property));
-    if (property.empty()) {  // a command of the command palette concerns the complete file
+    if (property.empty()) {  // called from the command palette, without a property: show the first verdict of the file
         const auto all = verdicts_.find(path);
         if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
     }
-    if (known == nullptr) throw RequestError{request_failed, "not yet checked; save the file or run the check"};
+    if (known == nullptr)
+        throw RequestError{request_failed, "the property is not yet checked; save the file or run the check"};
     const bool kept = can_.shows_documents && surroundings_.keep;
     const std::string uri = kept ? rpc::uri_of_path(surroundings_.keep(property + ".txt", known->text)) : "";
     if (kept) show(uri, false, known->text);
@@ -194,9 +195,9 @@ Json Session::draw(const std::string& path, const std::string& chart) {
 }
 
 Json Session::simulate(const std::string& path) {
-    if (!surroundings_.simulator) throw RequestError{request_failed, "this server has no report pages"};
+    if (!surroundings_.simulator) throw RequestError{request_failed, "this server has no simulator"};
     const std::string address = surroundings_.simulator(path);
-    return show(address, true, path + " is at " + address);
+    return show(address, true, "the simulator of " + path + " is at " + address);
 }
 
 }  // namespace grafverif::lsp

@@ -15,7 +15,7 @@ namespace {
 
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
-/// True if a text contains the name of `element` at a position without recorded meaning.
+/// True if the text of `file` contains the name of `element` at a position for which no meaning is recorded.
 bool has_unknown_meaning(const Names& names, const Parsed& file, const Declaration& element) {
     const std::string_view text = file.text->bytes();
     const std::string step = element.kind == DeclarationKind::Step ? 'X' + element.name : "";
@@ -26,8 +26,8 @@ bool has_unknown_meaning(const Names& names, const Parsed& file, const Declarati
     });
 }
 
-/// Returns the reason why an element cannot have any other name. Returns an empty string if it can be renamed. `errors`
-/// is true if a text has errors, so that name resolution may not have found the meaning of some names.
+/// Returns the reason why an element cannot be renamed to any name, or an empty string if the element can be renamed.
+/// `errors` is true if a text has errors, so that name resolution may not have found the meaning of some names.
 std::string obstacle_of(const Names& names, const Declaration& element, bool errors) {
     if (is_of_library(*element.file))
         return fmt::format("`{}` belongs to the component library and cannot be renamed", element.name);
@@ -57,9 +57,9 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
     return {};
 }
 
-/// Returns two numbers for each name in all files. The first numbers of two names are equal if they denote the same
-/// element; the second, if they denote elements that must have the same name. Texts that differ only in the names of
-/// elements have equal results.
+/// Returns two numbers for each name in all files. The first numbers of two names are equal if both names denote the
+/// same element. The second numbers are equal if the names denote elements that must have the same name. Texts that
+/// differ only in the names of elements have equal results.
 std::vector<std::size_t> shape_of(const Names& names, const std::vector<std::shared_ptr<const Root>>& roots) {
     std::vector<std::size_t> shape;
     std::map<const Declaration*, std::size_t> numbers;
@@ -94,8 +94,9 @@ std::unique_ptr<const Names> names_of(Workspace& workspace, const std::vector<st
             recording.files.push_back(file);
         }
     }
-    // Texts without errors are the last, because `use_at` prefers the last recording. Example: a loop does not include
-    // the charts that it controls, and has errors unless another file includes both.
+    // The recordings of texts without errors are last, because `use_at` prefers the last recording. For example, a file
+    // with a closed loop may not include the charts of its controllers. Then only a file that includes loop and charts
+    // has no errors.
     std::vector<Recording> ordered;
     for (const bool erroneous : {true, false})
         for (std::size_t k = 0; k < roots.size(); ++k)

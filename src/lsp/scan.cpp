@@ -106,8 +106,8 @@ bool is_name(std::string_view word, bool numbers) {
     return identifier_length(word) == word.size();
 }
 
-/// Returns the incomplete declaration at the cursor. A missing `;` or `}` affects only the current declaration, because
-/// a keyword that begins both a declaration and a line starts a new one.
+/// Returns the incomplete declaration at the cursor. A missing `;` or `}` affects only one declaration, because a
+/// keyword that begins both a declaration and a line starts a new declaration.
 IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
     IncompleteDeclaration half;
     int brackets = 0;
@@ -140,7 +140,7 @@ IncompleteDeclaration half_at(std::string_view text, std::size_t cursor) {
             const auto index = std::ranges::find(half.words.rbegin(), half.words.rend(), "[");
             if (index != half.words.rend()) half.words.erase(std::prev(index.base()), half.words.end());
         } else if (seen == "{" && !half.blocks.empty() && !half.words.empty() && half.words.front() == "for") {
-            half.blocks.push_back(half.blocks.back());  // the same declarations as outside of the replication
+            half.blocks.push_back(half.blocks.back());  // a replication permits the declarations of its outer block
             half.words.clear();
             brackets = 0;
         } else if (seen == "{") {

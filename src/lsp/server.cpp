@@ -54,7 +54,7 @@ Ending converse(const Receive& receive, const Send& send, const ServerEnvironmen
             else if (inbox.closed()) disconnected = true;
             else if (session.client() && surroundings.is_alive)
                 disconnected = !surroundings.is_alive(*session.client());
-        } catch (const std::bad_alloc&) {  // no response, because it also needs memory
+        } catch (const std::bad_alloc&) {  // no response is sent, because a response also needs memory
         } catch (const std::system_error&) {
         }
     }

@@ -14,8 +14,8 @@ struct Character {
     std::uint32_t units = 1;  ///< number of UTF-16 units
 };
 
-/// Returns the length of the first character of `text`. The length of a truncated character is that of the available
-/// bytes.
+/// Returns the length of the first character of `text`. If the character is truncated, its length is the number of
+/// available bytes.
 Character first_character(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[0]);
     const std::size_t most = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;

@@ -39,7 +39,7 @@ const Chart* TraceLocations::chart_named(const std::string& name) const {
     return nullptr;
 }
 
-/// Returns the source position of a row; invalid if it has none.
+/// Returns the source position of a row. The result is invalid if the row has no source position.
 Span TraceLocations::origin_of(const ChartRun& run, const ChartRun::Row& row) const {
     if (loop_.valid())
         for (const ClosedLoop::Instance& instance : model_.loops[loop_].instances)

@@ -163,7 +163,7 @@ std::vector<std::string> Workspace::roots(const std::string& path) {
     scan();
     std::set<std::string> candidates(files_.begin(), files_.end());
     for (const auto& [uri, open] : open_) candidates.insert(open.path);
-    // For the key of each included file: the files that include it.
+    // The key of each included file, mapped to the files that include this file.
     std::map<std::string, std::vector<std::string>> includers;
     std::map<std::string, std::string> keys;
     for (const std::string& candidate : candidates) {
@@ -195,7 +195,7 @@ ParseResult Workspace::reading(const std::string& path, Inputs& inputs, Referenc
         const auto content = text(included);
         inputs.emplace_back(included, content);
         auto on_disk = reach.read(included, why);
-        // The file exists, but it must not be included.
+        // The file exists, but its folder is not permitted for included files.
         if (!on_disk && !identity_of_existing(included).empty()) return {};
         if (content == nullptr) return on_disk;
         return content->bytes();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t longest_header = 4096;
 
-/// Returns the number in a line `Content-Length: N` (in upper or lower case); empty for any other line.
+/// Returns the number in a line `Content-Length: N` (in upper or lower case), or nothing for any other line.
 std::optional<std::uint64_t> content_length(std::string_view line) {
     constexpr std::string_view name = "content-length:";
     if (line.size() < name.size() || !std::ranges::equal(line.substr(0, name.size()), name, [](char a, char b) {
@@ -63,8 +63,8 @@ bool Framing::line() {
     }
 }
 
-/// Consumes `count` bytes of the stream and, if `text` is not null, appends them to `text`. Returns false if the stream
-/// ends earlier. If an allocation fails, the bytes are consumed nevertheless, so that the next message is found.
+/// Consumes `count` bytes of the stream and, if `text` is not null, appends the bytes to `text`. Returns false if the
+/// stream ends earlier. If an allocation fails, the bytes are nevertheless consumed, so that the next message is found.
 bool Framing::take(std::size_t count, std::string* text) {
     bool refused = false;
     for (;;) {
@@ -99,7 +99,8 @@ std::optional<Framed> Framing::next() {
 }
 
 /// Appends the bytes up to the next line terminator or the end of the stream. If the line is too large or does not fit
-/// into memory (`refused`), its remaining bytes are consumed without being stored. Returns false if there was no byte.
+/// into memory (`refused`), its remaining bytes are consumed without being stored. Returns false if the stream has no
+/// further byte.
 bool LineFraming::line(Framed& message, bool& refused) {
     std::size_t size = 0;
     bool any = false;

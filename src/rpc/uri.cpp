@@ -12,7 +12,7 @@ std::string path_of_uri(std::string_view uri) {
     constexpr std::string_view scheme = "file://";
     if (!uri.starts_with(scheme)) return std::string(uri);
     uri.remove_prefix(scheme.size());
-    uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // skips the host, which is the local host
+    uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // skips the host, which is the local machine
     std::string path;
     for (std::size_t at = 0; at < uri.size(); ++at) {
         unsigned byte = 0;

@@ -31,7 +31,7 @@ void* ThreadPool::run(void* start) {
     return nullptr;
 }
 
-/// Starts the threads. If the system refuses some of the threads, the pool is smaller.
+/// Starts the threads. If the system refuses to start a thread, the pool consists of the threads that were started.
 void ThreadPool::start() {
     starts_.reserve(members_);
     threads_.reserve(members_);

@@ -21,8 +21,8 @@ std::size_t character_length(std::string_view text) {
 
 bool is_plain(char c) { return (c >= 0x20 && c < 0x7F && c != '<' && c != '>' && c != '&') || c == '\n'; }
 
-/// Appends a character. Characters that a terminal interprets are written as character references, which are equivalent
-/// for every XML parser.
+/// Appends a character. A character that a terminal interprets is written as a character reference, which every XML
+/// parser reads as the same character.
 void append_shown(std::string_view text, std::size_t length, std::string& xml) {
     const Glyph glyph = first_glyph(text);
     if (length == 0) xml += replacement;

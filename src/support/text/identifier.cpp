@@ -21,7 +21,8 @@ bool is_ascii(std::string_view text) {
     return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Throws if an ICU call failed. ICU fails if memory is refused or if its data file does not match its version.
+/// Throws if a call of ICU failed. ICU fails if memory is refused, or if the data file does not match the version of
+/// ICU.
 void demand(UErrorCode status, const char* what) {
     if (status == U_MEMORY_ALLOCATION_ERROR) throw std::bad_alloc();
     if (U_FAILURE(status) != 0) throw std::runtime_error(std::string("ICU has no ") + what);
