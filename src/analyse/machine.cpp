@@ -289,8 +289,8 @@ void Machine::add_remembered() {
 }
 
 /// Adds the next values of timer outputs. No time passes during an evolution. A timer output remains true while its
-/// watched level is true; with a fall time, it may remain true longer. Without a rise time, it becomes true
-/// immediately.
+/// watched level is true; the output of a timer with a fall time may remain true longer. The output of a timer without
+/// a rise time becomes true immediately.
 void Machine::add_timers() {
     for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;

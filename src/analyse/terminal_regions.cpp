@@ -91,9 +91,9 @@ std::optional<Bdd> TerminalRegions::single_region(const Bdd& among) const {
     return all;
 }
 
-/// Points that were found late are more likely to be in a terminal region. Therefore, the search starts from such a
-/// point. If some of its successors do not lead back to it, the search continues from the successor that was found
-/// last.
+/// Points that were found late are more likely to be in a terminal region. Therefore, the search starts from one of the
+/// points that were found last. If some points that are reachable from the start point do not lead back to it, the
+/// search continues from the farthest of these points.
 std::vector<Bdd> TerminalRegions::regions(Bdd among, std::size_t most) const {
     if (among == reached_)
         if (const auto only = single_region(among)) return {*only};

@@ -17,8 +17,8 @@ constexpr std::uint32_t marks_per_word = 64;
 
 [[noreturn]] void out_of_memory() { throw BddExhausted(BddExhausted::Cause::Memory); }
 
-/// Enlarges the blocks for `capacity` nodes, and initializes the new entries of the blocks that require it. Returns
-/// false if the memory is not available.
+/// Enlarges the blocks for `capacity` nodes, and initializes the new entries of those blocks whose entries need an
+/// initial value. Returns false if the memory is not available.
 bool has_blocks(Kernel& kernel, std::uint32_t capacity) {
     NodeTable& table = kernel.table;
     const auto at_least = [](auto& block, std::size_t size) { return block.size() >= size || block.resize(size); };

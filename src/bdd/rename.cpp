@@ -2,8 +2,8 @@
 // Simultaneous renaming of variables. Both branches are renamed first. If the new variable is above all variables of
 // the results, the results are combined by a node, otherwise by if-then-else.
 //
-// The map from old to new variables is indexed by level. It is computed at the first use and after each change of the
-// order. Cache entries identify a map by a number.
+// The map from old to new variables is indexed by level. The map is computed at the first use and after each change of
+// the variable order. Cache entries identify a map by a number.
 #include <utility>
 #include <vector>
 

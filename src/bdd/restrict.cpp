@@ -12,7 +12,7 @@ namespace grafverif::bdd {
 namespace {
 
 /// Removes the complement bit, and returns true if it was set. Therefore a function and its complement share cache
-/// entries. This is correct because both operations commute with complementation.
+/// entries. Removing the bit is correct because both operations commute with complementation.
 bool made_regular(Edge& f) {
     const bool flip = complement_bit(f) != 0;
     f &= ~1U;

@@ -8,7 +8,7 @@
 // With stability search, the inputs of a move that is not stable are kept constant and followed through transient
 // states. The moves of each state partition the set of inputs: they are disjoint and cover all inputs. Therefore, each
 // input has exactly one path, and the set of inputs that follow a path becomes smaller along the path. A path ends with
-// a stable move (an arrival), or when it revisits one of its states. In the latter case, the path cycles forever,
+// a stable move (an arrival), or when it revisits one of its states. A path that revisits a state cycles forever,
 // because the next state is unique for constant inputs: total instability. The number of states is finite. Therefore,
 // one of the two cases occurs for every input.
 //

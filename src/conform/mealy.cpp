@@ -160,7 +160,7 @@ private:
     }
 
     /// Returns the place in which the controller stays if no event occurs. INIT is replaced by the location with the
-    /// same situation and values, if there is one.
+    /// same situation and values, if such a location exists.
     Place staying_place(const Place& place) const {
         if (place.location != automaton_.init) return place;
         Place same = place;

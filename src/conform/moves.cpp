@@ -8,7 +8,7 @@
 //   parts     In a class, the firing conditions are also constant. A next value is then a number or, rarely, a function
 //             of the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp)
 //             are unchanged.
-//   stable    A part is split by the stability condition of the equations. If it holds, nothing changes.
+//   stable    A part is split by the stability condition of the equations. In a stable part, nothing changes.
 //   levels    The levels that timers observe are terms over the new values and the inputs. The values of these levels
 //             split the parts again.
 //

@@ -336,8 +336,8 @@ public:
     NearestSearch(std::uint32_t nodes, const std::vector<TourArc>& arcs)
         : arcs_(arcs), leaving_(nodes, arcs), seen_in_(nodes), by_(nodes) {}
 
-    /// Returns the arcs of a shortest path from `start` to a node in `wanted`, last first, or an empty list if none is
-    /// reachable.
+    /// Returns the arcs of a shortest path from `start` to a node in `wanted`, in reverse order, or an empty list if no
+    /// node in `wanted` is reachable.
     std::vector<std::uint32_t> path(std::uint32_t start, const std::vector<bool>& wanted) {
         ++round_;
         std::deque<std::uint32_t> queue{start};

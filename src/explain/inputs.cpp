@@ -140,7 +140,7 @@ public:
 private:
     std::size_t length() const { return run_.states.size(); }
 
-    /// Finds the free variables. Returns true if the run contains all of them.
+    /// Finds the free variables. Returns true if the run contains all free variables.
     bool find_free() {
         std::map<std::uint32_t, Symbol> symbols;  // symbol of each variable
         for (std::uint32_t index = 0; index < model_.flat().symbols.size(); ++index) {
@@ -186,7 +186,8 @@ private:
         return found;
     }
 
-    /// Re-executes the original run and stores it. Returns true if the result is the same run and has a bad state.
+    /// Re-executes the original run and stores the result. Returns true if the result is the same run and has a bad
+    /// state.
     bool again() {
         Values values(model_.flat().variables.size());
         for (std::size_t state = 0; state < length(); ++state) {

@@ -17,7 +17,7 @@ namespace {
 using Kind = Sentence::Kind;
 using Scope = Sentence::Scope;
 
-/// The entry of the observer into `location`, after it has checked the state after event `moment`.
+/// The entry of the observer into `location`, after the observer has checked the state after event `moment`.
 struct Entry {
     std::string location = {};
     std::size_t moment = 0;

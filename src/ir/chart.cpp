@@ -65,8 +65,8 @@ bool leaf_in_table(const Chart& chart, const Expr& leaf) {
     }
 }
 
-/// Returns the sort of a leaf or edge; None if it refers to an undeclared element. Durations are not allowed, because
-/// they occur only in time conditions.
+/// Returns the sort of a leaf or edge; None if the leaf refers to an undeclared element. Durations are not allowed,
+/// because they occur only in time conditions.
 Sort leaf_sort(const Chart& chart, const Expr& leaf) {
     if (leaf.op == Op::Rise || leaf.op == Op::Fall) return Sort::Boolean;
     if (!leaf_in_table(chart, leaf)) return Sort::None;

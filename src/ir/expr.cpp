@@ -314,8 +314,8 @@ std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
     return values;
 }
 
-// Traversals of terms: one copies a term into another table, the other finds its leaves. Each traversal visits a shared
-// subterm only once.
+// Two traversals of terms: the first copies a term into another table, and the second finds the leaves of a term. Each
+// traversal visits a shared subterm only once.
 
 namespace {
 

@@ -41,7 +41,7 @@ void compare(const Network& network, const std::vector<Network::ClockConstraint>
 }
 
 /// Propagates the constants and bounds at the target of each edge to its source, for each clock that the edge does not
-/// reset. This is repeated until a fixed point is reached.
+/// reset. The propagation is repeated until a fixed point is reached.
 ProcessClocks analyse(const Network& network, const Network::Template& automaton) {
     const std::size_t clocks = automaton.clocks.size();
     ProcessClocks result;

@@ -172,8 +172,8 @@ Network::Template template_of(const ClosedLoop& loop, const Component& component
     return automaton;
 }
 
-/// Creates the process of an instance. It has one argument per parameter that is not replaced by a term, followed by
-/// the instance's variables.
+/// Creates the process of an instance. The process has one argument per parameter that is not replaced by a term,
+/// followed by the instance's variables.
 Network::Process process_of(const ClosedLoop::Instance& instance, const Component& component, std::int64_t unit,
                             const std::vector<Id<Network::Variable>>& own) {
     Network::Process process{.name = instance.name, .initial = {instance.initial.index}, .origin = instance.origin};

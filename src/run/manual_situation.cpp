@@ -68,7 +68,7 @@ void put_situation(const Network& network, NetworkState& state, Id<Network::Cont
             state.variables[request.index] = 1;
     }
     // With a task cycle and stability search, this request would continue the last scan, which does not sample the
-    // inputs again. It is not necessary, because the next scan has at least one evolution.
+    // inputs again. The request is not necessary, because the next scan has at least one evolution.
     if (controller.words.cycle && controller.words.mode == ExecutionMode::StabilitySearch) return;
     state.variables[controller.stable.index] = 0;
 }

@@ -96,7 +96,7 @@ private:
         return condition.valid() ? value_in(system_, values, condition) != 0 : otherwise;
     }
 
-    /// Updates the displayed value of the symbol to its value in `next`. Returns true if it changes.
+    /// Updates the displayed value of the symbol to its value in `next`. Returns true if the displayed value changes.
     bool take(Id<System::Symbol> symbol, const Values& next) {
         std::int64_t& shown = shown_[symbol.index];
         return std::exchange(shown, next[symbol.index]) != next[symbol.index];

@@ -38,7 +38,7 @@ public:
         for (std::size_t k = 0; k < elements_.size(); ++k) timers_.push_back(timer_of(k));
     }
 
-    /// Lets time pass. Returns an error if the task cycle does not allow this.
+    /// Lets time pass. Returns an error if the task cycle does not allow this delay.
     std::string pass(std::int64_t milliseconds) {
         state_ = pass_time(std::move(state_), milliseconds);
         return over_ ? "" : scans_.pass(milliseconds);

@@ -15,7 +15,7 @@ public:
     TestReplay(const Chart& chart, const TestSequence& test)
         : chart_(chart), test_(test), inputs_(chart.variables.size()) {}
 
-    /// Executes one step. Returns a description of the difference; empty if there is none.
+    /// Executes one step. Returns a description of the difference, or an empty string if there is no difference.
     std::string step(const TestSequence::Step& step) {
         pass(step);
         for (std::uint32_t scan = 1; scan <= step.cycles; ++scan) {
@@ -62,7 +62,7 @@ private:
         time_ms_ += step.wait_ms;
     }
 
-    /// Executes a scan. Returns a description of the fault; empty if there is none.
+    /// Executes a scan. Returns a description of the fault, or an empty string if there is no fault.
     std::string scan(const TestSequence::Step& step) {
         std::size_t input = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids())

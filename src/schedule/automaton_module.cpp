@@ -5,11 +5,11 @@
 //   Taken        the edges, as terms over the values before the step
 //   next values  the next value of every symbol, by cases over the edge that is taken
 //
-// Correctness: the module has the same steps as the process, and no other steps. The choice selects one edge or none.
-// The module's `guard` of an edge holds if and only if the edge is enabled in the network. This depends on the source
-// location, the guard and the clock constraint of the edge, and on the target's invariant after the resets. A
-// transition constraint relates choice and guard. Next values are defined by disjoint cases over the choice. The
-// discipline determines if a step may take no edge.
+// Correctness: the module has the same steps as the process, and no other steps. The choice selects one edge or no
+// edge. The module's `guard` of an edge holds if and only if the edge is enabled in the network. The module's guard
+// combines the source location, the guard and the clock constraint of the edge, and the target's invariant after the
+// resets. A transition constraint relates choice and guard. Next values are defined by disjoint cases over the choice.
+// The discipline determines if a step may take no edge.
 #include "schedule/automaton_module.hpp"
 
 #include <algorithm>

@@ -36,7 +36,7 @@ namespace {
 using Role = Equations::Role;
 using Variable = Equations::Variable;
 
-/// The faults of a step. They are collected while the module is built.
+/// The faults of a step, which are collected while the module is built.
 struct Faults {
     std::vector<Id<Expr>> conditions = {};
     std::vector<Id<Variable>> bounded = {};  ///< variables with assignments of values that may be outside their range

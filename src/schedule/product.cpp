@@ -243,8 +243,9 @@ private:
                     }));
     }
 
-    /// Adds a tautology that relates variables of the same name. It affects only the variable order of decision
-    /// diagrams, in which variables of one term are close together. Variables of the same name are usually equal.
+    /// Adds a tautology that relates variables of the same name. The tautology affects only the variable order of
+    /// decision diagrams, in which the variables of one term are close together. Variables of the same name are usually
+    /// equal.
     void keep_twins_together() {
         for (const Id<Equations::Variable> of_a : equations_[0]->variables.ids())
             for (const Id<Equations::Variable> of_b : equations_[1]->variables.ids()) {

@@ -47,8 +47,7 @@ std::vector<Id<Expr>> wire_moves(const ControllerInstances& controllers, const s
 }
 
 /// Returns the condition that the evolution of the controllers has ended: controllers with stability search are
-/// quiescent, and the other controllers have executed one cycle. If this is the first cycle, it directly follows the
-/// first evolution.
+/// quiescent, and the other controllers have executed one cycle. The first cycle directly follows the first evolution.
 Id<Expr> evolution_over(const ControllerInstances& controllers) {
     std::vector<Id<Expr>> over;
     for (std::size_t index = 0; index < controllers.parts.size(); ++index) {

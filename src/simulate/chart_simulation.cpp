@@ -133,7 +133,7 @@ std::vector<std::string> ChartSimulation::violated_constraints() const {
     return broken;
 }
 
-/// Returns an act of the controller. If `reads` is true, it samples the inputs and timer outputs.
+/// Returns an act of the controller. If `reads` is true, the act samples the inputs and timer outputs.
 ChartRun::Act ChartSimulation::act_of(bool reads) const {
     ChartRun::Act act{.controller = {0}};
     for (const Id<Chart::Variable> id : chart_.variables.ids())

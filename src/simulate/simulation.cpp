@@ -72,7 +72,7 @@ std::optional<std::string> Simulation::unmet_at(const Expectation& claim, std::s
 
 /// True if the expectation became true during the instant. An instant can contain several evolutions. Therefore the
 /// situation after the instant does not show a step that is activated and deactivated in the instant. The expectation
-/// must become true in an event: it is not sufficient that it held before the first examined event.
+/// must become true in an event: it is not sufficient that the expectation held before the first examined event.
 bool Simulation::met_in_passing(const Expectation& claim) {
     const ChartRun& run = recorded_run();
     const std::int64_t now = run.moments.back().after.time_ms;

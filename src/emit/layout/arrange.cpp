@@ -82,8 +82,8 @@ private:
         place(order);
     }
 
-    /// Returns the weight with which a line attracts `item` to the position at which it is straight. Forward lines have
-    /// the highest weight, followed by lanes; backward lines have a low weight at nodes.
+    /// Returns the weight with which a line attracts `item` to the position at which the line is straight. Forward
+    /// lines have the highest weight, followed by lanes; backward lines have a low weight at nodes.
     double weight(std::size_t channel, const Net& net, std::size_t item) const {
         if (layers_.depth[net.target] > channel) return 8;
         return layers_.items[item].lane ? 2 : 0.25;

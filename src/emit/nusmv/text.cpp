@@ -67,7 +67,8 @@ void name_values(Names& result, const System& system) {
     if (!changes.empty()) result.changed.push_back({"of values", std::move(changes)});
 }
 
-/// Returns the name of the specification of a property. `reachable p` is negated, and its name indicates this.
+/// Returns the name of the specification of a property. The specification of `reachable p` is negated, and its name
+/// (`never_...`) indicates the negation.
 std::string specification_name(const Property& property) {
     return property.pattern == Pattern::Reachable ? "never_" + property.name : property.name;
 }

@@ -110,7 +110,7 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
 }
 
 /// Returns the meaning of a variable that only observers of properties need: the location of a process, or the turn of
-/// the observers. Empty for all other variables.
+/// the observers. The result is empty for all other variables.
 std::string observation_text(const Network& network, const Names& names, Id<Network::Variable> id) {
     const Network::Variable& variable = network.variables[id];
     if (variable.role != Role::Flag || variable.type.boolean) return {};
@@ -164,7 +164,7 @@ std::string_view purpose(const Network::Controller& controller, Id<Network::Proc
     return procedure == controller.write ? "the outputs of the new situation" : "";
 }
 
-/// Returns the state of the cycle in the target location of `edge`; empty if it needs no description.
+/// Returns the state of the cycle in the target location of `edge`; empty if this state needs no description.
 std::string_view phase_after(const Network::Controller& controller, const Network::Edge& edge) {
     if (edge.to == controller.waiting) return {};
     if (has_call(edge, controller.fire)) return "the inputs are sampled";

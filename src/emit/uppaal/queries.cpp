@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Translates properties to formulas of UPPAAL, pattern by pattern, or states the reason why this is not possible.
+// Translates properties to formulas of UPPAAL, pattern by pattern, or states the reason why UPPAAL has no formula for a
+// property.
 #include "emit/uppaal/queries.hpp"
 
 #include <algorithm>

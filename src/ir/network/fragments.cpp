@@ -67,7 +67,7 @@ private:
 /// steps, and the variables from which the steps are computed. Then the instances are assigned. An instance that
 /// communicates with exactly one chart is added to the fragment of that chart; an instance that communicates with
 /// several charts forms a separate fragment. An instance that communicates only with other instances is added to the
-/// fragment of one of them.
+/// fragment of one of these instances.
 class FragmentFinder {
 public:
     explicit FragmentFinder(const Network& network)

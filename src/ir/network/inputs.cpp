@@ -109,8 +109,8 @@ private:
             });
     }
 
-    /// In edges that read a sample, replaces the sample by the input. This is equivalent, because the set of possible
-    /// valuations has the same lifetime as the sample.
+    /// In edges that read a sample, replaces the sample by the input. The replacement is equivalent, because the set of
+    /// possible valuations has the same lifetime as the sample.
     void read_inputs_for_samples(Network::Template& plc) {
         std::map<Id<Network::Variable>, Id<Network::Variable>> input_of;
         const Exprs& exprs = made_.network.exprs;
@@ -195,8 +195,8 @@ private:
         }
     }
 
-    /// Allows a cycle to begin in W even if the rest of the loop does not request it, because events that set EVOL_PL
-    /// may occur at any time.
+    /// Allows a cycle to begin in W even if no other process requests a cycle, because events that set EVOL_PL may
+    /// occur at any time.
     void begin_cycles(const Network::Controller& controller, Network::Template& plc) {
         Exprs& exprs = made_.network.exprs;
         std::vector<Network::Edge> more;

@@ -55,7 +55,7 @@ private:
 
     Ticks ticks(std::int64_t milliseconds) const { return milliseconds * check_.settings_.ticks_per_ms; }
 
-    /// Adds the latest time of the next instant. Returns false if it is before the last instant.
+    /// Adds the latest time of the next instant. Returns false if this time is before the last instant.
     bool add_deadlines(Zone& zone) const {
         if (!from_.history && !zone.constrain(now_, 0, check_.begin_ + jitter_)) return false;
         for (std::size_t k = 0; k < check_.signals_.size(); ++k) {
