@@ -119,7 +119,7 @@ private:
         const std::string number = std::to_string(reference.number);
         const int y = reference.at.y + (reference.below ? reference_height - 1 : -3);
         elements_.push_back({.classes = "reference",
-                             .title = "this link continues at the other " + number,
+                             .title = "this link continues at the other label with the number " + number,
                              .data = {{"number", number}},
                              .texts = {{{reference.at.x, y},
                                         {{number, false}},

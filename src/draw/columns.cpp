@@ -120,8 +120,7 @@ private:
     /// Lanes without a common row may share a column.
     void pack_lanes() {
         for (auto& [place, side_lanes] : side_lanes_) {
-            std::vector<std::set<std::pair<std::size_t, std::size_t>>>
-                taken;  // `low` and `high` of the lanes of each column
+            std::vector<std::set<std::pair<std::size_t, std::size_t>>> taken;  // for each column: low and high of lanes
             std::ranges::stable_sort(side_lanes.lanes, {}, [&](std::size_t lane) {
                 return columns_.lanes[lane].high - columns_.lanes[lane].low;
             });

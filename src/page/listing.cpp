@@ -226,8 +226,7 @@ private:
     const Program& program_;
     Id<Source> source_;
     Id<Program::Unit> unit_ = {};  ///< the unit that owns the frame of the current body
-    std::map<std::uint32_t, const Program::Sequence::Transition*> tests_ =
-        {};  ///< transition that each statement tests
+    std::map<std::uint32_t, const Program::Sequence::Transition*> tests_ = {};  ///< transition of each test statement
     bool printed_ = false;
     std::uint32_t line_ = 0;
     std::size_t depth_ = 0;
