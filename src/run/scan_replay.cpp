@@ -34,7 +34,7 @@ std::string ScanReplay::begin(const ChartRun::Act& act, const ChartRun::State& b
     if (act.scans && run_.timed && since_ms_ < controller_.cycle->least_ms)
         return fmt::format("a scan begins {} ms after the last scan, but the task cycle is at least {} ms", since_ms_,
                            controller_.cycle->least_ms);
-    if (act.starts == has_started_) return "the first scan, and no other, is at power-on";
+    if (act.starts == has_started_) return "exactly one scan, the first scan, must be at power-on";
     has_started_ = true;
     since_ms_ = 0;
     // In mode every-cycle, the first evolution is a complete scan.
