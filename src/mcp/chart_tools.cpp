@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Argument::Kind;
 
-/// Limits of a result in bytes and elements.
+/// Limits of a result: maximum number of bytes of the text, and of elements of a list.
 constexpr std::size_t longest_text = 200'000, most_findings = 200, most_scans = 1000;
 
 Json string_type() { return {{"type", "string"}}; }
@@ -41,7 +41,7 @@ std::string message_line(const Json& element, const char* level) {
                        element.at("message").get<std::string>(), element.at("code").get<std::string>());
 }
 
-/// Returns the elements that `check --list` prints, without repeated members.
+/// Returns the models that `check --list` prints, each with the list of its properties.
 Json models_of(const Json& listed) {
     Json models = Json::array();
     for (const Json& each : listed) {
@@ -162,14 +162,15 @@ Tool draw_tool() {
 }
 
 Tool simulate_tool() {
-    Tool tool{"simulate",
-              "Simulate a loop or chart",
-              "Executes commands from power-on, one per line, and returns the run and the final values. `NAME = VALUE` "
-              "sets an input. `wait 3s` lets time pass, and `wait` waits for the next event. `do INSTANCE [LOCATION]` "
-              "moves the plant, and `NUMBER` selects a choice. `expect CLAIM`, `expect within 5s CLAIM` and "
-              "`wait until CLAIM` check values. `force STEP on|off` starts a what-if run. `repeat N {` ... `}` repeats "
-              "commands.",
-              {file_argument(true), {"commands", Kind::Text, "commands, one per line", true}}};
+    Tool tool{
+        "simulate",
+        "Simulate a loop or chart",
+        "Starts a closed loop or a chart at power-on, executes commands, one per line, and returns the run and the "
+        "final values. `NAME = VALUE` sets an input. `wait 3s` lets time pass, and `wait` waits for the next "
+        "event. `do INSTANCE [LOCATION]` takes an enabled edge of an instance, and `NUMBER` makes a choice. "
+        "`expect CLAIM`, `expect within 5s CLAIM` and `wait until CLAIM` check values. `force STEP on|off` "
+        "activates or deactivates a step, which starts a what-if run. `repeat N {` ... `}` repeats commands.",
+        {file_argument(true), {"commands", Kind::Text, "commands, one per line", true}}};
     for (Argument& each : model_arguments()) tool.arguments.push_back(std::move(each));
     for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
     tool.output_schema = {
@@ -186,8 +187,8 @@ Tool simulate_tool() {
 Tool analyse_tool() {
     Tool tool{
         "analyse", "Analyse a chart",
-        "Finds possible faults of a chart without a plant, for arbitrary inputs: races, contradictory orders, total "
-        "instability, elements that are never used.",
+        "Finds possible faults of a chart without a plant, for arbitrary inputs: races, contradictory forcing orders, "
+        "total instability, elements that are never used.",
         input_arguments()};
     tool.arguments.push_back(chart_argument());
     tool.arguments.push_back(mode_argument());
@@ -213,7 +214,7 @@ Tool compare_tool() {
         "of a distinguishing sequence.",
         {{"file", Kind::Name, "path of the first file", true},
          {"other", Kind::Name, "path of the second file", true},
-         {"chart", Kind::Name, "chart of the first file, and of the second one unless `other_chart` is given"},
+         {"chart", Kind::Name, "chart of the first file, and of the second file unless `other_chart` is given"},
          {"other_chart", Kind::Name, "chart of the second file"}}};
     tool.arguments.push_back(mode_argument());
     tool.output_schema = {{"type", "object"},

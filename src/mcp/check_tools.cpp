@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `check` and `explain`: verdicts, and the counterexample of one property as text and as data. `tune` and `faults`:
-// verdicts for variants of a closed loop. All convert the JSON output of a command.
+// verdicts for variants of a closed loop. Each of these tools converts the JSON output of a command.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,10 +27,10 @@ constexpr const char* property_schema = R"({
     "verdict": {"enum": ["holds", "violated", "unknown"]},
     "expected": {"enum": ["holds", "violated"]},
     "as_expected": {"type": "boolean"},
-    "vacuous": {"type": "boolean", "description": "true if the property holds only because it is never relevant"},
+    "vacuous": {"type": "boolean", "description": "true if the property holds for a trivial reason (vacuously)"},
     "declared": {"type": "boolean", "description": "false for properties that grafverif adds"},
     "reason": {"type": ["string", "null"], "description": "reason of the verdict `unknown`"},
-    "assumptions": {"type": "string", "description": "model, engine and assumptions to which the verdict applies"},
+    "assumptions": {"type": "string", "description": "model, engine and assumptions under which the verdict applies"},
     "notes": {"type": "array", "items": {"type": "string"}},
     "file": {"type": ["string", "null"]},
     "line": {"type": ["integer", "null"]},
@@ -63,7 +63,10 @@ constexpr const char* faults_schema = R"({
             "items": {"type": "array", "items": {"type": "string"}}
           },
           "unknown": {"type": "array", "description": "combinations whose verdicts are unknown, with reasons"},
-          "non_monotone": {"type": "array", "description": "pairs: `violating` violates the property, `holding` does not"}
+          "non_monotone": {
+            "type": "array",
+            "description": "pairs: the combination `violating` violates the property, the larger `holding` does not"
+          }
         },
         "required": ["name", "without_faults", "minimal", "unproved", "unknown", "non_monotone"]
       }
@@ -130,7 +133,7 @@ std::string text_of_lines(const Json& lines) {
 
 bool is_expected(const Json& property) { return property.at("verdict") == property.at("expected"); }
 
-/// Converts an element of `properties`. If `always` is false, only an unexpected property has its trace.
+/// Converts an element of `properties`. If `always` is false, the trace is included only if the verdict is unexpected.
 Json property_of(const Json& found, std::size_t longest_trace, bool always) {
     const bool shown = always || !is_expected(found);
     Json made = {
@@ -207,7 +210,7 @@ ToolResult check(ToolCall& call) {
     return result;
 }
 
-/// Returns the first steps of a trace, without the members that only programs need.
+/// Returns the first steps of a trace, without the member `moment`.
 Json steps_of(const Json& trace) {
     Json steps = first_of(trace.at("steps"), most_steps);
     for (Json& step : steps) step.erase("moment");
@@ -221,7 +224,7 @@ Json causes_of(const Json& trace) {
     return causes;
 }
 
-/// Returns the part of the explanation of proofs for one property (docs/explanation/why.md); null if there is none.
+/// Returns the explanation of the proof of one property (docs/explanation/why.md), or null if the document has none.
 Json proof_of(const Json& document, const Json& name) {
     if (document.contains("why"))
         for (const Json& each : document["why"].at("properties"))
@@ -276,7 +279,7 @@ std::string ranges_text(const Json& ranges) {
     return all;
 }
 
-/// Converts an element of `properties` of `tune`, and adds its text.
+/// Converts an element of `properties` of `tune`, and appends its text to `text`.
 Json tuned_property(const Json& found, std::string& text) {
     Json made;
     copy_members(found, {"name", "expected", "current", "margins"}, made);
@@ -313,7 +316,7 @@ std::string combination_text(const Json& faults) {
     return names.empty() ? "no fault" : names;
 }
 
-/// Converts an element of `properties` of `faults` without its runs, and adds its text.
+/// Converts an element of `properties` of `faults` without its runs, and appends its text to `text`.
 Json property_with_faults(const Json& found, std::string& text) {
     Json made;
     copy_members(found, {"name", "without_faults", "unknown", "non_monotone"}, made);
@@ -368,8 +371,8 @@ Tool check_tool() {
     Tool tool{
         "check", "Check properties",
         "Decides the properties of a closed loop, or of a chart with free inputs. Each verdict is `holds`, `violated` "
-        "or `unknown`; an unexpected verdict has its counterexample as a table of the run. Without `property`, all "
-        "properties are checked.",
+        "or `unknown`. For an unexpected verdict, the counterexample is returned as a table of the run. Without "
+        "`property`, all properties are checked.",
         check_arguments()};
     tool.arguments.push_back({"property", Kind::Names, "names of the properties to check (default: all)"});
     tool.output_schema = {
@@ -388,8 +391,8 @@ Tool explain_tool() {
     Tool tool{
         "explain", "Explain a verdict",
         "Checks one property and returns its counterexample or witness completely: as a table, as a list of steps, and "
-        "with its causes. With `why`, a property that holds has the parts of the chart and the plant on which the "
-        "proof depends.",
+        "with its causes. With `why`, also returns the parts of the chart and the plant on which the proof of a "
+        "property that holds depends.",
         check_arguments()};
     tool.arguments.push_back({"property", Kind::Name, "name of the property", true});
     tool.arguments.push_back({"why", Kind::Flag, "also explain why the property holds (a closed loop; takes longer)"});
@@ -413,8 +416,8 @@ Tool explain_tool() {
 Tool tune_tool() {
     Tool tool{"tune", "Decide properties for ranges of constants",
               "Decides for which values of constants of a closed loop each property holds, exactly at each point of a "
-              "grid. The result is a list of boxes of values with equal verdicts, and the distance of each current "
-              "value from another verdict.",
+              "grid. The result is a list of boxes (products of ranges of constants) with equal verdicts, and the "
+              "distance of each current value from another verdict.",
               input_arguments()};
     for (Argument& each : model_arguments())
         if (each.name != "chart") tool.arguments.push_back(std::move(each));
@@ -443,7 +446,7 @@ Tool faults_tool() {
     for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
     tool.arguments.push_back({.name = "order",
                               .kind = Kind::Number,
-                              .description = "maximum number of faults of a combination (default: 1)",
+                              .description = "maximum number of faults in a combination (default: 1)",
                               .least = 1,
                               .most = 8});
     tool.arguments.push_back({"property", Kind::Names, "names of the properties to decide (default: all)"});

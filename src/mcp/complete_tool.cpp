@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `complete`: names and keywords at a position. A language server for this call determines them.
+// `complete`: names and keywords at a position. A language server that runs only for this call determines the names and
+// keywords.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -33,8 +33,8 @@ constexpr const char* instructions =
     "grafverif verifies controllers written in GRAFCET (IEC 60848) in closed loop with a model of their plant. "
     "Read the resources `grafverif://reference/...` before you write a `.grafcet` file. `read` lists the models and "
     "properties of a file, `check` decides the properties, and `explain` shows the counterexample of one property. "
-    "The tools do not write files; pass `text` to check a draft. Results state their assumptions; repeat them when "
-    "you report a verdict.";
+    "The tools do not write files; pass `text` to check a draft. Results state their assumptions; repeat the "
+    "assumptions when you report a verdict.";
 
 }  // namespace
 
@@ -81,8 +81,8 @@ void Session::take_batch(const Json& messages) {
     close(batch);
 }
 
-/// Called when a call of the batch has ended, and when all its messages are read. Sends the responses after the last
-/// of these events.
+/// Called when a call of the batch has ended, and when all messages of the batch are read. Sends the responses after
+/// the last of these events.
 void Session::close(const SharedBatch& batch) {
     if (batch != nullptr && --batch->open == 0 && !batch->responses.empty()) send(batch->responses);
 }

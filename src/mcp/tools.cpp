@@ -17,10 +17,14 @@ Argument file_argument(bool required) {
     return {"file", Kind::Name, "path of the file, absolute or relative to a folder of the server", required};
 }
 
-Argument chart_argument() { return {"chart", Kind::Name, "chart, if the file has several"}; }
+Argument chart_argument() { return {"chart", Kind::Name, "name of the chart, if the file has several charts"}; }
 
 Argument mode_argument() {
-    return {"mode", Kind::Choice, "execution mode; overrides the model", false, {"stability-search", "every-cycle"}};
+    return {"mode",
+            Kind::Choice,
+            "execution mode; overrides the mode in the model",
+            false,
+            {"stability-search", "every-cycle"}};
 }
 
 std::vector<Argument> input_arguments() {
@@ -28,15 +32,16 @@ std::vector<Argument> input_arguments() {
 }
 
 std::vector<Argument> model_arguments() {
-    return {{"loop", Kind::Name, "closed loop, if the file has several"},
-            {"chart", Kind::Name, "chart, if the file has several, or to use a chart without its closed loop"},
+    return {{"loop", Kind::Name, "name of the closed loop, if the file has several closed loops"},
+            {"chart", Kind::Name,
+             "name of the chart, if the file has several charts, or to use a chart without its closed loop"},
             mode_argument()};
 }
 
 std::vector<Argument> loop_arguments() {
     return {{"grain",
              Kind::Choice,
-             "phased: the plant can move within a PLC cycle; atomic: it cannot",
+             "phased: the plant can move within a PLC cycle; atomic: the plant cannot move within a cycle",
              false,
              {"phased", "atomic"}},
             {"set", Kind::Names, "values of constants of the closed loop, each as NAME=VALUE"}};
