@@ -134,8 +134,8 @@ private:
             file.exprs[left[k]].next = k + 1 < left.size() ? left[k + 1] : Id<tree::Expr>{};
     }
 
-    /// Adds the mutants of a Boolean term. The operands of edges, of time conditions
-    /// and of comparisons do not change, except for durations.
+    /// Adds the mutants of a Boolean term. The operands of edges, of time conditions and of comparisons do not
+    /// change, except for durations.
     void change_condition(At at, Id<tree::Expr> term) {
         if (!term.valid()) return;
         add("term-negated", at, [term](tree::File& file, Items&, tree::ChartItem&) { negate(file, term); });

@@ -89,7 +89,7 @@ struct Refusal {
     }
 };
 
-/// Reports forbidden and missing edges. Returns true if there are any.
+/// Reports forbidden edges, and events that do not require an edge. Returns true after a report.
 bool misplaced_edges(const Chart& chart, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const Refusal refusal{chart, diagnostics, edges(chart.exprs)};

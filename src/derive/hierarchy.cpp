@@ -225,7 +225,7 @@ private:
     }
 
     /// Returns false if the steps, or the macro-steps or enclosing steps that contain them, are different steps of one
-    /// partial chart. Such steps may exclude each other.
+    /// partial chart, because such steps may exclude each other.
     bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
         for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
             for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Derives equation (13) of CEP13 for every output without stored actions: a disjunction over its continuous actions.
 // The operand of an action is the conjunction of its step activity and assignation condition. An output that a
-// condition reads is derived before the output of this condition; a cycle among outputs is rejected.
+// condition reads is derived before the output whose action has this condition. A cycle among outputs is an error.
 #include <algorithm>
 #include <array>
 

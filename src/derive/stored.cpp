@@ -146,7 +146,7 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     result.next = next(exprs, grouped, before);
     result.race = race(derivation, grouped);
     result.first = before;
-    std::vector<Id<Expr>> differing;  // for each initial value: it is not equal to the first value
+    std::vector<Id<Expr>> differing;  // terms `value != result.first` for the values of initial actions
     if (!written.first.empty()) result.first = written.first.front();
     for (const Id<Expr> value : written.first)
         if (value != result.first) differing.push_back(exprs.apply(Op::NotEqual, result.first, value));

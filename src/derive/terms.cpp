@@ -50,7 +50,7 @@ Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, TermPosition rea
     return rises ? exprs.conjunction(now, exprs.negation(before)) : exprs.conjunction(before, exprs.negation(now));
 }
 
-/// Returns the term for `t1/v/t2`, with its timer.
+/// Returns the term for the time condition `t1/v/t2`, and creates its timer.
 Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     Exprs& exprs = derivation.equations.exprs;
     const Chart::TimeCondition& written = derivation.chart.time_conditions[id];

@@ -176,7 +176,7 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
     reading.model.charts.add(std::move(chart));
 }
 
-/// Returns the component of this name in the library, or null if there is none.
+/// Returns the component `name` of the library, or null if the library has no component of this name.
 const LibraryEntry* library_entry(const ReadState& reading, std::string_view name) {
     const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
     return entry == reading.context.library.end() ? nullptr : &*entry;
@@ -314,7 +314,7 @@ std::optional<Model> model_of(std::span<const tree::File> files, bool files_miss
                               const ReadContext& context, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     ReadState reading{sources, context, diagnostics, Recorder(context.references)};
-    // Declarations that were omitted because of an error may define the missing names.
+    // Declarations that were omitted because of an error may define names to which loops refer.
     const bool hidden = std::ranges::any_of(files, &tree::File::incomplete) || files_missing;
     read_all(reading, files, hidden);
     if (diagnostics.errors() != errors || std::ranges::any_of(files, &tree::File::broken)) return {};

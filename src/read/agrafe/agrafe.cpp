@@ -107,8 +107,8 @@ void name_steps(AgrafeReader& reader) {
     }
 }
 
-/// Names transitions after their id, such as `t7`. The name is qualified by the name of the partial chart if another
-/// partial chart also has a transition `t7`.
+/// Gives each transition with an id a name such as `t7`. The name of the partial chart qualifies this name if another
+/// partial chart also has a transition with this id.
 void name_transitions(AgrafeReader& reader) {
     std::unordered_map<std::string, std::size_t> taken;
     LegalNames names(LegalNames::Kind::Chart, reader.draft);
@@ -135,7 +135,7 @@ tree::VariableKind kind_of(AgrafeReader& reader, pugi::xml_node declaration) {
     return tree::VariableKind::Input;
 }
 
-/// Returns the declarations of the variables that are not step variables, one item each.
+/// Returns one declaration for each variable that is not a step variable.
 std::vector<tree::ChartItem> declarations(AgrafeReader& reader) {
     std::vector<tree::ChartItem> items;
     LegalNames names(LegalNames::Kind::Variable, reader.draft);

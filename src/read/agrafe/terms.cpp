@@ -67,7 +67,7 @@ Id<tree::Expr> applied(AgrafeReader& reader, const Operator& known, pugi::xml_no
 
 }  // namespace
 
-/// The recursion depth is limited by the depth of the document, which is at most 1,000.
+/// Converts a term. The nesting depth of the document, which is at most 1,000, limits the recursion depth.
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term) {
     const std::string_view type = local_name(attribute(term, "type").value());
     if (type == "Variable") return variable(reader, term);

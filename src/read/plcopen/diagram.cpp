@@ -144,7 +144,7 @@ private:
         return is(node, "block") && !value(node, "instanceName").empty();
     }
 
-    /// Adds the statement of an element, after the calls whose outputs it reads.
+    /// Adds the statement of an element. Calls whose outputs the element reads are added before this statement.
     void execute(std::size_t i, std::size_t depth) {
         if (marks_[i] != Mark::New) return;
         const pugi::xml_node node = network_.elements[i];
@@ -407,7 +407,7 @@ private:
 
     st::Unit& unit_;
     const std::unordered_set<std::string>& functions_;
-    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // index by element
+    std::unordered_map<std::size_t, std::size_t> numbers_ = {};  // index of each element, by the hash value of its node
     // Type of each variable, by name in capital letters.
     std::unordered_map<std::string, std::string> types_ = {};
     std::vector<Mark> marks_ = {};
@@ -415,7 +415,7 @@ private:
     std::vector<Top> tops_ = {};
     // For each network: the variables that its already processed elements write.
     std::unordered_map<std::size_t, std::unordered_set<std::string>> written_ = {};
-    std::unordered_map<std::size_t, std::string> edges_ = {};  // instances of contacts and coils with edges
+    std::unordered_map<std::size_t, std::string> edges_ = {};  // edge instance of each contact or coil
     bool ordered_ = false;
     std::size_t rung_ = 0, calls_ = 0, current_ = 0;
     st::Block block_ = {};

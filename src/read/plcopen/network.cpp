@@ -92,7 +92,7 @@ void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::
     association.qualifier.resize(blank);
 }
 
-/// Reads the entry, active and exit action of a step in CODESYS, which are given as names of actions.
+/// Reads the names of the entry, active and exit action of a step in CODESYS.
 void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step) {
     struct Known {
         std::string_view guid = {}, qualifier = {};

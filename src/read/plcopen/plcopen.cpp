@@ -220,7 +220,8 @@ void read_body(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit,
     }
 }
 
-/// Returns the milliseconds of an xsd:duration of days and smaller units, such as `PT0.01S`; empty for other texts.
+/// Returns the milliseconds of an xsd:duration in days and smaller units, such as `PT0.01S`. The result is empty for
+/// other texts.
 std::optional<std::int64_t> milliseconds(const std::string& text) {
     static const std::regex pattern(
         R"(P(?:(\d{1,6})D)?(?:T(?:(\d{1,6})H)?(?:(\d{1,6})M)?(?:(\d{1,6})(?:\.(\d{1,3})0*)?S)?)?)");
@@ -267,7 +268,7 @@ void read_tasks(PlcopenReader& reader, pugi::xml_node resource) {
     const auto instance = [&](pugi::xml_node node, st::Name task) {
         const std::string_view type = !value(node, "typeName").empty() ? "typeName"
                                       : attribute(node, "type")        ? "type"
-                                                                       : "name";  // CODESYS
+                                                                       : "name";  // CODESYS writes the type as name
         reader.file.instances.push_back({reader.name(value(node, "name"), reader.xml.where(node, "name")),
                                          task,
                                          reader.name(value(node, type), reader.xml.where(node, type)),

@@ -201,7 +201,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
                    "declare it with the type of the global variable");
         return;
     }
-    unit_ = body_ = id;  // scope of constants in bounds
+    unit_ = body_ = id;  // bounds of types can name constants of this unit
     const auto type = type_of(from.type, from.where);
     if (!type) return;
     if (!is_allowed(program.units[id], from, *type, is_program)) return;
@@ -325,8 +325,8 @@ void Reader::check_addresses(const std::vector<const st::Variable*>& located) {
             reject(variable->name.where, "a second variable at " + quoted(variable->address),
                    "use one variable for each address");
     }
-    // A bit can be part of a word in the same area. Addresses are known to be disjoint only if all elements of their
-    // area have the same size.
+    // A bit can be part of a word in the same memory area (I, Q or M). The addresses in an area are known to be
+    // disjoint only if all of them have the same size.
     std::map<char, char> sizes;
     for (const st::Variable* variable : located) {
         const std::string address = st::capitals(variable->address);

@@ -281,7 +281,7 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
         return {};
     }
     const bool literal = std::ranges::all_of(operands, &Typed::literal);
-    if (literal) {  // a literal is computed exactly
+    if (literal) {  // a term of literals is computed exactly
         const std::int64_t a = *value_of(operands[0].node);
         const std::int64_t b = operands.size() > 1 ? *value_of(operands[1].node) : 0;
         std::int64_t value = 0;

@@ -159,7 +159,7 @@ void Reader::assign(const Found& cell, const Typed& value, Span where, Program::
         return reject(where, "an assignment to `SFCInit`", "use `SFCReset`");
     const auto node = converted(value, cell.type, where, "the value");
     if (!node) return;
-    if (cell.instance) {  // the preset time of a timer bounds its elapsed time
+    if (cell.instance) {  // the preset time limits the elapsed time of a timer
         const Unit& block = program.units[cell.block];
         if (block.elapsed && st::capitals(cell.variable->name) == "PT") {
             const auto known = value_of(*node);

@@ -205,7 +205,8 @@ private:
         return {known->second, fresh};
     }
 
-    /// Converts P, P1 and P0. The variable is true for one scan: the step sets it, and the next evolution resets it.
+    /// Converts P, P1 and P0. The output is true for one scan: the step sets the latch, and the next evolution resets
+    /// the latch.
     Made pulse(const Act& act) {
         const auto [state, fresh] = latch(act.output, "_pulse");
         const auto when = act.qualifier == "P0" ? tree::StoredWhen::Deactivation : tree::StoredWhen::Activation;

@@ -38,7 +38,8 @@ void name_steps(Sfc& sfc) {
     }
 }
 
-/// Replaces a condition that could not be imported by a new input, whose value is arbitrary at any time.
+/// Returns a new input, which replaces a condition that could not be imported. The value of the input is arbitrary at
+/// any time.
 Id<tree::Expr> unknown_condition(Sfc& sfc, Span where) {
     SfcVariable variable;
     variable.name = sfc.names.invent("unknown_condition");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Classifies the variables of a unit. Variables that the chart only reads are inputs, variables that it drives are
-// outputs, and all others are internal.
+// Classifies the variables of a unit. Variables that the chart only reads are inputs, variables that the chart drives
+// are outputs, and all other variables are internal.
 #include <algorithm>
 #include <array>
 

@@ -122,7 +122,7 @@ std::string keyword_of(std::string_view word, std::span<const Symbol> expected) 
         nearest.offer(keyword);
     }
     const std::string& best = nearest.best();
-    constexpr std::size_t shortest = 4;  // minimum length of a word; shorter words are similar to too many others
+    constexpr std::size_t shortest = 4;  // minimum length of a word; a shorter word resembles too many keywords
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     };

@@ -29,8 +29,8 @@ public:
     /// Starts the element that begins at `begin` in the source. Writes the comments before the element. Writes a blank
     /// line before the element if the source has a blank line there or if `apart` is true.
     void before(std::uint32_t begin, bool apart = false);
-    /// Writes the comments that begin before `end` on separate lines. They are inside an element that is printed as a
-    /// unit.
+    /// Writes the comments that begin before `end` on separate lines. These comments are inside an element that is
+    /// printed as a unit.
     void within(std::uint32_t end);
     void line(std::string text);
     /// Appends to the current line the end-of-line comments that begin before `limit`. Later comments belong to the

@@ -217,7 +217,7 @@ std::string component_head(const tree::File& file, const tree::Component& compon
     std::string lines = head;
     std::size_t width = head.size();
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::size_t end = i + 1 < parts.size() ? 0 : 3;  // for `) {`
+        const std::size_t end = i + 1 < parts.size() ? 0 : 3;  // length of `) {`
         if (i > 0 && width + 1 + parts[i].size() + end > widest) {
             lines += '\n' + std::string(head.size(), ' ');
             width = head.size();

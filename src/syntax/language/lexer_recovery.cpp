@@ -190,7 +190,7 @@ void Lexer::resynchronise() {
         kind = token.kind();
         first = false;
     };
-    // True if the parser could not resume at this token.
+    // True if the parser has already failed to resume at this token.
     const bool stuck = last_where_.end == handed_back_ && kind != Symbols::S_YYEOF;
     const auto push_back_token = [&] {
         handed_back_ = first ? last_where_.end : token.location.end;

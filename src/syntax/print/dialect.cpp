@@ -190,8 +190,8 @@ struct Printer {
         if (bracketed) out << ')';
     }
 
-    /// Prints a conditional as a function call. The second argument is the value if the condition is false, the third
-    /// argument is the value if the condition is true.
+    /// Prints a conditional as a function call. The second argument is the value if the condition is false, and the
+    /// third argument is the value if the condition is true.
     void selection(std::span<const Id<Expr>> operands, Spelling spelling) const {
         out << spelling.token << '(' << spelling.arguments[0];
         term(operands[0]);

@@ -39,7 +39,7 @@ std::string without_underscores(std::string_view digits) {
     return kept;
 }
 
-/// Returns the value of an integer such as `1_000`, or nothing if it is too large.
+/// Returns the value of an integer such as `1_000`, or nothing if the integer is too large.
 std::optional<std::int64_t> integer_of(std::string_view digits, int base) {
     const std::string kept = without_underscores(digits);
     std::int64_t value = 0;
@@ -206,8 +206,8 @@ void Lexer::advance(std::size_t length) {
 
 void Lexer::comment(std::string_view match) { file_->comments.push_back({std::string(match), here_}); }
 
-/// Counts open brackets, prefix operators and nested statements. Reports an error and returns true if their number
-/// exceeds the limit.
+/// Counts open brackets, prefix operators and nested statements. Reports an error and returns true if a number exceeds
+/// its limit.
 bool Lexer::nests_too_deep(Kind kind) {
     switch (kind) {
     case Parser::token::LEFT:
