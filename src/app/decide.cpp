@@ -81,7 +81,8 @@ std::vector<std::string> complete_properties(std::vector<std::string> requested)
     return requested;
 }
 
-/// Removes the results of steps that were not selected. Returns false if a selected step does not exist.
+/// If `requested` names single steps, removes the results for other steps. Returns false if `requested` names a step
+/// that has no result.
 bool keep_requested(const std::vector<std::string>& requested, Report& report, Diagnostics& diagnostics) {
     const auto has = [](const std::vector<std::string>& names, const std::string& name) {
         return std::ranges::find(names, name) != names.end();

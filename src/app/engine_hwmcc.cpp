@@ -42,7 +42,7 @@ public:
     ProgramResult run(const std::vector<std::string>& arguments) const {
         return run_program(arguments, "", {.deadline = watch_.deadline(), .stop = stop_, .folder = folder_.path()});
     }
-    /// Returns the content of a file that the program wrote, or an empty string if there is none.
+    /// Returns the content of a file that the program wrote, or an empty string if the program wrote no such file.
     std::string left(const char* name) const {
         std::string why;
         return content_of_file(folder_.path() / name, why).value_or("");

@@ -18,7 +18,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// A keyword of an option's value and its meaning.
+/// A keyword that can be the value of an option, and the meaning of this keyword.
 template <class T>
 struct Choice {
     std::string_view word = {};

@@ -98,7 +98,7 @@ std::string adjacent_command(const std::vector<po::option>& given, const std::ve
     return {};
 }
 
-/// Replaces former names by current ones. Returns the replaced names.
+/// Replaces former names of options by current names. Returns the replaced names.
 std::vector<FormerName> replace_former_names(std::vector<po::option>& given, const std::vector<Option>& known) {
     std::vector<FormerName> replaced;
     for (po::option& one : given)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Background checks of a session. A save or a command starts them. Their results are displayed as code lenses at loops
-// and properties.
+// Background checks of a session. A save or a command starts the checks. Their results are displayed as code lenses at
+// loops and properties.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

@@ -94,7 +94,7 @@ void Session::take_single(const Json& message, const SharedBatch& batch) {
         reply(rpc::failure(rpc::is_id(id) ? id : Json(), rpc::invalid_request, why), batch);
     };
     const bool is_response = rpc::is_id(id) && (message.contains("result") || message.contains("error"));
-    if (is_response && !message.contains("method")) return;  // the server sends no requests
+    if (is_response && !message.contains("method")) return;  // ignored, because the server sends no requests
     const std::string method = rpc::method_of(message);
     if (method.empty() || member(message, "jsonrpc") != "2.0")
         return refused("the message is not a request or notification of JSON-RPC 2.0");

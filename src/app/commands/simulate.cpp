@@ -37,7 +37,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// An interactive session. Each line is a command, and the response shows the steps that it caused.
+/// An interactive session. Each line is a command, and the response shows the steps that the command caused.
 class Session {
 public:
     Session(Simulation& simulation, const Streams& streams)

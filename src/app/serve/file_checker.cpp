@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    /// The check of one model, with the verdicts so far.
+    /// The check of one model, with the verdicts that are known so far.
     struct Proof {
         bool is_loop = false;
         std::uint32_t place = 0;  ///< index of the loop or chart in the model
@@ -309,7 +309,7 @@ private:
     const Options& options_;
     std::function<void()> changed_;
 
-    std::mutex watching_ = {};  ///< locked before `door_` if a thread locks both
+    std::mutex watching_ = {};  ///< locked before `door_` if a thread locks both mutexes
     FileWatcher watch_ = {};
 
     mutable std::mutex door_ = {};

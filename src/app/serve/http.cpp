@@ -103,7 +103,7 @@ public:
 
     asio::io_context& context() { return context_; }
     void stop() { context_.stop(); }
-    /// Returns when no work remains.
+    /// Waits until the threads have no more work, and then ends the threads.
     void join() {
         work_.reset();
         threads_.clear();
@@ -146,7 +146,7 @@ public:
     }
 
 private:
-    /// One request and its response.
+    /// A connection, which serves one request.
     class Connection : public std::enable_shared_from_this<Connection> {
     public:
         Connection(Impl& server, Tcp::socket socket)
@@ -159,7 +159,7 @@ private:
             if (state_ == State::Identified) --server_.identified_;
         }
 
-        /// Closes this connection to accept another one.
+        /// Closes this connection, so that another connection can be accepted.
         void drop() {
             state_ = State::Dropped;
             server_.unidentified_.erase(place_);

@@ -23,7 +23,7 @@ namespace grafverif::app {
 
 namespace {
 
-/// Returns 128 unpredictable bits.
+/// Returns 128 unpredictable bits as hexadecimal digits.
 std::string random_token() {
     std::random_device source;
     std::string token;

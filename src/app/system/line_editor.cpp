@@ -32,7 +32,8 @@ struct LineEditor::Parts {
         return *static_cast<Parts*>(parts);
     }
 
-    /// Returns the next character; 0 at the end of input. Also detects a signal while no character is available.
+    /// Stores the next character in `read`, and returns 1. Returns 0 at the end of input, or when `stop` is set while
+    /// no character is available.
     static int character(EditLine* editor, wchar_t* read) {
         constexpr int poll_interval_ms = 50;
         std::mbstate_t state = {};

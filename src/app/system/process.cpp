@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes all of `text`. Throws std::system_error.
+/// Writes all of `text`. Throws std::system_error after an error.
 void write_all(const Descriptor& to, std::string_view text) {
     while (!text.empty()) {
         const ssize_t count = ::write(to.number(), text.data(), text.size());

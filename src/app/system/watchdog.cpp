@@ -36,7 +36,7 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-/// Memory of the program itself: code, library, buffers.
+/// Memory that is permitted in addition to the limit: code, libraries and buffers of the program.
 constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;
 /// Size of the reserve for reporting that memory is exhausted.
 constexpr std::size_t reserve_size = std::size_t{2} << 20U;
@@ -44,7 +44,7 @@ constexpr std::size_t landing_size = std::size_t{1} << 20U;  ///< size of the re
 constexpr auto program_timeout = 3s, reader_timeout = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, poll_interval = 25ms;
 
-std::atomic<std::int64_t> reporting_start = 0;  ///< steady-clock time at which printing of results began; 0 before
+std::atomic<std::int64_t> reporting_start = 0;  ///< steady-clock time at which printing of results began; 0: not yet
 std::atomic<std::int64_t> reporting_cpu = 0;    ///< processor time in nanoseconds that was used before printing began
 std::atomic<void*> reserve = nullptr, landing = nullptr;
 thread_local bool is_reserving = false;
@@ -73,7 +73,8 @@ std::uint64_t number_in(const char* file) {
     return number;
 }
 
-/// Returns the total memory of the computer, or the limit of the container if it is lower; 0 if unknown.
+/// Returns the total memory of the computer, or the limit of the container if this limit is lower; 0 if both are
+/// unknown.
 std::uint64_t memory_of_machine() {
     const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
     const std::uint64_t machine =

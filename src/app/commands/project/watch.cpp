@@ -30,7 +30,7 @@ using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
 constexpr auto poll_interval = 50ms;
-constexpr auto run_timeout = 1s;   ///< time for executions to end after a request
+constexpr auto run_timeout = 1s;   ///< time for the command to end after a request to terminate
 constexpr auto save_timeout = 1s;  ///< maximum time between deletion and replacement of a file by an editor
 constexpr int closed_pipe = 128 + SIGPIPE;
 

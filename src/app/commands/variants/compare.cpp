@@ -34,7 +34,8 @@ struct ComparedFile {
     CompareOperand operand = {};
 };
 
-/// Reads an operand. `operand` refers to `file`. Returns false after an error.
+/// Reads a file to compare. `file.operand` contains a pointer into `file`, so that `file` must not move afterwards.
+/// Returns false after an error.
 bool read_compared(const std::string& path, CommandContext& job, ComparedFile& file) {
     const auto source = read_source(path, job);
     if (!source) return false;

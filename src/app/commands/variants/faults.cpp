@@ -39,7 +39,7 @@ bool is_feasible(const ClosedLoop& loop, CommandContext& job) {
     return !job.diagnostics.has_errors();
 }
 
-/// Replaces the empty reasons of combinations that were not checked.
+/// Sets the reason of each combination that was not checked.
 void name_reasons(FaultAnalysis& analysis, const std::string& reason) {
     for (FaultAnalysis::Row& row : analysis.rows)
         for (FaultAnalysis::Open& open : row.open)
