@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// View of the chart of one controller at an event of a run. Active steps and cleared transitions are highlighted.
+// View of the chart of one controller at an event of a run. Active steps, enabled transitions and cleared transitions
+// are highlighted.
 import {draw, make} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
 
 export class ChartView {
-    // `choose(kind, place)` is called when the user selects a transition or a step.
+    // `choose(place)` is called when the user clicks the transition with the index `place`.
     constructor(chart, run, controller, choose) {
         this.chart = chart;
         this.run = run;

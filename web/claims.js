@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Values of the terms of a property along a run, evaluated on the state of the closed loop. A term can change only if
-// one of its operands changes, so the history of a term is computed from the histories of its operands. Values that the
-// run does not contain are `undefined`.
+// Values of the terms of a property along a run, evaluated on the states of the closed loop. The value of a term can
+// change only if one of its operands changes, so the history of a term is computed from the histories of its operands.
+// A value that the run does not contain is `undefined`.
 import {History} from "./run.js";
 import {valueOf} from "./terms.js";
 
@@ -11,14 +11,14 @@ export class Claims {
         this.property = property;
         this.terms = property.terms;
         this.histories = [];
-        for (const node of this.terms) this.histories.push(this.historyOf(node));  // operands precede their terms
+        for (const node of this.terms) this.histories.push(this.historyOf(node));  // operands precede the terms that contain them
     }
 
     value(term, moment) { return this.histories[term].value(moment); }
-    // Returns the event since which the term has its current value.
+    // Returns the event since which the term has its value at `moment`.
     since(term, moment) { return this.histories[term].since(moment); }
-    // Returns the first state of the model, from event `moment` on, in which the term has this value; null if there is
-    // none.
+    // Returns the first event, from `moment` on, after which the term has this value in a state of the model; null if
+    // there is none.
     first(term, value, moment) {
         const history = this.histories[term], {at, values} = history;
         for (let k = Math.max(history.place(moment), 0); k < at.length; ++k) {
@@ -29,16 +29,16 @@ export class Claims {
         return null;
     }
 
-    // Returns the leaves that caused the last change of the term: they changed at the same event and are necessary for
-    // its value.
+    // Returns the leaves that caused the last change of the term up to `moment`: the leaves that changed at the same
+    // event and determine the value of the term.
     causes(term, moment) {
         const since = this.since(term, moment), found = new Set();
         const seek = (each) => {
             if (this.since(each, since) !== since) return;
             const args = this.terms[each].args ?? [], value = this.value(each, since);
             if (args.length === 0) return found.add(each);
-            // The causes are the false operands of a false `and`, the true operands of a true `or`, and otherwise all
-            // operands.
+            // The false operands determine a false `and`, and the true operands determine a true `or`. All operands
+            // determine any other term.
             const {op} = this.terms[each], decisive = (op === "and" && value === 0) || (op === "or" && value === 1);
             for (const arg of args) if (!decisive || this.value(arg, since) === value) seek(arg);
         };
@@ -67,8 +67,8 @@ export class Claims {
         return made;
     }
 
-    // Returns the history of a leaf in the run and a function that interprets its values; null if the run does not
-    // contain the leaf.
+    // Returns the history of the signal, step or instance of a leaf, and a function that converts its values to values
+    // of the leaf; null if the run does not contain this element.
     leaf(node) {
         const {run} = this, {steps, signals, locations} = run, controller = run.controllers[node.controller];
         const known = (history, of = (value) => (value === undefined ? undefined : Number(value))) => history && {history, of};
@@ -88,7 +88,7 @@ export class Claims {
     }
 }
 
-// The values of the terms at one event, with the interface that termTree requires.
+// Returns the values of the terms at one event. The class has the interface that termTree (why.js) requires.
 export class ClaimReader {
     constructor(claims, moment) { Object.assign(this, {claims, moment}); }
     value(term) { return this.claims.value(term, this.moment); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Creates elements of the page from names, attributes and text. Therefore user input is never interpreted as markup.
+// Creates elements of the page from names, attributes and text nodes. Therefore texts from the user's files are never
+// interpreted as markup.
 
 export function make(tag, attributes = {}, ...children) { return fill(document.createElement(tag), attributes, children); }
 
@@ -16,5 +17,5 @@ function fill(element, attributes, children) {
     return element;
 }
 
-// Converts text to elements; backticks enclose code.
+// Converts a text to strings and `code` elements. In the text, backticks enclose code.
 export const prose = (text) => text.split("`").map((part, k) => (k % 2 === 1 ? make("code", {}, part) : part));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// View of the automaton of a plant instance, with its current location highlighted.
+// View of the automaton of a plant instance. The current location of the instance is highlighted.
 import {make} from "./dom.js";
 
 export class InstanceView {
-    // `plant` maps names of instances to figures of their components. If there are no drawings, `element` is undefined.
+    // `plant` maps the name of an instance to the id of the figure of its component. If no instance has a drawing,
+    // `element` is undefined.
     constructor(plant, run) {
         this.run = run;
         this.figures = run.trace.instances.map(({name}) => (Object.hasOwn(plant, name) ? document.querySelector(`#${plant[name]} svg`) : null));
@@ -23,8 +24,8 @@ export class InstanceView {
         const svg = this.figures[instance].cloneNode(true);
         svg.setAttribute("role", "img");
         svg.setAttribute("aria-label", `The automaton of ${this.run.trace.instances[instance].name}`);
-        // Removes the ids of the copy, because ids must be unique. Arrow heads then refer to the marker of the original
-        // drawing.
+        // Removes the ids in the copy, because ids must be unique in the page. The arrow heads of the copy then use the
+        // marker of the original drawing.
         for (const each of svg.querySelectorAll("[id]")) each.removeAttribute("id");
         this.nodes = [...svg.querySelectorAll("rect.node")];
         this.place.replaceChildren(svg);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Virtual list: only visible rows exist, so that scrolling is independent of the number of rows.
+// Virtual list: only the visible rows are elements of the page. Therefore the time for scrolling is independent of the
+// number of rows.
 import {make} from "./dom.js";
 
 export class RowList {
-    // `row(k)` returns the contents of row k. `choose(k)` is called when the user clicks row k. `height` is the height of
-    // a row in pixels, the same as in page.css; the ids of the rows begin with `prefix`.
+    // `row(k)` returns the contents of row k. `choose(k)` is called when the user clicks row k. `height` is the height
+    // of a row in pixels and must be equal to the height in page.css. The ids of the rows begin with `prefix`.
     constructor(label, count, row, choose, {height = 28, prefix = "row"} = {}) {
         this.height = height;
         this.prefix = prefix;

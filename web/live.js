@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page of `serve`: polls the newest state of the file and shows it. The contents of a file are inserted as text and
-// are never interpreted as markup. The only markup is the drawings, which the server generates and the browser parses
-// as SVG.
+// The page of `serve`: requests the newest results for the file from the server and shows them. The contents of a file
+// are inserted as text and are never interpreted as markup. Only the drawings are markup: the server generates them,
+// and the browser parses them as SVG.
 import {make, prose} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
 import {Simulator} from "./simulator.js";
@@ -30,7 +30,7 @@ class Drawings {
         if (!state.readable || state.reading === this.reading) return;
         this.reading = state.reading;
         const answer = await ask("/drawings");
-        if (answer.reading !== this.reading || answer.drawings.length !== state.charts.length) return;  // changed again
+        if (answer.reading !== this.reading || answer.drawings.length !== state.charts.length) return;  // the file has changed again
         this.marks = (answer.marks ?? []).filter(Boolean);
         this.place.replaceChildren(...state.charts.map((chart, place) => make("figure", {},
             make("figcaption", {}, make("h3", {}, chart.name)),
@@ -102,7 +102,8 @@ function modelElement(model) {
         ...[...model.properties].sort((a, b) => rank(a) - rank(b)).map(propertyElement));
 }
 
-// Returns the overall result. It is not positive while a part of the file has no result.
+// Returns the class and the text of the overall result. The result is positive only if every model of the file was
+// checked, and all verdicts are as expected.
 function verdictWords(state) {
     const are = (count) => count === 1 ? "is" : "are";
     const properties = state.models.flatMap((model) => model.properties);
@@ -145,7 +146,7 @@ class Page {
         this.simulator.take(state);
     }
 
-    // Marks the displayed contents as outdated.
+    // If `old` is true, marks the displayed drawings and verdicts as outdated.
     age(old) {
         for (const place of [by("charts"), by("models")]) {
             place.classList.toggle("stale", old);
@@ -159,7 +160,8 @@ class Page {
         by("status").textContent = `\u2717 ${error instanceof TypeError ? "grafverif does not respond; restart it and open the address that it prints" : error.message}`;
     }
 
-    // A hidden page does not poll, because browsers limit the number of connections to one server.
+    // Requests new results without end. A hidden page sends no requests, because browsers limit the number of
+    // connections to one server.
     async run() {
         for (let pause = 0;;) {
             if (document.hidden) await new Promise((seen) => document.addEventListener("visibilitychange", seen, {once: true}));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Highlights elements of a drawn chart by a class and by an additional mark, because colour alone is not accessible.
+// Highlights elements of a drawn chart by a class and by an additional mark, because users may not be able to
+// distinguish colours.
 import {draw} from "./dom.js";
 
-// An active step contains a token as in IEC 60848: a dot in the lower half.
+// Adds a token to an active step as in IEC 60848: a dot in the lower half of the step.
 export function lightStep(group, on) {
     group?.classList.toggle("active", on);
     sign(group, on, "token", (box) => draw("circle", {class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 7, r: 4}));
@@ -22,7 +23,7 @@ function sign(group, on, name, drawn) {
     if (box && (box.width > 0 || box.height > 0)) group.append(drawn(box));
 }
 
-// Scrolls `view` to the first active step, without scrolling the page.
+// Scrolls `view`, but not the page, to the first active step.
 export function follow(view, steps) {
     const group = steps.find((step) => step?.classList.contains("active") && step.querySelector(".token"));
     if (!group) return;

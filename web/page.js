@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page: its address selects the run in the player and its event. The data of the page are in its element `data`;
-// see src/page/data.hpp.
+// The page of a report. The address of the page selects the run in the player and the event of this run. The element
+// `data` contains the data of the page (src/page/data.hpp).
 import {make} from "./dom.js";
 import {Player} from "./player.js";
 import {Decision} from "./terms.js";
@@ -10,7 +10,7 @@ export class Page {
         this.data = data;
         this.place = place;
         this.players = new Map();
-        this.Decision = Decision;  // interface for other scripts, which returns values of terms
+        this.Decision = Decision;  // interface for other scripts, which compute values of terms with this class
         this.select = make("select", {"aria-label": "Trace to play", onchange: () => this.open(this.select.value)},
             ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
         this.stage = make("div", {});
@@ -20,7 +20,8 @@ export class Page {
         if (data.runs.length > 0 && !this.follow(true)) this.open(data.runs[0].name, null, true);
     }
 
-    // If no element has the focus, arrow keys control a visible player; other keys scroll the page.
+    // If no element has the focus and the player is visible, the left and right arrow keys control the player. Other
+    // keys scroll the page.
     key(event) {
         if (event.target !== document.body || !["ArrowLeft", "ArrowRight"].includes(event.key) || !this.player) return;
         const {top, bottom} = this.player.element.getBoundingClientRect();
@@ -40,7 +41,7 @@ export class Page {
         if (this.player && this.current === name && `#${address}` === this.written) return true;
         this.open(name, cut < 0 ? null : address.slice(cut + 1), quiet);
         this.place.closest("section")?.scrollIntoView();
-        this.player.element.focus({preventScroll: true});  // to receive keys
+        this.player.element.focus({preventScroll: true});  // so that the player receives keys
         return true;
     }
 

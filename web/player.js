@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The player of one run: shows the drawn chart, the list of events, values and changes, explanations, and the timing
-// diagram, all at the same event. Buttons, a slider, keys, and addresses (`#P16/23`) control the player.
+// The player of one run. It shows the drawn charts, the list of events, the values with their changes, explanations,
+// and the timing diagram, all at the same event. Buttons, a slider, keys, and addresses (`#P16/23`) control the player.
 import {ChartView} from "./chart.js";
 import {Claims} from "./claims.js";
 import {make} from "./dom.js";
@@ -22,7 +22,7 @@ const keys = {
 };
 
 export class Player {
-    // `moved(address)` is called with the new position of the player.
+    // `moved(address)` is called with the address of the new position when the position of the player changes.
     constructor(page, data, moved) {
         this.page = page;
         this.run = new Run(data);
@@ -42,7 +42,8 @@ export class Player {
 
     chartOf(controller) { return this.page.charts[this.run.data.charts[controller]]; }
     isProgram(controller) { return this.chartOf(controller).program !== undefined; }
-    // Returns the transitions with a condition that the page can explain; those of a program are lines of the program.
+    // Returns the transitions of a controller whose conditions the player explains. A program has none, because its
+    // conditions are lines of the program.
     transitionsOf(controller) { return this.isProgram(controller) ? [] : this.chartOf(controller).transitions; }
 
     build() {
@@ -75,7 +76,7 @@ export class Player {
                     panel("Event", this.rows.element),
                     this.property?.operands.length > 0 ? panel(`Why: ${this.property.name}`, this.claim) : "",
                     panel("Inputs, outputs, variables, plant",
-                        make("div", {class: "filters"}, this.filter, make("label", {}, this.changedOnly, " changed here only")),
+                        make("div", {class: "filters"}, this.filter, make("label", {}, this.changedOnly, " only changed values")),
                         this.signals),
                     this.programs.size === this.run.controllers.length ? ""
                         : panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
@@ -112,7 +113,7 @@ export class Player {
         this.pick = make("select", {"aria-label": "Transition", onchange: () => {
             const [controller, place] = this.pick.value.split(" ").map(Number);
             this.choose(controller, place);
-        }}, make("option", {value: ""}, "enabled and cleared ones"));
+        }}, make("option", {value: ""}, "enabled and cleared transitions"));
         this.run.controllers.forEach((_, controller) => this.transitionsOf(controller).forEach((transition, place) =>
             this.pick.append(make("option", {value: `${controller} ${place}`}, this.nameOf(controller, transition)))));
         return this.pick;
@@ -132,7 +133,8 @@ export class Player {
         action(this);
     }
 
-    // Computes the events at which the player stops: after each displayed row, or after each move.
+    // Computes the events at which the player stops: the last event of each displayed row or, if every move is shown,
+    // all events.
     restep() {
         this.stops = this.everyMove || this.run.shown.length === 0 ? this.run.times.map((_, m) => m)
             : this.run.shown.map((row) => this.run.rowMoments[row]);
@@ -144,7 +146,7 @@ export class Player {
         this.go(this.moment);
     }
 
-    // Returns the last stop at or before the current event.
+    // Returns the index of the last stop at or before the current event.
     stop() {
         let low = 0, high = this.stops.length;
         while (low < high) {
@@ -194,14 +196,14 @@ export class Player {
         this.moved(this.run.address(this.moment));
     }
 
-    // Returns the range of events that belong to the current stop.
+    // Returns the range of events from the event after the previous stop to the current event.
     range() {
         const stop = this.stop();
         const begin = this.stops[stop] < this.moment ? this.stops[stop] + 1 : stop === 0 ? 0 : this.stops[stop - 1] + 1;
         return {from: Math.min(begin, this.moment), to: this.moment};
     }
 
-    // Returns the position of the current row in the list of events.
+    // Returns the index of the current row in the list of displayed rows.
     shownRow() {
         const row = this.run.rowOf(this.moment);
         return Math.max(this.run.shown.findLastIndex((shown) => shown <= row), 0);
@@ -230,14 +232,14 @@ export class Player {
 
     words() {
         const row = this.run.rows[this.run.rowOf(this.moment)];
-        const inside = row && row.moment !== this.moment;  // true before the last event of the row
+        const inside = row && row.moment !== this.moment;  // true: the current event is not the last event of its row
         const words = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
         const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " Repeated forever from here." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
         const move = this.everyMove && !inside ? ` [${this.moveWords()}]` : "";
         return `${this.run.timeText(this.moment)}: ${words || "power on"}.${move}${ever}${end}`;
     }
-    // Returns the inputs that change at the current stop, with their new values; empty at power-on.
+    // Returns text about the inputs that change at the current stop, with their new values; empty at power-on.
     inputWords() {
         const {from} = this.range(), {run} = this;
         if (from === 0) return "";
@@ -249,8 +251,8 @@ export class Player {
     }
     moveWords() {
         const moment = this.run.trace.moments[this.moment];
-        const names = {begin: "a cycle begins", start: "power on", sample: "inputs are read", evolve: "an evolution",
-                       write: "outputs are written", "write-if-stable": "outputs are written if stable"};
+        const names = {begin: "a cycle begins", start: "power on", sample: "inputs are read", evolve: "an evolution clears no transition",
+                       write: "outputs are written", "write-if-stable": "outputs are written if the situation is stable"};
         const {controllers, instances, transitions} = this.run.trace, several = controllers.length > 1;
         const acts = moment.acts.filter((act) => act.does.length > 0).map((act) => {
             const fired = act.does.includes("evolve") ? act.fired.map((each) => transitions[each].name).join(", ") : "";
@@ -296,7 +298,7 @@ export class Player {
             add(instance.kind, instance.name, text(this.moment), text(before), text(this.moment) !== text(before));
         });
         if (body.childElementCount === 0)
-            body.append(make("tr", {}, make("td", {colspan: 3}, "nothing to show")));
+            body.append(make("tr", {}, make("td", {colspan: 3}, "no matching values")));
         this.signals.replaceChildren(make("table", {}, make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "kind"),
             make("th", {scope: "col"}, "name"), make("th", {scope: "col"}, "value"))), body));
     }
@@ -312,7 +314,8 @@ export class Player {
         }));
         if (wanted.length === 0) this.why.textContent = "No transition is enabled.";
     }
-    // Cleared transitions are listed before enabled transitions.
+    // Returns the transitions to explain if the user has selected none: first the cleared transitions, then the enabled
+    // transitions, at most 12.
     interesting() {
         const cleared = [], enabled = [];
         this.run.controllers.forEach((controller, number) => this.transitionsOf(number).forEach((transition, place) => {

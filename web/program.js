@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// View of the PLC program of one controller at an event of a run: its lines with the values that the last scan computed.
-// A mark shows the lines that the scan executed, and the active steps.
+// View of the PLC program of one controller at an event of a run: the lines of the program with the values that the
+// last scan computed. Marks show the lines that this scan executed, and the active steps.
 import {make} from "./dom.js";
 import {RowList} from "./list.js";
 import {History, lastAtMost} from "./run.js";
 
-const lineHeight = 21;  // height of a line in pixels, the same as in page.css
+const lineHeight = 21;  // height of a line in pixels; must be equal to the height in page.css
 
 export class ProgramView {
     constructor(chart, run, controller) {
@@ -34,17 +34,18 @@ export class ProgramView {
 
     readLines() {
         const {code, points, instances, steps} = this.program;
-        this.units = new Map(code);  // the unit of each line that has values
-        this.points = new Map();     // the points of each line, in order
+        this.units = new Map(code);  // for each line that has values: its unit
+        this.points = new Map();     // for each line: its points, in the order of display
         points.forEach(({line}, point) => this.points.set(line, [...this.points.get(line) ?? [], point]));
-        // The results precede the variables that they depend on, so that they remain visible in a narrow panel.
+        // Results are displayed before the variables on which they depend, so that results remain visible in a narrow
+        // panel.
         const late = (point) => (points[point].role === "read" ? 1 : 0);
         for (const list of this.points.values())
             list.sort((a, b) => late(a) - late(b) || points[a].order - points[b].order);
         this.steps = new Map();
         steps.forEach(({line, instance}, step) => this.steps.set(line, [...this.steps.get(line) ?? [], {step, instance}]));
-        this.chosen = new Map();  // the displayed instance of each unit
-        this.used = new Map();    // the instances of each unit that a run of the page executes
+        this.chosen = new Map();  // for each unit: the displayed instance
+        this.used = new Map();    // for each unit: the instances that a run of the page executes
         for (const {instance} of points) {
             if (instance === null) continue;
             const {unit} = instances[instance];
@@ -53,7 +54,7 @@ export class ProgramView {
         for (const [unit, all] of this.used) this.chosen.set(unit, Math.min(...all));
     }
 
-    // Returns a selection for each unit that has several instances.
+    // Returns, for each unit with several instances, a list box that selects the displayed instance.
     pickers() {
         const {units, instances} = this.program;
         return [...this.used].filter(([, all]) => all.size > 1).map(([unit, all]) => {
@@ -77,7 +78,7 @@ export class ProgramView {
         const skipped = this.units.has(k) && evaluated.length === 0 && this.scans !== null;
         const [mark, what] = active ? ["■", "active step"] : evaluated.length > 0 ? ["●", "executed"] : ["", ""];
         const texts = new Map(evaluated.map((point) => this.value(point)).map((each) => [each.textContent, each]));
-        const values = [...texts.values()];  // a variable that is read twice is shown once
+        const values = [...texts.values()];  // if a line reads a variable twice, its value is shown once
         return [make("span", {class: "mark", title: what}, mark), make("span", {class: "number"}, `${k + 1}`),
                 make("code", {class: active ? "code active" : skipped ? "code skipped" : "code", title: this.lines[k]}, this.lines[k]),
                 make("span", {class: "values", title: values.map((each) => each.textContent).join("  ")}, ...values)];
@@ -91,7 +92,7 @@ export class ProgramView {
         return make("span", {class: `${role}${fresh && role !== "executed" ? " changed" : ""}`}, text, count > 1 ? ` ×${count}` : "");
     }
 
-    // Shows the state at `moment`; `from` is the first event of the current row.
+    // Shows the state at the event `moment`. `from` is the first event of the current row.
     show(moment, from) {
         this.moment = moment;
         this.from = from;
@@ -102,7 +103,7 @@ export class ProgramView {
         this.list.show(this.changedLine() ?? this.list.current);
     }
 
-    // Returns the first line of which a value changed in the current row; null if there is none.
+    // Returns the first line in which a value changed in the current row; null if there is none.
     changedLine() {
         const {points} = this.program;
         let first = null;
@@ -115,7 +116,7 @@ export class ProgramView {
         return first;
     }
 
-    // Shows the condition of a transition of the drawing.
+    // Scrolls to the line with the condition of a transition.
     showTransition(place) {
         this.list.show(this.program.transitions[place]);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A run, with access to all values at an event. For each signal, step and instance, the events at which it changed are
-// stored with the new values. The value at an event is found by bisection.
+// A run, with functions that return the values at an event. For each signal, step and instance, the events at which its
+// value changed are stored with the new values. The value at an event is found by bisection.
 //
-// A `moment` is the index of an event (docs/reference/trace-format.md). A row summarizes several events. One step of
-// the player is a row or a single move.
+// A `moment` is the index of an event (docs/reference/trace-format.md). A row summarizes one or more events. One step
+// of the player is a row or a single event.
 
 export class History {
     constructor(first) {
@@ -24,7 +24,7 @@ export class History {
     changes() { return this.at.length > 1; }
 }
 
-// Returns the index of the last number <= `limit` in an increasing list; -1 if there is none.
+// Returns the index of the last number in an increasing list that is not greater than `limit`; -1 if there is none.
 export function lastAtMost(list, limit) {
     let low = 0, high = list.length;
     while (low < high) {
@@ -50,7 +50,7 @@ export class Run {
         this.rowMoments = data.rows.map((row) => row.moment);
     }
 
-    // Returns false for an observer, which monitors a property and does not belong to the loop.
+    // Returns false for an observer, because an observer does not belong to the closed loop.
     isShown(instance) { return this.trace.instances[instance].kind !== "observer"; }
 
     readMoments() {
@@ -91,7 +91,8 @@ export class Run {
     // Returns the last sampling of the controller at or before `moment`.
     sampled(controller, moment) { return this.lastOf(this.samples[controller], moment); }
     evolved(controller, moment) { return this.lastOf(this.evolutions[controller], moment); }
-    // Returns true if the controller has sampled its inputs, but has not yet made the evolution that reads them.
+    // Returns true if, after `moment`, the controller has sampled its inputs and has not yet made the evolution that
+    // reads them.
     isToEvolve(controller, moment) {
         const read = this.sampled(controller, moment), made = this.evolved(controller, moment);
         return read !== null && (made === null || made.moment < read.moment);
@@ -106,26 +107,26 @@ export class Run {
         return low === 0 ? null : list[low - 1];
     }
 
-    // Returns the output of the timer after its last expiry between `from` (exclusive) and `to`; null if it did not
-    // expire.
+    // Returns the output of the timer after its last change between the events `from` (exclusive) and `to`; null if the
+    // output did not change.
     timerEnded(timer, from, to) {
         for (let m = to; m > from; --m)
             if (this.trace.moments[m].timer === timer) return this.trace.moments[m].timer_holds;
         return null;
     }
 
-    // Returns the number of evolutions of the controller in the event.
+    // Returns the number of evolutions that the controller makes in the event `moment`.
     evolutionsIn(controller, moment) {
         return this.trace.moments[moment].acts.filter((act) => act.controller === controller && act.does.includes("evolve")).length;
     }
 
-    // Returns the row that contains `moment`: the first row that ends at or after it.
+    // Returns the index of the row that contains the event `moment`: the first row that ends at or after this event.
     rowOf(moment) { return Math.min(lastAtMost(this.rowMoments, moment - 1) + 1, this.rows.length - 1); }
     // Returns the first event of the row.
     beginOf(row) { return row === 0 ? 0 : this.rowMoments[row - 1] + 1; }
 
-    // Returns the transitions that are cleared in a range of events. For each transition, it also returns how often it
-    // is cleared, and the last event at which it is cleared.
+    // Returns the transitions that are cleared in a range of events. For each of these transitions, also returns how
+    // often it is cleared, and the last event at which it is cleared.
     cleared(from, to) {
         const found = new Map();
         for (let m = from; m <= to; ++m)
@@ -135,7 +136,8 @@ export class Run {
         return found;
     }
 
-    // Returns the position of `moment` in an address: `23` is the state after row 23, and `23+2` is two moves later.
+    // Returns the text for the event `moment` in an address: `23` is the last event of row 23, and `23+2` is two events
+    // later.
     address(moment) {
         const row = lastAtMost(this.rowMoments, moment);
         const beyond = row < 0 ? moment : moment - this.rowMoments[row];

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The simulator. It stores a list of moves; each move is a line of a script for `grafverif simulate`. The server
-// executes the moves from power-on and returns the state to show. Undoing a move shortens the list. The list is part of
-// the page's address.
+// executes the moves from power-on and returns the state to show. To undo a move, the simulator removes it from the
+// list. The address of the page contains the list.
 
 import {make, prose} from "./dom.js";
 
 const seconds = (milliseconds) => `${milliseconds / 1000} s`;
 
 export class Simulator {
-    // `ask(request)` returns the response of the server. `light(steps, transitions)` highlights these ids in the
-    // drawings.
+    // `ask(request)` returns the response of the server. `light(steps, transitions)` highlights the elements with these
+    // ids in the drawings.
     constructor(place, ask, light) {
         Object.assign(this, {place, ask, light, of: null, moves: [], undone: [], answer: null, cursor: null, asked: 0, answers: 0, seed: 1, pressed: false});
         this.build();
@@ -50,7 +50,7 @@ export class Simulator {
             make("details", {class: "force"}, make("summary", {}, "Force a step (what-if run)"),
                 make("div", {class: "remark"}, "The simulation continues as a what-if run, which is not a run of the model. Forcing does not execute stored actions."),
                 make("div", {class: "row"}, make("label", {}, "Step ", this.step), this.forceButton)),
-            make("label", {class: "check", title: "In a closed loop, every edge is a choice, including the phases of the PLC"}, this.every, " every evolution"));
+            make("label", {class: "check", title: "In a closed loop, let the user choose every edge, including the phases of the PLC cycle"}, this.every, " every evolution"));
         this.panel = make("div", {});
         this.rows = make("tbody", {});
         this.table = make("div", {class: "trace", tabindex: 0, role: "region", "aria-label": "History; select a row with the arrow keys",
@@ -61,12 +61,12 @@ export class Simulator {
         this.place.replaceChildren(this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "History"), this.table);
     }
 
-    // Executes the moves again after a change of the file.
+    // Updates the list of models, and executes the moves again after a change of the file.
     take(state) {
         const known = JSON.stringify([state.readable, state.diagnostics, state.charts.map((chart) => chart.name), state.models.map((model) => model.name)]);
         const first = this.seen === undefined;
         if (state.readable) this.offer(state);
-        // The file is unchanged: the new state only contains more verdicts.
+        // If the file is unchanged, the new state only contains more verdicts, and the simulation remains valid.
         if (!first && known === this.seen && !this.changed(state)) return;
         this.seen = known;
         this.play();
@@ -86,7 +86,8 @@ export class Simulator {
             this.offered = JSON.stringify(all);
             this.select.replaceChildren(...all.map(([value, words]) => make("option", {value}, words)));
         }
-        // While the file contains no model that can be simulated, the selection and its moves are preserved.
+        // If the file contains no model that can be simulated, for example because of an error, the selected model and
+        // its moves are preserved.
         if (all.length > 0 && !all.some(([value]) => value === this.of)) {
             this.of = all[0][0];
             this.moves = [];
@@ -97,8 +98,8 @@ export class Simulator {
 
     // Moves
 
-    // Sets whether every edge is a choice. For a closed loop, this changes the possible moves, so the list of moves is
-    // cleared.
+    // If `on` is true, every edge is a choice of the user. For a closed loop, this setting changes the possible moves,
+    // so the list of moves is cleared.
     setEvery(on) {
         this.every.checked = on;
         this.set(this.of?.startsWith("loop:") ? [] : this.moves);
@@ -141,13 +142,13 @@ export class Simulator {
         } catch (error) {
             answer = {error: error.message};
         }
-        if (turn !== this.asked) return;  // a newer request has superseded this one
+        if (turn !== this.asked) return;  // the response is ignored, because a newer request was sent
         if (answer.error) {
             this.problem.textContent = answer.error;
             return;
         }
-        // Moves that are impossible in the current file remain available for redo after a change of the file. A new
-        // move that is invalid is discarded.
+        // If the file has changed and some moves are impossible, these moves remain available for redo. A new move of
+        // the user that is invalid is discarded.
         this.undone = [...wanted.slice(answer.moves.length + (pressed ? 1 : 0)), ...this.undone];
         this.show(answer);
     }

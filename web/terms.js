@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Values of a term and its subterms at an event of a run, which explain why a transition was not cleared. A controller
-// evaluates its last samples of the plant, not the current values; properties use current values (claims.js). Values
-// that the run does not determine are `undefined`.
+// Values of a term and its subterms at an event of a run, which explain why a transition was or was not cleared. A
+// controller evaluates the inputs that it sampled last, not their current values; properties use current values
+// (claims.js). A value that the run does not determine is `undefined`.
 //
 // The rules are those of IEC 60848 as in `run/reader.cpp`: an edge is true in the evolution after the change, and
 // `t1/v/t2` without t2 requires v in addition to the output of its timer.
 
-// Evaluates the terms of a chart with the values that `controller` uses at `moment`.
+// Evaluates the terms of a chart with the values that the controller uses at the event `moment`.
 export class Decision {
-    // If `before` is true, the terms are evaluated before the evolution at `moment`.
+    // If `before` is true, the terms are evaluated before the evolution at the event `moment`; otherwise after this
+    // event.
     constructor(run, chart, controller, moment, before) {
         this.run = run;
         this.chart = chart;
@@ -54,7 +55,8 @@ export class Decision {
         if (this.earlier === null) return null;
         const {moment} = this.earlier, several = this.run.evolutionsIn(this.number, moment) > 1;
         if (several && this.earlier.act.fired.length > 0) return null;
-        // If there were several evolutions, the last evolution changed nothing: values before and after it are equal.
+        // If the event contains several evolutions, the last evolution changed nothing, so the values before and after
+        // it are equal.
         this.past ??= new Decision(this.run, this.chart, this.number, moment, !several);
         return this.past;
     }
@@ -69,16 +71,16 @@ export class Decision {
         return this.value(condition.watched);
     }
 
-    // Returns true if the observed term has become true since the timers were sampled. Before the first evolution, the
-    // timers are not sampled.
+    // Returns true if the observed term has become true since the timers were last sampled, or if the timers have not
+    // been sampled, as before the first evolution.
     beganSinceRead({watched}) {
         if (this.value(watched) !== 1) return false;
         const {act, moment} = this.read;
         return act.timers.length === 0 || new Decision(this.run, this.chart, this.number, moment, true).value(watched) !== 1;
     }
 
-    // Returns the value of an output. For a continuous output, this is the current value of its actions, not the last
-    // written value; for a stored output, it is the value of its image.
+    // Returns the value of an output. For a continuous output, this is the value that its actions determine now, not
+    // the value that was last written. For a stored output, it is the value in the output image of the PLC.
     output(node) {
         if (node.stored) {
             const image = this.controller.images[node.place];
@@ -94,7 +96,7 @@ export class Decision {
         return unknown ? undefined : 0;
     }
 
-    // Returns additional remarks about a leaf.
+    // Returns a remark about a leaf, for example about a sampled input that has changed; empty if there is none.
     remark(node) {
         if (node.op === "input" && this.read) {
             const signal = this.controller.inputs[node.place], now = this.run.value(signal, this.state);
@@ -104,7 +106,8 @@ export class Decision {
         if (node.op === "timed") return [this.reading(node), this.age(this.chart.timed[node.place])].filter(Boolean).join("; ");
         return "";
     }
-    // Returns text about a change of a timer's output since it was sampled.
+    // Returns text about a change of the output of a timer since the controller sampled it; empty if there was no
+    // change.
     reading(node) {
         const place = this.run.data.conditions[this.number][node.place];
         if (!this.read || place === undefined || place === null) return "";
@@ -137,8 +140,8 @@ const arithmetic = {
     "greater-equal": (a, b) => Number(a >= b),
 };
 
-// Computes the value of a term. `reader` returns the values of leaves, and of terms, each of which it computes only
-// once.
+// Computes the value of a term. `reader.leaf` returns the value of a leaf. `reader.value` returns the value of an
+// operand, which it computes only once.
 export function valueOf(reader, node) {
     if (node.op === "constant") return node.value;
     if (node.op === "rise" || node.op === "fall" || !node.args) return reader.leaf(node);
@@ -154,8 +157,8 @@ export function valueOf(reader, node) {
     return node.op === "negate" ? -values[0] : arithmetic[node.op]?.(...values);
 }
 
-// Returns the value of an `and` or `or`. A single operand with the value `decisive` determines the result (false for
-// `and`, true for `or`).
+// Returns the value of an `and` or `or`. One operand with the value `decisive` is sufficient for the result `decisive`,
+// which is 0 for `and` and 1 for `or`.
 function decided(values, decisive) {
     if (values.includes(decisive)) return decisive;
     return values.includes(undefined) ? undefined : 1 - decisive;

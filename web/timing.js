@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The timing diagram. It has a row for each signal and step that changes in the run, a column for each event, and a
-// cursor at the position of the player. Only visible columns are drawn; names stay fixed during scrolling. Columns
-// represent events, not durations, so that the events of one instant are distinguishable.
+// The timing diagram. The diagram has a row for each signal and step that changes in the run, and a column for each
+// stop of the player. A cursor marks the position of the player. Only visible columns are drawn; names remain visible
+// during scrolling. The width of a column is not a duration, so that the events of one instant are distinguishable.
 import {draw, make} from "./dom.js";
 
 const column = 30, line = 24, top = 40, high = 5, low = 19;
 const groups = [["input", "inputs"], ["output", "outputs"], ["internal", "internals"], ["plant", "plant"]];
 
 export class Timing {
-    // `moments` are the events of the columns. `choose(k)` is called when the user clicks column k.
+    // `moments` are the events of the columns. `loop` is the index of the first column that is repeated forever, or
+    // null. `choose(k)` is called when the user clicks column k.
     constructor(run, moments, loop, choose) {
         this.run = run;
         this.moments = moments;
@@ -30,7 +31,7 @@ export class Timing {
                                  onclick: (event) => this.click(event, choose)}, this.space);
         this.element = make("div", {class: "timing"},
                             make("div", {class: "timing-frame"}, this.names, this.view),
-                            make("p", {class: "remark"}, "Columns are events; a time is shown where it advances.",
+                            make("p", {class: "remark"}, "Columns are events; a time is shown only if it differs from the previous time.",
                                  idle.length === 0 ? "" : ` Constant: ${idle.join(", ")}.`));
         new ResizeObserver(() => this.draw()).observe(this.view);
     }

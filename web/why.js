@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Explanations: the tree of a term with all values, and a property with the terms that caused its violation.
+// Explanations: why a transition is or is not cleared, and why a property is violated. The value of a term is shown as
+// a tree that contains the values of all its subterms.
 import {make, prose} from "./dom.js";
 import {ClaimReader, sinceWords} from "./claims.js";
 import {Decision} from "./terms.js";
@@ -11,8 +12,8 @@ function valueWords(node, value) {
     return node.boolean ? (value ? "true" : "false") : `${value}`;
 }
 
-// Returns the tree of a term. `reader` returns values and remarks. The user can collapse the operands of a conjunction
-// or disjunction. If `faulty` is true, the value false is shown as a fault.
+// Returns the tree of a term. `reader` returns values and remarks. The user can collapse the operands of each term. If
+// `faulty` is true, the value false is highlighted as a fault.
 function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
     const node = terms[term], value = reader.value(term);
     const state = value === undefined ? "unknown" : node.boolean ? (value ? "true" : "false") : "number";
@@ -30,8 +31,8 @@ function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
     return make("li", {class: kind}, make("details", {open}, make("summary", {}, ...line), below));
 }
 
-// Explains why the transition is cleared or not. `cleared` contains the last event of the displayed range at which the
-// transition is cleared, and how often it is cleared.
+// Explains why the transition is or is not cleared. If the transition is cleared in the displayed range of events,
+// `cleared` contains the last event at which it is cleared, and how often it is cleared.
 export function whyTransition(run, chart, controller, place, moment, cleared) {
     const transition = chart.transitions[place];
     const name = run.controllers.length > 1 ? `${run.controllers[controller].name}: ${transition.name}` : transition.name;
@@ -55,14 +56,14 @@ export function whyTransition(run, chart, controller, place, moment, cleared) {
     return make("div", {}, make("p", {class: "answer"}, verdict(name, cleared, value, missing.map((step) => chart.steps[step]), reader)), list);
 }
 
-// Returns a text that explains why the transition is or is not cleared. The inputs that are sampled before an evolution
-// determine which transitions the evolution clears.
+// Returns a text that states why the transition is or is not cleared. The inputs that the controller samples before an
+// evolution determine which transitions the evolution clears.
 function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     if (cleared?.times > 1)
-        return `${name} is cleared ${cleared.times} times here. This is its condition before it was cleared for the last time.`;
-    if (cleared) return `${name} is cleared here. This is its condition before it was cleared.`;
+        return `${name} is cleared ${cleared.times} times here. The tree shows the condition of ${name} before it was cleared for the last time.`;
+    if (cleared) return `${name} is cleared here. The tree shows the condition of ${name} before it was cleared.`;
     if (missing.length > 0) return `${name} cannot be cleared: ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} not active.`;
-    if (value === undefined) return `${name} is enabled; the trace does not determine its condition.`;
+    if (value === undefined) return `${name} is enabled; the trace does not determine the value of its condition.`;
     if (!value) return `${name} is enabled, but its condition is false.`;
     if (run.isToEvolve(number, moment))
         return `${name} is enabled and its condition is true: the next evolution clears it, unless a forcing order prevents this.`;
@@ -83,8 +84,8 @@ const wordsOf = {
     "always-possible": ["must remain possible"],
 };
 
-// Explains a property at `moment`: the values of its operands, the events since which they have these values, and the
-// causes. `decisive` is the event that decides the property.
+// Explains a property at the event `moment`: the values of its operands, the events since which the operands have these
+// values, and the causes. `decisive` is the event that decides the property.
 export function whyProperty(claims, moment, decisive, go) {
     const {run, property} = claims;
     const words = property.headings ?? wordsOf[property.pattern] ?? [], when = property.at_stable ? " in quiescent states" : "";
@@ -105,7 +106,7 @@ export function whyProperty(claims, moment, decisive, go) {
                 ...parts.flat(), ...causes(run, moment, link));
 }
 
-// Returns the steps by which a run violates a property that has an observer.
+// Returns text about the events by which a run violates a property that has an observer.
 function violation({data}, link) {
     if (!data.violation) return [];
     const steps = data.violation.steps.flatMap(({moment, words}, k) =>
@@ -113,8 +114,8 @@ function violation({data}, link) {
     return [make("p", {class: "violation"}, ...steps, ".")];
 }
 
-// Returns the causes of the violation, with links to their first events, and the changes without which the property
-// holds.
+// Returns text about the causes of the violation, with links to the events at which they begin, and about the changes
+// without which the property holds.
 function causes(run, moment, link) {
     const {causes, left_out = [], left_out_values = []} = run.trace, parts = [];
     const when = (m) => (m === 0 ? "power-on" : run.timeText(m));
@@ -151,13 +152,13 @@ function moveText(run, at) {
     return what === "" ? name : `${name} (${what})`;
 }
 
-// Returns text about the position of the current event relative to the decisive event.
+// Returns text that states whether the decisive event is before, at or after the current event.
 function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     const there = decisive === 0 ? "power-on" : run.timeText(decisive);
     const said = (before, here, behind) => make("p", {class: "standing"},
         ...(moment < decisive ? [`${before} `, link(decisive, there), "."] : moment === decisive ? [here] : [`${behind} `, link(decisive, there), "."]));
     if (pattern === "leads-to")
-        return said("The unanswered premise occurs at", "The unanswered premise occurs here.", "No response since");
+        return said("The premise without a response occurs at", "The premise without a response occurs here.", "There has been no response since");
     if (headings)
         return said("Not violated yet; the violation occurs at", "The property is violated here.", "Violated since");
     if (at_stable || pattern === "exactly-one")
@@ -165,10 +166,11 @@ function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     return said("Not violated yet; the violation occurs at", "The property is violated here for the first time.", "First violated at");
 }
 
-// Returns the event that leads to the state that decides a violated property; null if it is unknown. For `always` and
-// `never`, it is the first bad state; for `leads to`, the first state with the premise after which no response follows;
-// for a property with an observer, the state from which on the sentence fails. For `exactly one of`, and for `always`
-// and `never` at stable, it is the last state: a run does not state which of its other states are quiescent.
+// Returns the event after which the state decides a violated property; null if this event is unknown. For `always` and
+// `never`, it is the first event after which the property fails; for `leads to`, the first event with the premise after
+// which no response follows; for a property with an observer, the event from which on the property fails. For `exactly
+// one of`, and for `always` and `never` with `at stable`, it is the last event: a run does not state which of its
+// earlier states are quiescent.
 export function decisiveMoment(claims) {
     const {run, property} = claims;
     if (property.operands.length === 0) return null;

@@ -84,7 +84,8 @@ public:
                    group("internals", columns_, run, ChartRun::Role::Internal),
                    group("plant", columns_, run, ChartRun::Role::Plant), steps(run, columns_)};
         foot_.push_back(
-            "Columns are events; the width of a column is not a duration. A time is shown where it advances.");
+            "Columns are events; the width of a column is not a duration. A time is shown only if it differs from the "
+            "previous time.");
         if (columns_.size() < shown.size() && !columns_.empty())
             foot_.push_back(fmt::format("Events {} to {} of {}.", events_.front(), events_.back(), last));
         drop_idle();

@@ -284,7 +284,7 @@ class Report(browser.Case):
     def test_a_delay_that_began_since_timers_were_read_is_not_known(self):
         at = self.report_of(DELAYED, "--untimed")
         at("#q/1")
-        self.assertIn("the trace does not determine its condition", self.answer("t1"))
+        self.assertIn("the trace does not determine the value of its condition", self.answer("t1"))
         self.assertIn("2s/X1 not known (not read since the timer started)", self.answer("t1"))
         at("#q/4")
         self.assertIn("t1 is cleared here", self.answer("t1"))
@@ -298,7 +298,7 @@ class Report(browser.Case):
     def test_a_transition_that_is_cleared_twice_says_so(self):
         at = self.report_of(TWICE)
         at("#p/5")
-        self.assertIn("t0 is cleared 2 times here. This is its condition before it was cleared for the last time.", self.answer("t0"))
+        self.assertIn("t0 is cleared 2 times here. The tree shows the condition of t0 before it was cleared for the last time.", self.answer("t0"))
         self.assertIn("t2 is cleared here", self.answer("t2"))
 
     def test_what_is_to_be_false_is_not_painted_as_a_fault(self):
@@ -421,14 +421,14 @@ class Report(browser.Case):
             self.assertEqual(wrong, [], name)
         self.at("#P16/0")
         standing = lambda: self.page.text(".standing")
-        self.assertIn("The unanswered premise occurs at", standing())
+        self.assertIn("The premise without a response occurs at", standing())
         [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
         button.click()
-        self.assertEqual(standing(), "The unanswered premise occurs here.")
+        self.assertEqual(standing(), "The premise without a response occurs here.")
         self.assertIn("true since", self.page.text(".why .answer"))
         self.assertIn("caused by V_S = true", self.page.text(".why .answer"))
         self.page.find(".player").send_keys(Keys.END)
-        self.assertIn("No response since", standing())
+        self.assertIn("There has been no response since", standing())
 
     def test_what_decides_a_claim_is_a_state_of_the_model(self):
         at = self.report_of("""component toggle(output OUT) { initial location low; location high; urgent low -> high do OUT := true; urgent high -> low do OUT := false; }
