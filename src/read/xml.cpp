@@ -72,7 +72,7 @@ std::string_view described(pugi::xml_parse_status status) {
     case pugi::status_bad_end_element: return "an end tag is malformed";
     case pugi::status_end_element_mismatch: return "an end tag closes another element, or an element is not closed";
     case pugi::status_no_document_element: return "the document has no element";
-    default: return "it cannot be parsed";
+    default: return "the document cannot be parsed";
     }
 }
 

@@ -246,8 +246,8 @@ void check_enclosure(AgrafeReader& reader, std::size_t entity) {
     if (std::ranges::find(enclosed, entity) == enclosed.end())
         reader.diagnostics().add(
             messages::misplaced_link(reader.xml.where(partial.node, "enclosingStep"),
-                                     "this step does not enclose the partial grafcet that refers to it",
-                                     "list it in `partialGrafcets` of the step"));
+                                     "the step that `enclosingStep` names does not enclose this partial grafcet",
+                                     "list the partial grafcet in `partialGrafcets` of the step"));
 }
 
 // -- the chart --------------------------------------------------------------------------------------------------------

@@ -295,7 +295,8 @@ private:
 
     Id<st::Expr> edge_contact(pugi::xml_node node, std::size_t depth) {
         if (reader_.flag(node, "negated")) {
-            reader_.refuse(reader_.xml.where(node, "negated"), "a negated contact with an edge", "negate its variable");
+            reader_.refuse(reader_.xml.where(node, "negated"), "a negated contact with an edge",
+                           "assign the negated value to a variable, and use a contact of this variable");
             return {};
         }
         const Span where = reader_.xml.where(node);
@@ -357,7 +358,7 @@ private:
             }
             if (signature != signatures.end() && !of_project &&
                 (index >= 3 || st::capitals(formal) != signature->inputs[index]))
-                return unsupported(node, "an input with this name");
+                return unsupported(node, "a function input with this name");
             ++index;
             const Id<st::Expr> one = pin(each, depth);
             if (!one.valid()) return {};

@@ -55,7 +55,8 @@ std::optional<Reader::Callee> Reader::callee(Id<st::Expr> path) {
             return {};
         }
         if (scopes_[unit_.index].members.contains({from.word.index, file_->intern("A").index}))
-            return reject(from.where, "a call of an action", "associate the action with a step"), std::nullopt;
+            return reject(from.where, "a call of an action of the chart", "associate the action with a step"),
+                   std::nullopt;
     }
     const auto found = variable(path);
     if (!found) return {};

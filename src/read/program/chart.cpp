@@ -280,7 +280,8 @@ std::optional<Id<Node>> Reader::condition_of(Id<st::Expr> root) {
     if (!value) return {};
     if (value->literal || type(*value).kind != Type::Kind::Integer)
         return converted(*value, bool_, where, "the condition");
-    diagnostics->add(messages::not_standard(where, "an integer as a condition", "the condition that it is not zero"));
+    diagnostics->add(
+        messages::not_standard(where, "an integer as a condition", "the condition that the integer is not zero"));
     return add(Op::IsNonzero, bool_, {value->node}, where);
 }
 

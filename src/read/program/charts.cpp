@@ -180,7 +180,7 @@ private:
             return reject(association.where,
                           "the qualifier `" + association.qualifier +
                               (qualifier->timed ? "` without a duration" : "` with a duration"),
-                          qualifier->timed ? "write the duration after it" : "remove the duration");
+                          qualifier->timed ? "write a duration after the qualifier" : "remove the duration");
         const std::string label = path_text(file_, association.path);
         if (label.empty()) return reject(association.where, "this action", "name an action or a Boolean variable");
         auto action = std::ranges::find(chart_.actions, label, &ChartAction::label);
@@ -277,7 +277,7 @@ private:
             return reject(association.where,
                           "the qualifier `" + association.qualifier +
                               (qualifier->timed ? "` without a duration" : "` with a duration"),
-                          qualifier->timed ? "write the duration after it" : "remove the duration");
+                          qualifier->timed ? "write a duration after the qualifier" : "remove the duration");
         const auto declared = actions_.find(association.action.word.index);
         const bool named = association.action.valid();
         ChartAction* action = nullptr;

@@ -256,10 +256,10 @@ bool Reader::is_allowed(const Unit& unit, const st::Variable& from, Id<Type> typ
         what = "this variable in VAR_IN_OUT";
         hint = "use VAR_IN_OUT only in function blocks, and only for variables that contain no function block instance";
     } else if (instances && unit.kind != Unit::Kind::Structure && (function || (!own_section && !codesys))) {
-        what = "an instance in this section";
+        what = "a function block instance in this section";
         hint = "declare it in VAR of a program or function block";
     } else if (instances && from.section == st::Section::Temporary) {
-        what = "an instance in this section";
+        what = "a function block instance in this section";
         hint = "declare it in VAR of a program or function block";
     } else if (function && from.section == st::Section::Output) {
         what = "an output of a function";

@@ -308,7 +308,7 @@ Reader::MaybeTyped Reader::arithmetic(Id<st::Expr> id) {
         return Typed{number(value, dint_, from.where), true};
     }
     if (op == Op::Times && own.high > 2147483647LL) {
-        reject(from.where, "a product of UDINT", "use DINT");
+        reject(from.where, "a product of type UDINT", "use DINT");
         return {};
     }
     std::vector<Id<Node>> nodes;

@@ -150,7 +150,8 @@ private:
 
     void exclusion(ProgramProperty& made, const YAML::Node& variables) {
         if (!variables.IsDefined() || !variables.IsSequence() || variables.size() < 2)
-            return reject(made.origin, "the property has no list of two or more `variables`", "add it, as in `[A, B]`");
+            return reject(made.origin, "the property has no list of two or more `variables`",
+                          "add a list such as `[A, B]`");
         made.text = "at most one of ";
         for (const YAML::Node& one : variables) {
             if (!one.IsScalar()) {

@@ -71,8 +71,8 @@ public:
         std::vector<std::string> found;
         if (elsewhere(target, where) && reported_.insert(target).second)
             found.push_back("several actions assign `" + target +
-                            "`: if two of them are executed in one scan, the later one determines the value in the "
-                            "Sequential Function Chart, but in the imported chart they race");
+                            "`: if two of them are executed in one scan, the later action determines the value in "
+                            "the Sequential Function Chart, but in the imported chart the actions race");
         writers_.try_emplace(target, where.begin);
         for (const std::string& read : reads)
             if (elsewhere(read, where) && reported_.insert(read + "?").second)

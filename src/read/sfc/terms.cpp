@@ -109,7 +109,7 @@ std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr
     if (!time) return SfcTerm{};
     if (std::ranges::find(scope.left, step, &st::Name::word) == scope.left.end())
         return refused(sfc, node.where, "the time of a step that this transition does not leave",
-                       "use it in a transition after the step");
+                       "use the time in a transition after the step");
     const bool from_below = left.valid() ? node.op == st::Op::Greater || node.op == st::Op::GreaterEqual
                                          : node.op == st::Op::Less || node.op == st::Op::LessEqual;
     const bool ordered = node.op != st::Op::Equal && node.op != st::Op::NotEqual;

@@ -316,7 +316,9 @@ private:
         const std::optional<FormulaName> known = names_(path);
         if (!known) fail(begin, before_, fmt::format("the model does not declare `{}`", path));
         else if (known->of_steps && !ltl_)
-            fail(begin, before_, fmt::format("`{}` is chosen in each step and allowed only in LTL, not in CTL", path));
+            fail(begin, before_,
+                 fmt::format("the value of `{}` is chosen in each step, so it is allowed only in LTL, not in CTL",
+                             path));
         return {begin, before_, known ? known->type : Type::Any, false};
     }
 

@@ -42,7 +42,7 @@ std::optional<std::int64_t> number(std::string_view text) {
 }
 
 std::string range_text(const Type& type) {
-    return type.boolean ? "0 and 1" : fmt::format("{} to {}", type.low, type.high);
+    return type.boolean ? "0 to 1" : fmt::format("{} to {}", type.low, type.high);
 }
 
 }  // namespace
@@ -71,7 +71,9 @@ ScanValues read_scan_line(std::string_view line, std::span<const ScanColumn> col
         const Type& type = columns[k].type;
         if (!value) return {{}, fmt::format("`{}` is not a value of `{}`", shown_line(words[k]), columns[k].name)};
         if (*value < type.low || *value > type.high)
-            return {{}, fmt::format("`{}` of `{}` is outside {}", *value, columns[k].name, range_text(type))};
+            return {{},
+                    fmt::format("the value `{}` of `{}` is outside the range {}", *value, columns[k].name,
+                                range_text(type))};
         values.push_back(*value);
     }
     return {std::move(values), {}};

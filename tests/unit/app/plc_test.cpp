@@ -69,7 +69,7 @@ TEST(Plc, AnswersAnInvalidLineAndContinues) {
     for (const Case& c : {
              Case{"1,1", "more than 1 value, expected 1"},
              Case{"", "0 values, expected 1"},
-             Case{"2", "`2` of `go` is outside 0 and 1"},
+             Case{"2", "the value `2` of `go` is outside the range 0 to 1"},
              Case{"on", "`on` is not a value of `go`"},
              Case{"\x01\x80", "`??` is not a value of `go`"},
              Case{"99999999999999999999", "`99999999999999999999` is not a value of `go`"},
@@ -96,7 +96,7 @@ TEST(Plc, ReadsHugeLinesWithoutKeepingThem) {
 TEST(Plc, AcceptsIntegersWithinTheirRange) {
     const std::string level = "input l: int -2..5; output H; initial step 0 { H if l > 3; }";
     EXPECT_EQ(played(level, "3\n5\n-2\ntrue\n").out, "0\n1\n0\n0\n");
-    EXPECT_EQ(played(level, "6\n").out, "error: `6` of `l` is outside -2 to 5\n");
+    EXPECT_EQ(played(level, "6\n").out, "error: the value `6` of `l` is outside the range -2 to 5\n");
 }
 
 TEST(Plc, StopsWithAReasonIfTheChartCannotContinue) {

@@ -134,7 +134,7 @@ TEST(Formula, NamesAndTheirTypesAreThoseOfTheModel) {
     EXPECT_EQ(fault_of(Ltl, "G F move", names), "");
     EXPECT_EQ(fault_of(Ctl, "AG press.X_1", names), "3-12: the model does not declare `press.X_1`");
     EXPECT_EQ(fault_of(Ctl, "AG move", names),
-              "3-7: `move` is chosen in each step and allowed only in LTL, not in CTL");
+              "3-7: the value of `move` is chosen in each step, so it is allowed only in LTL, not in CTL");
     EXPECT_EQ(fault_of(Ctl, "AG n", names), "3-4: expected a condition for an operand of `AG`, found a number");
     EXPECT_EQ(fault_of(Ctl, "AG press.loc = n", names),
               "15-16: `=` has a named value on one side and a number on the other");
