@@ -27,7 +27,7 @@ constexpr const char* property_schema = R"({
     "verdict": {"enum": ["holds", "violated", "unknown"]},
     "expected": {"enum": ["holds", "violated"]},
     "as_expected": {"type": "boolean"},
-    "vacuous": {"type": "boolean", "description": "true if the property holds vacuously, that is, for a trivial reason"},
+    "vacuous": {"type": "boolean", "description": "true if the property holds vacuously: for a trivial reason"},
     "declared": {"type": "boolean", "description": "false for properties that grafverif adds"},
     "reason": {"type": ["string", "null"], "description": "reason of the verdict `unknown`"},
     "assumptions": {"type": "string", "description": "model, engine and assumptions under which the verdict applies"},
