@@ -157,7 +157,8 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
         if (!chart) return {};
         if (!job.options.quiet)
             streams.err << "note: `" << model.charts[*chart].name
-                        << "` is not part of a closed loop: its steps are checked untimed, with free inputs"
+                        << "` is not part of a closed loop: the reachability of its steps is checked in the untimed "
+                           "model, with free inputs"
                         << (job.options.stats ? "; --stats applies only to timed checks" : "")
                         << (job.options.why ? "; --why applies only to closed loops" : "") << '\n';
         decided.chart = *chart;

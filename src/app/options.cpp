@@ -64,8 +64,10 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
                "a model, a loop or a chart, and `--list`, `--stats` and `--why`";
     const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
     if (timed && options.check_untimed)
-        return fmt::format("`--engine {}` checks only timed models; remove `--untimed` and its options",
-                           values["engine"].as<std::string>());
+        return fmt::format(
+            "`--engine {}` checks only timed models; remove `--untimed` and the options of untimed "
+            "models",
+            values["engine"].as<std::string>());
     if (timed && options.chart)
         return fmt::format(
             "`--engine {}` checks only closed loops; remove `--engine` to check the chart (`--chart`) untimed",

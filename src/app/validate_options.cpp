@@ -131,8 +131,9 @@ std::string validate_combinations(const CliCommand& verb, const Options& options
         if (given(one) && given(other) && (of_loops || one != std::string_view("chart")))
             return fmt::format("`--{}` and `--{}` are mutually exclusive; remove one", one, other);
     if (of_loops && given("chart") && given("set"))
-        return "`--set` sets a constant of a closed loop, but `--chart` selects a chart alone, which has none; remove "
-               "one of them";
+        return "`--set` sets a constant of a closed loop, but `--chart` selects a chart without its closed loop; "
+               "remove "
+               "`--set` or `--chart`";
     const bool bounded = options.engine == Engine::Bmc || options.engine == Engine::Auto;
     if (options.max_steps && !bounded)
         return "`--max-steps` applies only to `--engine bmc` and `--engine auto`; remove it or select one of these "
@@ -140,7 +141,7 @@ std::string validate_combinations(const CliCommand& verb, const Options& options
     if (options.events.from > options.events.to) return "`--from` is greater than `--to`; exchange them";
     if (options.keep_going && options.stop_on_failure)
         return "`--stop-on-failure` and `--keep-going` are mutually exclusive; remove one";
-    if (options.limit == 0) return "invalid value of `--limit`; use a number from 1";
+    if (options.limit == 0) return "invalid value of `--limit`; use a number of at least 1";
     return {};
 }
 

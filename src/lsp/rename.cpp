@@ -33,10 +33,10 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
         return fmt::format("`{}` belongs to the component library and cannot be renamed", element.name);
     for (const auto& file : names.files()) {
         if (file->broken)
-            return fmt::format("`{}` has syntax errors, so some names may not be found; correct them first",
+            return fmt::format("`{}` has syntax errors, so some names may not be found; correct the errors first",
                                file->path);
         if (errors && file->is_renamable && has_unknown_meaning(names, *file, element))
-            return fmt::format("the errors of `{}` hide the meaning of an occurrence of `{}`; correct them first",
+            return fmt::format("the errors of `{}` hide the meaning of an occurrence of `{}`; correct the errors first",
                                file->path, element.name);
         for (const tree::Declaration& declaration : file->tree.declarations) {
             const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
@@ -48,8 +48,10 @@ std::string obstacle_of(const Names& names, const Declaration& element, bool err
                     if (std::string_view(property->raw).substr(word.begin, word.end - word.begin).find(element.name) !=
                             std::string_view::npos &&
                         word.kind != Word::Kind::Sign)
-                        obstacle = fmt::format("the formula of property `{}` may contain `{}`; change both manually",
-                                               file->tree.text(property->name), element.name);
+                        obstacle = fmt::format(
+                            "the formula of property `{}` may contain `{}`; rename it manually, also "
+                            "in the formula",
+                            file->tree.text(property->name), element.name);
             });
             if (!obstacle.empty()) return obstacle;
         }

@@ -136,7 +136,8 @@ private:
         case Reply::Kind::Flood:
             failure.cause = Cause::Flood;
             failure.message =
-                fmt::format("more than one line for one scan, or an unterminated line: `{}`", shown_line(answer.text));
+                fmt::format("the controller wrote more than one line for one scan, or an unterminated line: `{}`",
+                            shown_line(answer.text));
             break;
         }
         return failure;

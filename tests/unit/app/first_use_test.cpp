@@ -170,7 +170,7 @@ TEST(FirstUse, OptionWithoutEffectIsRejected) {
              {{"test", file, "--against", "x", "--sequence", "s", "--cover", "locations"},
               "`--sequence` and `--cover` are mutually exclusive; remove one"},
              {{"mutate", file, "--seed", "3"}, "`--seed` requires `--limit`; add it"},
-             {{"mutate", file, "--limit", "0"}, "invalid value of `--limit`; use a number from 1"},
+             {{"mutate", file, "--limit", "0"}, "invalid value of `--limit`; use a number of at least 1"},
              {{"supervise", file, "--marked", ""}, "the value of `--marked` is empty"},
              {{"watch", "chekc", file}, "unknown command `chekc`; did you mean `check`?"},
              {{"manual", "chekc"}, "unknown command `chekc`; did you mean `check`?"},

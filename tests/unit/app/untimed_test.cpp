@@ -117,13 +117,13 @@ TEST(CheckUntimed, StatesWhichVerdictsArePreservedUnderEachScheduleAndUnderFairn
         std::string apart, lit, quick;  ///< the properties `never L && M`, `never L`, `inevitable X1`
     };
     const std::string nothing = "no conclusion beyond this model", so = "valid for the timed loop";
-    const std::string states = "applies to integer time, and to dense time only without strict clock constraints";
+    const std::string states = "applies to integer time, and to dense time only if no clock constraint is strict";
     const Case cases[] = {
         {{"--plant", "automata"}, so, "may hold in the timed loop", "may hold in the timed loop"},
         {{"--plant", "automata", "--fairness"}, so, "may hold in the timed loop", nothing},
         {{"--plant", "automata", "--schedule", "synchronous"}, nothing, nothing, nothing},
         {{"--plant", "automata", "--schedule", "sequenced"}, nothing, nothing, nothing},
-        {{"--time", "discrete"}, states, so, "integer time only"},
+        {{"--time", "discrete"}, states, so, "applies to integer time only"},
     };
     const Folder folder;
     const std::string file = folder.write(
@@ -176,8 +176,10 @@ TEST(CheckUntimed, AChartWithoutALoopIsCheckedWithFreeInputs) {
         "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; transition t2: 1 -> 2 when A && !A; }\n");
     const Result result = grafverif({"check", file});
     EXPECT_EQ(result.code, ExitCode::Verdict);
-    EXPECT_NE(result.err.find("`dead` is not part of a closed loop: its steps are checked untimed, with free inputs"),
-              std::string::npos)
+    EXPECT_NE(
+        result.err.find("`dead` is not part of a closed loop: the reachability of its steps is checked in the untimed "
+                        "model, with free inputs"),
+        std::string::npos)
         << result.err;
     EXPECT_TRUE(result.out.starts_with("dead, checked with: symbolic, untimed: no plant; stability-search\n"))
         << result.out;

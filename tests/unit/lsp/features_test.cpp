@@ -259,7 +259,7 @@ TEST(LspNames, AreNotRenamedIfAFaultWouldInheritAnotherArgument) {
               "`DELAY` has another meaning in the scope of `WAIT`, or is not allowed there; choose another name");
     text = with(text, "property p: ", "property p: uppaal \"A[] !Gate_POS_\"; property r: ");
     EXPECT_EQ(editor.obstacle("all.grafcet", with(text, "plant Gate", "plant G@ate"), "Door"),
-              "the formula of property `p` may contain `Gate`; change both manually");
+              "the formula of property `p` may contain `Gate`; rename it manually, also in the formula");
 }
 
 TEST(LspNames, AreRenamedInATextWithErrorsIfTheirMeaningIsKnown) {
@@ -277,7 +277,7 @@ TEST(LspNames, AreRenamedInATextWithErrorsIfTheirMeaningIsKnown) {
     const std::string hidden = with(text, "{ MOVE; }", "{ MOVE; CLOSED := MOVE on activation; }");
     EXPECT_EQ(editor.obstacle("all.grafcet", with(hidden, "output MOVE", "output MO@VE"), "LIFT"),
               "the errors of `" + editor.folder.file("all.grafcet") +
-                  "` hide the meaning of an occurrence of `MOVE`; correct them first");
+                  "` hide the meaning of an occurrence of `MOVE`; correct the errors first");
 }
 
 TEST(LspNames, OfALoopThatDoesNotIncludeItsChartLeadToTheChart) {
