@@ -53,7 +53,7 @@ SummaryItem glance_of(const PageContent& content) {
     const bool analysis_failed =
         std::ranges::any_of(content.charts, [](const ChartContent& each) { return !each.analysis.failures.empty(); });
     if (!report.failures.empty() || analysis_failed)
-        return {"bad", "Internal error: the trace fails the IEC 60848 replay check."};
+        return {"bad", "Internal error: the results fail an internal check, such as the replay of a trace."};
     if (!report.error_traces.empty()) return {"bad", "Model error."};
     if (count.unexpected != 0)
         return {"bad", fmt::format("{} unexpected.", counted(count.unexpected, "verdict is", "verdicts are"))};

@@ -111,11 +111,12 @@ std::string open_text(const OpenQuestion& question) {
     if (is_trap(question.code)) return "decided only if all situations are explored";
     const bool never =
         question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
-    const std::string least = question.evolutions == 0 ? "" : fmt::format("none in {} evolutions", question.evolutions);
+    const std::string least =
+        question.evolutions == 0 ? "" : fmt::format("not found in {} evolutions", question.evolutions);
     if (question.instants == 0) return least.empty() ? "not explored" : least;
     const std::string first =
         question.instants == 1 ? "the first instant" : fmt::format("the first {} instants", question.instants);
-    return (never ? "true in " : "none in ") + first + (least.empty() ? "" : ", " + least);
+    return (never ? "true in " : "not found in ") + first + (least.empty() ? "" : ", " + least);
 }
 
 std::string inputs_text(const ChartRun& run) {

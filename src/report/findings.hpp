@@ -26,7 +26,7 @@ namespace grafverif {
 void print_findings(const Analysis& analysis, const Sources& sources, Colour colour, std::ostream& out);
 void print_findings_json(const Analysis& analysis, const Sources& sources, std::ostream& out);
 
-/// Returns the extent of the search for an undecided check, such as `none in the first 9 instants`.
+/// Returns the extent of the search for an undecided check, such as `not found in the first 9 instants`.
 std::string open_text(const OpenQuestion& question);
 
 /// Returns the inputs of a run, change by change, such as `START at 0 s; !START, V_IN at 5 s`.

@@ -52,7 +52,7 @@ std::string abstraction_text(const PropertyResult& answer) {
     std::string words;
     if (!chosen.empty()) words = "inputs chosen at each sampling: " + some_of(chosen);
     if (!untimed.empty()) append(words, "clocks ignored: " + some_of(untimed), "; ");
-    if (!paced.empty()) append(words, "at any time, but at most once per instant: " + some_of(paced), "; ");
+    if (!paced.empty()) append(words, "moves at any time, but at most once per instant: " + some_of(paced), "; ");
     if (answer.trace) append(words, "a shorter trace may exist", "; ");
     return words;
 }

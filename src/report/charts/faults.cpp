@@ -166,7 +166,7 @@ void print_effects(const FaultAnalysis& analysis, std::size_t index, std::ostrea
     line("true in some state with this fault, but never without faults: ", fault.visible.newly_true, shown);
     line("never true if this fault is present from power-on: ", fault.visible.never_true, "");
     if (fault.visible.newly_true.empty() && fault.visible.never_true.empty())
-        out << "    each step and each output is reachable as without the fault\n";
+        out << "    with and without the fault, the same steps and outputs can become true\n";
 }
 
 void print_run(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut,

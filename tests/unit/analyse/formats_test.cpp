@@ -93,11 +93,11 @@ TEST(Findings, StateHowFarOpenQueriesWereSearched) {
     std::ostringstream text, sarif;
     print_findings(made.analysis, made.sources, Colour::Plain, text);
     EXPECT_NE(text.str().find("inconclusive: 6 of 9 checks; stopped before completion\n"
-                              "    action-race of `O`, `P`: none in the first 3 instants\n"
-                              "    out-of-range of `n`: none in 5 evolutions\n"
+                              "    action-race of `O`, `P`: not found in the first 3 instants\n"
+                              "    out-of-range of `n`: not found in 5 evolutions\n"
                               "    step-never-active of `X2`: not explored\n"
                               "    step-never-active of `X1`: true in the first instant\n"
-                              "    total-instability: none in the first 4 instants, none in 7 evolutions\n"),
+                              "    total-instability: not found in the first 4 instants, not found in 7 evolutions\n"),
               std::string::npos)
         << text.str();
     SarifLog log;
