@@ -20,7 +20,7 @@ export async function ask(path, body) {
     return answer.json();
 }
 
-// The drawings of the charts, with active steps highlighted.
+// Shows the drawings of the charts. Active steps, enabled transitions and cleared transitions are highlighted.
 class Drawings {
     constructor(place) {
         Object.assign(this, {place, reading: null, lit: [], fired: [], marks: []});
@@ -70,8 +70,8 @@ const outcomes = {holds: "holds", violated: "is violated", unknown: "is unknown"
 
 const kindOf = (property) => property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
 
-// Returns the rank of a property in the list: unexpected verdicts first, then unknown verdicts, then expected
-// violations, then properties that hold.
+// Returns the sort key of a property: unexpected verdicts come first, then unknown verdicts, then expected violations,
+// then properties that hold as expected.
 const rank = (property) => ({bad: 0, unknown: 1, good: property.verdict === "violated" ? 2 : 3}[kindOf(property)]);
 
 function propertyElement(property) {

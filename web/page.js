@@ -28,7 +28,8 @@ export class Page {
         if (top < window.innerHeight && bottom > 0) this.player.key(event);
     }
 
-    // Shows the run and the event that the address names: `#P16/23`.
+    // Shows the run and the event that the address of the page names, such as `#P16/23`. Returns false if the address
+    // names no run.
     follow(quiet) {
         let address = "";
         try {

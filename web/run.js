@@ -88,7 +88,7 @@ export class Run {
     isActive(step, moment) { return this.steps[step].value(moment); }
     situation(moment) { return this.steps.flatMap((history, step) => (history.value(moment) ? [step] : [])); }
 
-    // Returns the last sampling of the controller at or before `moment`.
+    // Returns the last sampling of inputs by the controller at or before the event `moment`; null if there is none.
     sampled(controller, moment) { return this.lastOf(this.samples[controller], moment); }
     evolved(controller, moment) { return this.lastOf(this.evolutions[controller], moment); }
     // Returns true if, after `moment`, the controller has sampled its inputs and has not yet made the evolution that

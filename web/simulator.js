@@ -137,7 +137,7 @@ export class Simulator {
         try {
             answer = await this.ask({[kind]: name, moves: this.moves, random, seed: this.seed, everything});
             const {problem, moves} = answer;
-            // A move that failed is removed from the list.
+            // If the last move failed, executes the list without this move.
             if (problem && moves.length > 0) answer = {...await this.ask({[kind]: name, moves: moves.slice(0, -1), everything}), problem};
         } catch (error) {
             answer = {error: error.message};

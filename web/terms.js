@@ -3,8 +3,8 @@
 // controller evaluates the inputs that it sampled last, not their current values; properties use current values
 // (claims.js). A value that the run does not determine is `undefined`.
 //
-// The rules are those of IEC 60848 as in `run/reader.cpp`: an edge is true in the evolution after the change, and
-// `t1/v/t2` without t2 requires v in addition to the output of its timer.
+// The evaluation follows IEC 60848, as `run/reader.cpp` does. An edge is true in the evolution after the change. A
+// condition `t1/v` (no t2) is true only if the output of its timer and v are true.
 
 // Evaluates the terms of a chart with the values that the controller uses at the event `moment`.
 export class Decision {
@@ -40,8 +40,8 @@ export class Decision {
         return undefined;
     }
 
-    // Returns the value of an input. In a run without samples (evidence of `analyse`), the evolutions read the inputs
-    // of the event.
+    // Returns the value of an input. If the run contains no samples, as in traces of `analyse`, the evolutions read the
+    // input values of their event.
     input(place) {
         return this.read ? this.read.act.inputs[place] : this.run.value(this.controller.inputs[place], this.moment);
     }
@@ -71,8 +71,8 @@ export class Decision {
         return this.value(condition.watched);
     }
 
-    // Returns true if the observed term has become true since the timers were last sampled, or if the timers have not
-    // been sampled, as before the first evolution.
+    // Returns true if the observed term is true, and either has become true since the timers were last sampled, or the
+    // timers have not been sampled yet.
     beganSinceRead({watched}) {
         if (this.value(watched) !== 1) return false;
         const {act, moment} = this.read;

@@ -113,7 +113,7 @@ function box(from, to, y, value, kind) {
             draw("text", {class: "axis value", x: (from + to) / 2, y: y + low - 3}, `${value}`)];
 }
 
-// Returns the signals and steps that change in the run, grouped by type with headings.
+// Returns the rows of the diagram: the signals and steps that change in the run, in groups with headings.
 function tracksOf(run) {
     const tracks = [];
     const add = (heading, found) => { if (found.length > 0) tracks.push({heading: true, name: heading}, ...found); };

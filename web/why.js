@@ -70,7 +70,7 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     return `${name} is enabled; its condition is true for the ${read ? "inputs last read" : "current inputs"}.`;
 }
 
-// Returns true if the property may hold although the operand is false.
+// Returns true if the value false of the operand is not a violation of the property.
 const mayBeFalse = ({pattern, headings}, operand) =>
     headings || ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
 
@@ -140,7 +140,7 @@ function causes(run, moment, link) {
     return parts;
 }
 
-// Returns the move of an instance as in the text of the trace, such as `Start (START)`.
+// Returns a move of an instance in the notation of printed traces, such as `Start (START)`.
 function moveText(run, at) {
     const {instance, location} = run.trace.moments[at], {name, locations} = run.trace.instances[instance];
     const changes = run.trace.signals.flatMap(({name: signal, role, range}, k) => {

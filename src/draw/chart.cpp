@@ -76,7 +76,7 @@ private:
         parts_.push_back(std::move(symbol));
     }
 
-    /// Adds the links of each transition, in the order of the transitions: first the links from steps, then the links
+    /// Adds the links to the flow in the order of the transitions. For each transition, links from steps precede links
     /// to steps.
     void add_links(const Members& members) {
         for (std::size_t k = 0; k < members.transitions.size(); ++k) {
@@ -132,9 +132,9 @@ private:
     const Chart& chart_;
     const Symbols& symbols_;
     const DrawOptions& options_;
-    std::vector<std::size_t>& nodes_;  ///< node of each step of the chart
+    std::vector<std::size_t>& nodes_;  ///< for each step of the chart: its node in the flow
     Flow flow_ = {};
-    std::vector<Symbol> parts_ = {};  ///< symbol of each node
+    std::vector<Symbol> parts_ = {};  ///< for each node: its symbol
     Routes routes_ = {};
     std::vector<Element> elements_ = {};
 };
@@ -212,7 +212,8 @@ struct Packing {
     std::vector<Point> places = {};
     Drawing::Size size = {};
 
-    /// Returns the height of a page with the usual aspect ratio that contains the drawing.
+    /// Returns the height of a page with the width of the drawing and the aspect ratio 14:10; if the drawing is higher,
+    /// returns the height of the drawing.
     int page() const { return std::max(size.width * 10 / 14, size.height); }
 };
 

@@ -81,7 +81,7 @@ void add_result(const PageContent& content, const PropertyResult& answer, Html& 
     html.close("details");
 }
 
-/// Adds the trials of remedies without their durations, so that the same input gives the same page.
+/// Adds the trials of remedies. Their durations are omitted, so that the same input always gives the same page.
 void add_remedies(const PageContent& content, Html& html) {
     const std::vector<std::string> lines = remedies_text(content.trials, false);
     if (lines.empty()) return;

@@ -53,7 +53,8 @@ std::string gave_up(std::size_t count, std::string_view what, std::size_t tried)
                        count, what, tried);
 }
 
-/// Returns a function that returns true if a search must stop. `limits` must outlive it.
+/// Returns a function that returns true if a search must stop because of `limits`. `limits` must outlive the returned
+/// function.
 StopRequested stopped_by(const Limits& limits) {
     return [&limits] {
         if (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed)) return true;
@@ -200,7 +201,7 @@ void name_dead_transitions(Model model, const std::vector<const Chart*>& charts,
     struct Requested {
         PropertyResult* answer = nullptr;
         std::string words = {};
-        std::pair<std::size_t, std::uint32_t> transition = {};  // index of the controller and of the transition
+        std::pair<std::size_t, std::uint32_t> transition = {};  // index of the controller and index of the transition
     };
     std::vector<Requested> requested;
     std::vector<std::string> names;

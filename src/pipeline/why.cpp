@@ -139,10 +139,10 @@ private:
         std::function<void(Model&)> change = {};
         const Network* original = nullptr;  ///< if the plant is changed: the network of the unchanged model
     };
-    /// The search for the elements of plant and timers on which one property about all states depends.
+    /// The search for the instances and timers on which one property about all states depends.
     struct PartsOf {
         std::size_t ground = 0;
-        /// The network without the elements that the property does not need.
+        /// The network after the removal of the processes that the property does not need.
         Network open = {};
         std::vector<Id<Network::Process>> order = {};  ///< undecided processes
     };
@@ -230,7 +230,7 @@ private:
         trials_.push_back({std::move(element), names, names, std::move(change), original});
     }
 
-    /// Checks the undecided properties of the changed model.
+    /// Decides the undecided properties of a trial for the changed model.
     void leave_out(Trial& trial) {
         if (trial.open.empty() || stopped()) return;
         const Deadline end = next_end();

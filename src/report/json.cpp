@@ -88,7 +88,7 @@ Json property(const Report& report, const PropertyResult& answer, const Sources&
     return made;
 }
 
-/// Returns one object per trial of a remedy.
+/// Returns an array with one object for each trial, in which `check` tried other options.
 Json trials_json(const std::vector<Trial>& trials) {
     Json list = Json::array();
     for (const Trial& trial : trials) {

@@ -36,7 +36,7 @@ std::string first_lines(std::string_view text) {
     return std::string(text.substr(0, end)) + "\n...";
 }
 
-/// Returns `<failure ...>`, `<error ...>` or `<skipped ...>`.
+/// Returns the XML element of a test case that did not pass: `<failure ...>`, `<error ...>` or `<skipped ...>`.
 std::string element(std::string_view name, std::string_view type, std::string_view message, std::string_view content) {
     const std::string kind = type.empty() ? "" : fmt::format(" type=\"{}\"", attribute_xml(type));
     return fmt::format("      <{}{} message=\"{}\">{}</{}>\n", name, kind, attribute_xml(message), data(content), name);

@@ -100,7 +100,7 @@ bool repeats(const Line& line, const Line& later, std::int64_t delay_ms) {
            line.in_loop == later.in_loop && !line.marked && !later.marked;
 }
 
-/// A sequence of `period` lines that occurs `copies` times in succession.
+/// A sequence of `period` lines that is repeated: it occurs `copies` times in succession.
 struct Repetition {
     std::size_t period = 1, copies = 1;
 };

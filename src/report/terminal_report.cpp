@@ -28,7 +28,8 @@ bool fails(const PropertyResult& answer) {
     return verdict.outcome == Outcome::Unknown ? verdict.declared : !as_expected(verdict);
 }
 
-/// Returns the remark on a property that is not declared in the model, or not selected by the command.
+/// Returns the remark on a property for which `Verdict::declared` is false: the model does not declare the property, or
+/// the command does not select it.
 const char* undeclared(const Verdict& verdict) { return verdict.about.valid() ? " (not selected)" : " (not declared)"; }
 
 using Answers = std::vector<const PropertyResult*>;
@@ -111,7 +112,7 @@ private:
         return text;
     }
 
-    /// True if the table contains all information about the property.
+    /// True if the table of verdicts contains all information about the property: it holds as expected.
     static bool in_table_only(const PropertyResult& answer) {
         return answer.verdict.outcome == Outcome::Holds && as_expected(answer.verdict);
     }

@@ -32,7 +32,7 @@ std::string names(const Variables& variables) {
     return text;
 }
 
-/// Returns the wait and the number of cycles of a step, such as `wait 5s, 2 cycles`.
+/// Returns the waiting time and the number of PLC cycles of a test step, such as `wait 5s, 2 cycles`.
 std::string manner(const TestSequence::Step& step) {
     const std::string wait = step.wait_ms == 0 ? "" : "wait " + duration_text(step.wait_ms) + ", ";
     return fmt::format("{}{} cycle{}", wait, step.cycles, step.cycles == 1 ? "" : "s");

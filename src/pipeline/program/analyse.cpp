@@ -475,7 +475,7 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, Id<Expr>> called_ = {};  ///< for each block and frame
     /// The assignments to each output and the reads of this output, in the order of the scan.
     std::map<std::uint32_t, std::vector<const Scan::Execution*>> accesses_ = {};
-    std::set<Position> not_only_outputs_ = {};  ///< statements that assign a variable that is not an output
+    std::set<Position> not_only_outputs_ = {};  ///< statements that also assign other variables than outputs
     std::vector<std::pair<Id<Expr>*, std::vector<Id<Expr>>>> terms_ = {};  ///< the disjunctions that define events
     std::unordered_map<const Id<Expr>*, std::size_t> index_of_terms_ = {};
     Id<Expr> fault_ = {};  ///< event: a run-time fault occurs in the scan

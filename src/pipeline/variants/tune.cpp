@@ -38,7 +38,7 @@ constexpr std::size_t most_failures = 32;
 struct RowKind {
     std::string base = {};   ///< name of the property in the model: `S` for the row `S.X7`
     bool watched = false;    ///< the property has an observer
-    bool pointwise = false;  ///< no verdict can be transferred, except between equal networks
+    bool pointwise = false;  ///< verdicts can be transferred only between equal networks
 };
 
 struct OpenBox {
