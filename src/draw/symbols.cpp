@@ -258,8 +258,7 @@ void Symbols::add_step_marks(Id<Chart::Step> id, int half, Drawing::Element& ele
     const Chart::Step& step = chart_.steps[id];
     element.boxes.push_back({{-half, -half_step}, {2 * half, 2 * half_step}});
     if (step.initial) element.boxes.push_back({{4 - half, 4 - half_step}, {2 * half - 8, 2 * half_step - 8}});
-    if (step.kind ==
-        Chart::StepKind::Enclosing) {  // an enclosing step has a line across each corner of the innermost square
+    if (step.kind == Chart::StepKind::Enclosing) {  // a line across each corner of the innermost square
         Drawing::Box corners = element.boxes.back();
         corners.cut = 9;
         element.boxes.push_back(corners);

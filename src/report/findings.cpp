@@ -64,8 +64,7 @@ void print_open(const Analysis& analysis, std::ostream& out) {
     out << fmt::format("inconclusive: {} of {} checks; {}\n", analysis.open.size(), analysis.questions,
                        analysis.obstacle);
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines;
-    std::set<std::pair<const void*, std::string_view>>
-        reported;  // prevents duplicates: several undecided checks of a line may have the same subject
+    std::set<std::pair<const void*, std::string_view>> reported;  // several undecided checks may have the same subject
     for (const OpenQuestion& question : analysis.open) {
         std::vector<std::string>& subjects = lines[{question.code, open_text(question)}];
         if (!question.subject.empty() && reported.emplace(&subjects, question.subject).second)
