@@ -50,12 +50,12 @@ std::string names_of(const FaultAnalysis& analysis, const std::vector<FaultSet>&
     return text;
 }
 
-/// Returns text such as `minimality is unproved: the verdicts for V_stuck, H_stuck are unknown`; empty if the
+/// Returns text such as `minimality is unproved: V_stuck, H_stuck have the verdict unknown`; empty if the
 /// combination is proved to be minimal.
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut) {
     if (cut.unknown_subsets.empty()) return "";
-    return std::string("minimality is unproved: the verdict") + (cut.unknown_subsets.size() == 1 ? "" : "s") + " for " +
-           names_of(analysis, cut.unknown_subsets) + (cut.unknown_subsets.size() == 1 ? " is" : " are") + " unknown";
+    return "minimality is unproved: " + names_of(analysis, cut.unknown_subsets) +
+           (cut.unknown_subsets.size() == 1 ? " has" : " have") + " the verdict unknown";
 }
 
 /// True if the row of a property is printed. The row of an undeclared `no timelock` is omitted if this property holds
