@@ -184,9 +184,10 @@ void ChartAnalyzer::immediate_transitions() {
         if (!unseen("transition-always-fired", id.index)) continue;
         const Bdd& fires = machine_.fires(id.index);
         if (seen(fires)) {
-            Finding made =
-                finding("transition-always-fired", name(id),
-                        "`" + name(id) + "` is always cleared as soon as it is enabled", chart_.transitions[id].origin);
+            Finding made = finding(
+                "transition-always-fired", name(id),
+                "`" + name(id) + "` is always cleared in the evolution after it becomes enabled, for all inputs",
+                chart_.transitions[id].origin);
             if (!show(made, prefer_unbroken(fires), {.fired = {id}},
                       "`" + name(id) + "` is cleared in the last instant"))
                 continue;

@@ -219,8 +219,8 @@ std::vector<Option> options_for_forms() {
                            {"evolutions", TestCover::Evolutions},
                            {"locations", TestCover::Locations}},
                           &Options::cover,
-                          "elements that the test covers: every combination of inputs in every state, every evolution "
-                          "once, or every location (default: transitions)"),
+                          "elements that the test covers: transitions (every combination of inputs in every state), "
+                          "every evolution once, or every location (default: transitions)"),
         choice<bool>(OptionGroup::Cover, "hold", {{"stable", false}, {"one", true}}, &Options::one_cycle_each,
                      "PLC cycles of a test step: two if the inputs keep the controller in the reached state, otherwise "
                      "one; or always one (default: stable)"),

@@ -12,7 +12,8 @@
 
 namespace grafverif {
 
-/// Pairs of variables, and the map by level that was computed last.
+/// The pairs of an old and a new variable of a renaming, and the map from levels to new variables that was last
+/// computed from these pairs.
 struct BddRenaming::Map {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = {};
     bdd::Kernel* kernel = nullptr;       ///< kernel to which the following members belong

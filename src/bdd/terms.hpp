@@ -25,7 +25,8 @@ struct BddWord {
     std::vector<std::uint32_t> bits = {};
 };
 
-/// Returns the word as a term. For assignments for which `in_range` is false, the value of the term exceeds type.high.
+/// Returns a term that has the value of `word`. For assignments for which `in_range` is false, the value of the term
+/// exceeds type.high.
 BddTerm term_of(const BddSpace& space, const BddWord& word);
 /// True for assignments for which the value of the word is in the range of its type.
 Bdd in_range(const BddSpace& space, const BddWord& word);

@@ -15,7 +15,7 @@ inline std::string unsupported_reason(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock: return "not applicable to an untimed model";
-    case Pattern::Watched: return "its observer is not part of this model";
+    case Pattern::Watched: return "the observer of this property is not part of this model";
     case Pattern::RawUppaal: return "UPPAAL formulas require UPPAAL";
     case Pattern::RawCtl: return "CTL formulas of NuSMV require NuSMV or nuXmv";
     case Pattern::RawLtl: return "LTL formulas of NuSMV require NuSMV or nuXmv";

@@ -235,7 +235,7 @@ private:
             return omit(id, "`always possible` is CTL (AG EF), which this format does not support");
         case Pattern::RawCtl: return omit(id, "CTL formulas are not supported by this format");
         case Pattern::RawLtl: return omit(id, "LTL formulas of NuSMV are not translated");
-        case Pattern::Watched: return omit(id, "its observer is not part of this model");
+        case Pattern::Watched: return omit(id, "the observer of this property is not part of this model");
         case Pattern::RawUppaal: return omit(id, "UPPAAL formulas require UPPAAL");
         case Pattern::NoDeadlock:
         case Pattern::NoTimelock: return omit(id, "not applicable to an untimed model");

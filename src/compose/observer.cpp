@@ -58,8 +58,8 @@ public:
                                   .guard = both(terms_.considered, when),
                                   .constraint = {{clock_, relation, exprs_.integer(duration_)}}});
     }
-    /// Adds an edge to `to` that can be taken after the duration, independently of the current state, because only
-    /// states that have been read are relevant.
+    /// Adds an edge to `to` that can be taken when the clock exceeds the duration, in every state of the network. The
+    /// guard does not test this state, because only states that the observer has read are relevant.
     void expires(Location from, Location to) {
         made.automaton.edges.add({.from = from,
                                   .to = to,

@@ -25,7 +25,8 @@ struct Dependencies {
         Numbers always = {};
     };
 
-    /// For each field that is a step activity: transitions whose first upstream step is this step.
+    /// For each field: if the field is the activity of a step, the transitions whose first upstream step is this step;
+    /// otherwise an empty list.
     std::vector<Numbers> guarded = {};
     Numbers unguarded = {};  ///< transitions without an upstream step
     Computed fields = {};    ///< fields that may change; all other fields keep their values

@@ -5,9 +5,9 @@
 //             inputs. These sets partition the inputs into classes. For all inputs of a class, the same set of
 //             transitions fires (JESA13 (11) to (13)). Individual valuations of the inputs are never enumerated. Of the
 //             2^n sets of transitions, only sets that occur are enumerated.
-//   parts     In a class, the firing conditions are also constant. A next value is then a number or, rarely, a function
-//             of the inputs; its values split the class into parts. Variables without dependencies (dependencies.hpp)
-//             are unchanged.
+//   parts     In a class, the firing conditions are also constant. Within a class, the next value of a variable is a
+//             number or, rarely, a function of the inputs, whose values split the class into parts. Variables without
+//             dependencies (dependencies.hpp) are unchanged.
 //   stable    A part is split by the stability condition of the equations. In a stable part, nothing changes.
 //   levels    The levels that timers observe are terms over the new values and the inputs. The values of these levels
 //             split the parts again.
@@ -194,7 +194,8 @@ std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bd
 
 }  // namespace
 
-/// Sets `field` to the value of `term` in each part. A part in which the value depends on the inputs is split.
+/// Sets `field` to the value of `term` in each region of `parts`. A region in which this value depends on the inputs is
+/// split into one region per value.
 std::vector<Moves::Region> Moves::given(std::vector<Region> parts, std::uint32_t field, Id<Expr> term,
                                         const Values& at) {
     const Equations::Variable& variable = equations_.variables[layout_.fields[field].kept.variable];

@@ -116,7 +116,7 @@ inline bool is_initial(const Derivation& derivation, Id<Chart::Step> step) {
     return derivation.equations.variables[derivation.steps[step.index]].initial != 0;
 }
 
-/// Returns the leaf for `variable` in the equations.
+/// Returns the leaf of the equations that reads `variable`.
 Id<Expr> variable_leaf(Derivation& derivation, Id<Equations::Variable> variable);
 
 /// Returns the constant false if `term` is a conjunction that contains an operand and its negation; otherwise `term`.

@@ -50,7 +50,8 @@ std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<
     return elements;
 }
 
-/// Searches the non-empty sets of numbers less than `count`. `attempt` returns the result of a set.
+/// Calls `attempt` with the non-empty subsets of {0, ..., count - 1} in order of size, until `attempt` returns Does or
+/// Spent, or `stopped` returns true.
 template <class Try>
 SmallestSet smallest_set(std::size_t count, const StopRequested& stopped, const Try& attempt) {
     SmallestSet result;

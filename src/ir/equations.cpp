@@ -69,7 +69,7 @@ struct EquationsCheck {
 
     void role(Id<Equations::Variable> variable, Role expected) {
         if (known(variable) && equations.variables[variable].role != expected)
-            fault(name(variable) + " has an equation that does not match its role");
+            fault(name(variable) + " has an equation of a type that its role does not permit");
     }
 
     void condition(Id<Expr> term, Sort sort, const std::string& what) { sorts.check(term, sort, what, faults); }
@@ -144,7 +144,7 @@ struct EquationsCheck {
         const Equations::Variable& variable = equations.variables[stored.variable];
         const bool is_time = equations.is_program && variable.role == Role::Previous;  // hidden from results
         if (variable.role != Role::Internal && variable.role != Role::Output && !is_time)
-            fault(name(stored.variable) + " has an equation that does not match its role");
+            fault(name(stored.variable) + " has an equation of a type that its role does not permit");
         condition(stored.race, Sort::Boolean, "the race condition of " + name(stored.variable));
         condition(stored.first, sort_of(variable.type), "the first value of " + name(stored.variable));
         condition(stored.first_race, Sort::Boolean, "the first race condition of " + name(stored.variable));

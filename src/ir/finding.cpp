@@ -58,7 +58,8 @@ constexpr std::array kinds = {
                 "final phase."},
     FindingKind{"step-never-stable", Level::Note,
                 "A step is active only in transient situations, so its continuous actions never set an output."},
-    FindingKind{"transition-always-fired", Level::Note, "A transition is always cleared as soon as it is enabled."},
+    FindingKind{"transition-always-fired", Level::Note,
+                "A transition is always cleared in the evolution after it becomes enabled, for all inputs."},
     FindingKind{"input-never-read", Level::Note, "An input is not read by the chart."},
 };
 

@@ -41,7 +41,7 @@ std::vector<ClockInterval> admitted(const Network& network, const std::vector<Ne
 
 struct ProcessClocks {
     static constexpr std::int64_t dead = -1;
-    /// Cap per location and clock; the value `dead` represents a dead clock.
+    /// Cap of each clock in each location; `dead` if the clock is dead in the location.
     std::vector<std::vector<std::int64_t>> cap = {};
     std::vector<std::vector<bool>> bounded = {};  ///< true if the clock is bounded, per location and clock
     std::vector<std::int64_t> greatest = {};      ///< maximum cap per clock over all locations

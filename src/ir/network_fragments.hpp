@@ -58,7 +58,7 @@ struct LocalAblations {
 /// run of the complete network to the kept variables is a run of `network`. Omitted variables are free: each read of
 /// such a variable returns an arbitrary value. The process `rest` performs, at any time, the writes of omitted
 /// processes to kept variables. An urgent edge that reads free variables stops time only if it is enabled for all
-/// values of these variables. `race` indicates only races on kept variables.
+/// values of these variables. The flag `network.race` is set only by races on kept variables.
 struct LocalNetwork {
     bool made = true;  ///< false if an edge reads too many free values; if false, `network` must not be used
     Network network = {};

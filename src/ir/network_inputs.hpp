@@ -8,9 +8,9 @@
 // an observer or another process can also read an instance. The abstraction represents each process that is not a PLC
 // at one of four levels:
 //
-//   Chosen    the location, clocks and outputs of the instance are not stored. Each sampling chooses one of its
-//             reachable output valuations, independently of earlier samplings. All outputs of an instance are chosen
-//             jointly, so a selector never has two positions.
+//   Chosen    the location, clocks and outputs of the instance are not stored. Each sampling by a PLC chooses one of
+//             the reachable output valuations of the instance, independently of earlier samplings. All outputs of an
+//             instance are chosen jointly, so a selector never has two positions.
 //   Untimed   the location and outputs of the process are stored, and its clocks are ignored. Urgent edges remain
 //             urgent. An edge with a clock constraint may be taken at any time; such an edge is never urgent.
 //   Paced     for autonomous instances only: upper bounds of clocks are ignored, and each lower bound is replaced by

@@ -123,7 +123,8 @@ void check_instances(const System& system, Faults& faults) {
         for (std::size_t i = 0; i < parameters.size(); ++i)
             if (!main.symbols.contains(instance.arguments[i]) ||
                 main.symbols[instance.arguments[i]].type != parameters[i])
-                faults.push_back(where + ": an argument is not a symbol of main with the type of its parameter");
+                faults.push_back(where +
+                                 ": an argument is not a symbol of the main module with the type of the parameter");
     }
 }
 

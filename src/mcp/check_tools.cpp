@@ -395,7 +395,9 @@ Tool explain_tool() {
         "property that holds depends.",
         check_arguments()};
     tool.arguments.push_back({"property", Kind::Name, "name of the property", true});
-    tool.arguments.push_back({"why", Kind::Flag, "also explain why the property holds (a closed loop; takes longer)"});
+    tool.arguments.push_back(
+        {"why", Kind::Flag,
+         "also explain why the property holds (only for a property of a closed loop; takes longer)"});
     Json schema = Json::parse(property_schema);
     schema["properties"]["model"] = {{"type", "string"}};
     schema["properties"]["model_errors"] = Json::parse(errors_schema);

@@ -258,7 +258,7 @@ std::vector<std::string> headings_of(const Sentence& sentence) {
         case Sentence::Kind::Existence: return {"must become true"};
         case Sentence::Kind::Response:
             return {"premise", "required response" + (bound.empty() ? "" : " within " + bound)};
-        case Sentence::Kind::Precedence: return {"this must be true before", "this becomes true"};
+        case Sentence::Kind::Precedence: return {"must be true first", "must not become true earlier"};
         case Sentence::Kind::HoldsFor: return {"once true, must stay true for " + bound};
         case Sentence::Kind::HoldsAtMost: return {"must not stay true for longer than " + bound};
         case Sentence::Kind::Since: return {"may be true only until " + bound + " after", "this was true"};

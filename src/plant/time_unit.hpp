@@ -17,8 +17,9 @@ namespace grafverif {
 std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics);
 
 /// Returns the duration whose removal, at all its occurrences, would make the time unit coarsest, or nullopt if no
-/// removal of a single duration makes the unit coarser. If the loop declares a finer unit than its durations require,
-/// the result is the declared unit, with duration 0.
+/// removal of a single duration makes the unit coarser. If the loop declares a time unit that is finer than its
+/// durations require, the result contains the declared unit and the duration 0; if the loop declares any other time
+/// unit, the result is nullopt.
 std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop);
 
 }  // namespace grafverif

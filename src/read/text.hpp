@@ -43,7 +43,7 @@ struct ReadContext {
     /// declarations with errors and the references in them. For a PLC program, the declarations are added, but not the
     /// references.
     References* references = nullptr;
-    /// Cancellation flag. After the flag is set, `read_text` soon returns an empty result with arbitrary diagnostics.
+    /// Cancellation flag. After `*stop` becomes true, `read_text` soon returns an empty result; ignore its diagnostics.
     const std::atomic<bool>* stop = nullptr;
 };
 

@@ -2,8 +2,8 @@
 // The module of one controller: translates the equations of a PLC cycle to a step of the system.
 //
 // First a symbol is declared for every variable of the equations, because an equation may read any variable (Cycle).
-// Then the equations of each type define the values of the symbols. Equations are evaluated at three times, which
-// differ in the meaning of leaves:
+// Then the values of the symbols are defined by the equations: steps and stored variables, previous values, outputs,
+// timers. Equations are evaluated at three times, which differ in the meaning of leaves:
 //   now     in a cycle: variables before the cycle, and sampled inputs; for firing conditions and next values
 //   after   after a cycle: activities and stored values after the cycle, and sampled inputs; for equation (13), in the
 //           mode every_cycle

@@ -6,8 +6,9 @@
 // Completeness: every run of the network is preserved, because in every state each process that can move may be chosen.
 // Soundness: only the abstraction of time adds runs. `none` (and, if clocks are counted, the tick) can be chosen only
 // if time can pass in the network, that is, if no urgent edge is enabled. Totality: if an urgent edge is enabled, its
-// process can move. Otherwise, `none` can be chosen if time is abstract. If clocks are counted, a process can move or
-// time can pass; `none` can be chosen only in states in which neither is possible, and such a state is then repeated.
+// process can move. If no urgent edge is enabled and time is abstract, `none` can be chosen. If clocks are counted, a
+// process can move or time can pass; `none` can be chosen only in states in which neither is possible, and such a state
+// is then repeated.
 //
 // The properties are those of the loop, translated to main (properties.hpp); the controllers of the network map the
 // names of the loop to main.

@@ -115,11 +115,12 @@ std::variant<Expectation, std::string> parse_expectation(std::string_view text) 
                                : relations.end();
         if (found != relations.end()) {
             const auto value = at + 1 < list.size() ? value_of(list[at + 1]) : std::nullopt;
-            if (!value || negated)
-                return fmt::format(
-                    "invalid operand of `{} {}`; write a whole number, `true` or `false`, without `not` before the "
-                    "comparison",
-                    part.name, list[at]);
+            if (negated)
+                return fmt::format("`not` before the comparison `{} {}`; remove `not` and use the opposite comparison",
+                                   part.name, list[at]);
+            if (!value)
+                return fmt::format("the comparison `{} {}` has no valid value; write a whole number, `true` or `false`",
+                                   part.name, list[at]);
             part.relation = found->second;
             part.value = *value;
             at += 2;

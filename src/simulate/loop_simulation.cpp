@@ -290,7 +290,7 @@ std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     const std::string value_text = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
     if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value_text);
     if (const auto fire = move_to(network_, state_, fires(), index, value)) return choose(*fire);
-    const std::string problem = fmt::format("no move can make `{}` {} now", name, value_text);
+    const std::string problem = fmt::format("no move can set `{}` to {} now", name, value_text);
     const Leeway delay = leeway(network_, state_);
     NetworkState later = state_;
     const bool changes = delay.change && perform(network_, later, Delay{*delay.change}).result == Step::Result::Done;

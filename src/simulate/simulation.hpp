@@ -59,7 +59,8 @@ private:
     std::string choose(std::size_t number);
     std::string expect(const ExpectCommand& wanted);
     std::optional<std::string> unmet_at(const Expectation& claim, std::size_t moment, std::string& problem) const;
-    /// True if the expectation has become true in the current instant, after the event `examined_`.
+    /// Examines the events after the event `examined_`, and advances `examined_`. Returns true if `claim` becomes true
+    /// at one of these events in the current instant.
     bool met_in_passing(const Expectation& claim);
 
     std::variant<LoopSimulation, ChartSimulation> of_;

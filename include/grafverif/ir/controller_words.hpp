@@ -34,7 +34,8 @@ struct ControllerWords {
         /// Index in `steps` of the observed step; empty if another term is observed.
         std::optional<std::size_t> step = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
-        /// Name of the observed step variable or variable, such as `X2` or `a`; empty if another term is observed.
+        /// Name of the step variable or other variable that the timer observes, such as `X2` or `a`; empty if the timer
+        /// observes a term that is not a variable.
         std::string watched = {};
         bool operator==(const Timer&) const = default;
     };

@@ -32,8 +32,8 @@ struct HttpAnswer {
     std::string body = {};
 };
 
-/// Returns the response. An empty result means that the request waits for `notify`. If `at_once` is true, the result
-/// must not be empty. Called from several threads.
+/// Returns the response. An empty result means that the request waits for `notify`; an empty result is not allowed if
+/// `at_once` is true. Called from several threads.
 using HttpHandler = std::function<std::optional<HttpAnswer>(const HttpRequest&, bool at_once)>;
 
 struct HttpOptions {

@@ -251,8 +251,8 @@ const std::string* Watchdog::reason() {
     const Steady::time_point now = Steady::now();
     if (!interrupted_ && interrupt_.requested()) interrupted_ = now;
     // Results may be printed after the time limit. The additional time for printing is measured in processor time, so
-    // that neither a slow reader nor a loaded computer truncates the results. After Ctrl-C, reader_timeout limits the
-    // time for a reader that does not read at all.
+    // that neither a slow reader nor a loaded computer truncates the results. After Ctrl-C, the run ends at the latest
+    // after reader_timeout, even if the reader of the output reads nothing.
     const std::chrono::nanoseconds used(reporting_start == 0 ? 0 : processor_time() - reporting_cpu);
     const Steady::time_point start(Steady::duration(reporting_start.load()));
     const auto waited = interrupted_ ? now - std::max(*interrupted_, start) : Steady::duration(0);

@@ -17,7 +17,7 @@ std::string preservation_obstacle(const OmittedSubsystem& other, const Verdict& 
     if (other.faulty && (at_stable || !settled_separately(verdict.pattern))) return name + "has a model error";
     if (claim == PreservationClass::Somewhere || claim == PreservationClass::Everywhere) {
         if (!other.diverges) return name + "cannot let time pass forever";
-        return at_stable && !other.settles ? "time passes in " + name + "while it is not quiescent" : "";
+        return at_stable && !other.settles ? "time passes in " + name + "while this sub-loop is not quiescent" : "";
     }
     if (!other.never_locks) return "it is unknown whether " + name + "is free of timelocks";
     if (claim == PreservationClass::Unavoidable && !other.rests) return name + "can move forever within one instant";

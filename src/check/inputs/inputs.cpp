@@ -92,8 +92,8 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     return more;
 }
 
-/// Returns the coarsest levels for `property`, a property of observe(loop). Processes that the property or an observer
-/// reads are not Chosen. If `coarse` is false, only autonomous instances are abstracted.
+/// Returns the coarsest levels for `property`, a property of observe(loop). The level of a process that the property or
+/// an observer reads is never Chosen. If `coarse` is false, only autonomous instances are abstracted.
 InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property& property, bool coarse) const {
     std::set<std::uint32_t> variables, processes;
     const auto read = [&](Id<Expr> term) {

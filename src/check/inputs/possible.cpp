@@ -60,8 +60,8 @@ LoopTiming timing_of_loop(const Network& loop) {
 }  // namespace
 
 /// Finds good states (possible.hpp), beginning with the required states, and explores only the states that are
-/// necessary for them. Rule 4 is applied last, in the order of NoveltySearch: states with a rare signature, and with
-/// few moves of the panel since the signature changed, come first.
+/// necessary for them. Rule 4 of possible.hpp is applied last, in the order of NoveltySearch: it prefers states with a
+/// rare signature, and states that are reached by few moves of the panel after the last change of the signature.
 class GoodStates {
 public:
     GoodStates(const LoopWithoutClocks& loop, const LoopTiming& timing, const std::vector<bool>& is_panel,

@@ -325,7 +325,7 @@ std::string LocalizationCheck::assumed_behaviour(const LocalNetwork& local) cons
     std::vector<std::string> names;
     for (const std::size_t i : local.known) names.push_back(known_[i].name);
     if (names.empty()) return "may do anything at any time, which is an over-approximation";
-    return fmt::format("may do anything at any time that satisfies {}, which {}; this is an over-approximation",
+    return fmt::format("may have any behaviour that satisfies {}, which {}; this is an over-approximation",
                        fmt::join(names, ", "), names.size() == 1 ? "holds" : "hold");
 }
 
@@ -380,8 +380,9 @@ void LocalizationCheck::take_local() {
     }
 }
 
-/// Returns true if an unknown verdict requires a search of the complete network. An unknown verdict on the undeclared
-/// property `no timelock` does not require this search, but is replaced if another property requires the search.
+/// Returns true if an unknown verdict requires a search of the complete network. If `no timelock` is neither declared
+/// nor selected, its unknown verdict does not require this search; if another property requires the search, the search
+/// also replaces this verdict.
 bool LocalizationCheck::needs_whole() {
     if (searched_whole_ || !is_open()) return false;
     if (std::ranges::none_of(result_.verdicts, is_decided_separately)) return true;

@@ -82,7 +82,8 @@ private:
         if (const std::string why = refusal(property.pattern); !why.empty())
             return give_up(question, UnknownReason::Unsupported, why);
         if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // BMC cannot prove that a property holds
-            return give_up(question, UnknownReason::Unsupported, "the probed property is not proved");
+            return give_up(question, UnknownReason::Unsupported,
+                           "BMC cannot prove the property, so its vacuity is not examined");
         if (fault_obstacle_ != UnknownReason::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
         if (options_.decided_elsewhere != nullptr)
@@ -245,7 +246,8 @@ private:
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &PropertyQuery::is_open));
         for (PropertyQuery& question : questions_) {
-            if (!matters(question)) give_up(question, UnknownReason::Stopped, "the probed property is violated");
+            if (!matters(question))
+                give_up(question, UnknownReason::Stopped, "the property is violated, so its vacuity is not examined");
             if (!question.is_open()) question.search = nullptr;
             if (!question.is_open()) continue;
             const auto start = Clock::now();

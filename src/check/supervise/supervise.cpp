@@ -27,9 +27,9 @@ constexpr std::size_t most_products = 64;  ///< maximum number of terms of a con
 
 using symbolic::StateSpace;
 
-/// The policy of a player. `refusals` contains, for each permission, the observations with which the permission is
-/// refused; for outputs, these are observations after the evolution. `obeyed` represents the same policy as a function
-/// of states and permissions.
+/// The policy of a player: the permissions that the player refuses. `refusals` contains, for each permission, the
+/// observations with which the permission is refused; for outputs, these are observations after the evolution. `obeyed`
+/// represents the same policy as a function of states and permissions.
 struct Policy {
     std::vector<Bdd> refusals = {};
     Bdd obeyed = Bdd::constant(true);

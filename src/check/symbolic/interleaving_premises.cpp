@@ -67,8 +67,8 @@ void InterleavingPremises::add_moves(const std::vector<State>& states, FlatRun& 
         run.states.push_back(model_.values(states[i], &states[i + 1], moves_));
 }
 
-/// Adds to `run` moves within `within`, until a state is repeated. Requires that a move leads from each state of
-/// `within` to a state of `within`.
+/// Adds to `run` moves between states of `within`, until a state is repeated. Requires that a move leads from each
+/// state of `within` to a state of `within`.
 void InterleavingPremises::follow_moves(State from, const Bdd& within, FlatRun& run) const {
     std::map<State, std::size_t> seen;
     while (seen.emplace(from, run.states.size()).second) {

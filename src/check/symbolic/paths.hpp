@@ -20,9 +20,9 @@ struct Path {
     std::vector<Bdd> steps = {};
 };
 
-/// Adds rings to `rings` until a ring intersects `goal`, no new state is found, or `keep_going` returns false for the
-/// number of rings. Requires that the first ring is a subset of `within`; all added rings are subsets of `within`.
-/// Returns true if further rings may exist.
+/// Adds rings to `rings` until a ring intersects `goal`, no new state is found, or `keep_going`, which receives the
+/// number of rings, returns false. Requires that the first ring is a subset of `within`; all added rings are subsets of
+/// `within`. Returns true if further rings may exist.
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<bool(std::size_t)>& keep_going = {});
 

@@ -148,7 +148,8 @@ private:
         return begun;
     }
 
-    /// Identifies equal new states of all slices and reserves memory for new states.
+    /// Stores the new states of all slices in `new_states_`, where equal states share one entry, and reserves memory for
+    /// the new states.
     void gather() {
         std::size_t count = 0;
         for (std::size_t i = 0; i < filled_; ++i) {

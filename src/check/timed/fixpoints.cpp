@@ -90,7 +90,8 @@ std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, cons
     return list;
 }
 
-/// Adds to `set` the states with unknown successors (see join_open). Returns all other states that are not in `set`.
+/// Adds to `set` the states with unknown successors (see join_open). Returns all states that are not in the resulting
+/// set.
 std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Limits& limits) {
     join_open(graph, set, limits);
     return all_but(set, graph.states(), limits);

@@ -59,8 +59,8 @@ std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkS
     return processes;
 }
 
-/// Returns, for each process, the variables that it writes and no previous process writes. The last list contains the
-/// variables that no process writes.
+/// Returns, for each process, a list of the variables that it writes and no previous process writes. The result ends
+/// with a list of the variables that no process writes.
 std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network& network) {
     std::vector<std::size_t> writer(network.variables.size(), network.processes.size());
     for (const Id<Network::Process> id : network.processes.ids()) {

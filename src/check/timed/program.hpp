@@ -2,14 +2,14 @@
 // Program: code for guards, assignments and properties. Each term is compiled once to instructions that read and write
 // packed states.
 //
-// Every instruction contains the indices of the next instructions. Therefore code has no fixed order, and the compiler
-// generates it backwards, from the last instruction to the first. For a Boolean term, the compiler receives the
-// instruction that follows if the term is true and the instruction that follows if it is false. The compiler returns
-// the first instruction of the term. A conjunction of Boolean variables in one word is compiled to one Test
-// instruction, and a comparison of a variable with a constant to one Within instruction. All other arithmetic uses
-// registers. If a term has many shared subterms, so that its tree is far larger than its graph, each shared subterm is
-// evaluated once and stored in a register (`eager`). The eager code and the branching code compute the same values,
-// including undefined values.
+// Every instruction contains the indices of the next instructions. Therefore, instructions can be stored in any order,
+// and the compiler generates the code of a term backwards, from the last instruction to the first. For a Boolean term,
+// the compiler receives the instruction that follows if the term is true and the instruction that follows if it is
+// false. The compiler returns the first instruction of the term. A conjunction of Boolean variables in one word is
+// compiled to one Test instruction, and a comparison of a variable with a constant to one Within instruction. All other
+// arithmetic uses registers. If a term has many shared subterms, so that its tree is far larger than its graph, each
+// shared subterm is evaluated once and stored in a register (`eager`). The eager code and the branching code compute
+// the same values, including undefined values.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Property queries. Before the search of the states, the properties of a network are compiled to code and to searches
-// of a PropertyMonitor (property_queries.cpp). After the search, their verdicts are computed (verdicts.cpp).
+// of a PropertyMonitor (property_queries.cpp). After the search, verdicts.cpp computes the verdicts on the properties.
 #pragma once
 
 #include <optional>

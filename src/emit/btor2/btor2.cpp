@@ -130,7 +130,7 @@ public:
                          : both(compared("sgte", word, integer(type.low)), compared("slte", word, integer(type.high)));
         return word.undefined == 0 ? fits : both(fits, negation(word.undefined));
     }
-    /// Returns the word with the width of `type`. Requires that its values are in the range of `type`.
+    /// Returns the word with the width of `type`. Requires that all values of the word are in the range of `type`.
     Line fitted(const Word& word, Type type) {
         const std::uint32_t width = width_of(type);
         if (word.width <= width) return widened(word, width);

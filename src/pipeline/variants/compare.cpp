@@ -415,7 +415,7 @@ std::string steps_text(const Chart& chart, const std::vector<Id<Chart::Step>>& s
     return text;
 }
 
-/// Returns the side for a chart whose initial situation is `from`, if any steps are given. Empty after an error.
+/// Returns the side for a chart; empty after an error. If `from` is not empty, its steps are the initial situation.
 std::optional<CompareSide> chart_side(const Chart& original, const std::vector<Id<Chart::Step>>& from,
                                       std::string& from_text, Diagnostics& diagnostics) {
     std::optional<Chart> chart = original;

@@ -81,7 +81,8 @@ std::optional<Reader::Found> Reader::pass_in_out(const Found& formal, Id<st::Exp
     const bool named_elsewhere = to->place.global || (unit_ == program.main && is_open());
     if (named_elsewhere || to->inside || !to->place.indices.empty() ||
         (!is_elementary(to->type) && !is_composite(to->type))) {
-        reject(where, "this variable as VAR_IN_OUT", "pass a variable of this unit that no other unit can name");
+        reject(where, "this variable as VAR_IN_OUT",
+               "pass a whole variable of this unit that no other unit can access");
         return {};
     }
     copy(formal, *to, where, before);

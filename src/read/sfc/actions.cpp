@@ -10,7 +10,7 @@
 //
 // A latch is an internal variable. There is one latch for each output and type of qualifier, which the blocks of
 // several steps share. The conversion of R depends on all blocks, because R ends the effects of other blocks on its
-// output. Therefore, R is completed last, with the list of all blocks.
+// output. Therefore, R is converted after the list of all blocks is complete.
 #include <algorithm>
 #include <iterator>
 

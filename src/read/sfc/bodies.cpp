@@ -35,7 +35,7 @@ private:
 
     bool too_large() const { return sfc_.draft.file().exprs.size() - first_term_ > most_terms; }
     std::nullopt_t refuse_size(Span where) {
-        return refuse(where, "a list of statements with too many cases", "split it into several actions");
+        return refuse(where, "a list of statements whose translation is too large", "split it into several actions");
     }
 
     SfcTerm term(Id<st::Expr> expr, const SfcEffects& state, SfcKind expected) {

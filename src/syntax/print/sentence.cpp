@@ -85,7 +85,8 @@ std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& const
             // Constraints read only inputs, and every input has a name.
             out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;
         });
-    return text.size() > longest ? "a long constraint holds for this plant" : text + " holds for this plant";
+    return text.size() > longest ? "a constraint of more than 400 characters holds for this plant"
+                                 : text + " holds for this plant";
 }
 
 std::vector<Property> constraints_to_prove(const ClosedLoop& loop) {

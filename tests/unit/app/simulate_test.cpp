@@ -65,8 +65,10 @@ TEST(Commands, AreReadLineByLine) {
               BadCommand{"invalid `repeat`; write `repeat 3 {`, and `}` on a separate line after the repeated lines"}},
              {"expect", BadCommand{"the condition is missing; write for example `X3`, `not LAMP` or `LEVEL >= 3`"}},
              {"expect X3 X4", BadCommand{"unexpected `X4` in a condition; write for example `X3 and LEVEL >= 3`"}},
-             {"expect N >=", BadCommand{"invalid operand of `N >=`; write a whole number, `true` or `false`, without "
-                                        "`not` before the comparison"}},
+             {"expect N >=",
+              BadCommand{"the comparison `N >=` has no valid value; write a whole number, `true` or `false`"}},
+             {"expect not N >= 3",
+              BadCommand{"`not` before the comparison `N >=`; remove `not` and use the opposite comparison"}},
              {"expect within X3",
               BadCommand{
                   "`expect within` requires a duration and a condition; write for example `expect within 3s X3`"}},
@@ -134,7 +136,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeExecuted) {
         const char* error_text;
     };
     for (const Case& c : std::vector<Case>{
-             {"BUTTON = true\n", ":1: error: no move can make `BUTTON` true now; let 1 s pass\n"},
+             {"BUTTON = true\n", ":1: error: no move can set `BUTTON` to true now; let 1 s pass\n"},
              {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is false already\n"},
              {"LAMP = true\n", ":1: error: unknown input `LAMP`\n"},
              {"wait 500ms\n",

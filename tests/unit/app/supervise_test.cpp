@@ -193,7 +193,8 @@ TEST(Supervise, StepsThatTheConditionsMakeUnreachableAreNamed) {
     text = changed(text, "step 2 { BACK_1; }", "step 2 { BACK_1; }\n        step 9;");
     const Result made = grafverif({"supervise", folder.write("crash.grafcet", text)});
     EXPECT_EQ(made.code, ExitCode::Done) << made.out << made.err;
-    EXPECT_TRUE(says(made.out, "active without the conditions, but never active with them: first.X9")) << made.out;
+    EXPECT_TRUE(says(made.out, "active without the conditions, but are never active with the conditions: first.X9"))
+        << made.out;
 }
 
 TEST(Supervise, BadInputIsRejectedWithAdvice) {

@@ -70,7 +70,7 @@ TEST(VerifyEquations, NamesEachBrokenInvariant) {
              {"the condition `stable` is missing", [](Small& s) { s.equations.stable = {}; }},
              {"`LAMP` has no equation", [](Small& s) { s.equations.outputs.clear(); }},
              {"`X_1` has more than one equation", [](Small& s) { s.equations.steps.push_back(s.equations.steps[0]); }},
-             {"`CF_t0` has an equation that does not match its role",
+             {"`CF_t0` has an equation of a type that its role does not permit",
               [](Small& s) { s.equations.variables[s.fires].role = Role::Step; }},
          }) {
         SCOPED_TRACE(one.fault);

@@ -88,7 +88,7 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
          [](Small& s) { std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.leaf(s.define); }},
         {"is a misplaced parameter", [](Small& s) { s.main().symbols[s.input].kind = System::ParameterSymbol{}; }},
         {"has a number of arguments that differs", [](Small& s) { s.system.instances[s.instance].arguments.clear(); }},
-        {"not a symbol of main with the type of its parameter",
+        {"not a symbol of the main module with the type of the parameter",
          [](Small& s) { s.system.instances[s.instance].arguments = {{7}}; }},
         {"no module that can be instantiated", [](Small& s) { s.system.instances[s.instance].module = s.system.main; }},
         {"`P` has the wrong number of operands", [](Small& s) { s.system.properties[{0}].pattern = Pattern::LeadsTo; }},

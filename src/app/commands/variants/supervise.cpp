@@ -122,7 +122,7 @@ void print_timed(const Supervised& found, std::ostream& out) {
 
 std::string timelock_text(Outcome timelock) {
     switch (timelock) {
-    case Outcome::Holds: return "With the conditions, time never stops in the timed loop (grain atomic).\n";
+    case Outcome::Holds: return "With the conditions, time cannot stop in the timed loop (grain atomic).\n";
     case Outcome::Violated:
         return "Time can stop in the timed loop (grain atomic), with or without the conditions; run `grafverif check` "
                "for a trace.\n";
@@ -156,8 +156,9 @@ void print_conditions(const Supervised& found, std::ostream& out) {
                            : condition.term == "false" ? "false, so this action never sets the output"
                                                        : condition.term);
     if (!found.never_active_steps.empty())
-        out << fmt::format("Some steps are active without the conditions, but never active with them: {}.\n",
-                           listed(found.never_active_steps));
+        out << fmt::format(
+            "These steps can be active without the conditions, but are never active with the conditions: {}.\n",
+            listed(found.never_active_steps));
     out << permissiveness_text(found) << '\n';
 }
 
@@ -287,11 +288,12 @@ CliCommand supervise_usage() {
         "Computes conditions over the inputs and steps of the charts of a closed loop in FILE, and adds them to the\n"
         "transitions and outputs of these charts. Under these conditions, the properties of states (always, never,\n"
         "exactly one of) hold for all behaviour of the plant, and a marked situation remains reachable. The\n"
-        "conditions are computed on the untimed model with interleaved plant automata and grain atomic. -o writes the\n"
-        "file with the conditions, after two engines have proved its properties. If no such conditions exist, a trace\n"
-        "shows behaviour that no controller can prevent. Conditions that disable a transition or an output\n"
-        "completely are not written. Exit code 1: no such conditions exist, or the computed conditions disable a\n"
-        "transition or an output completely. docs/how-to/supervise.md states the guarantees.",
+        "conditions are computed on the untimed model in which one plant automaton moves at a time (interleaved) and\n"
+        "a PLC cycle is one indivisible step (grain atomic). -o writes the file with the conditions, after two\n"
+        "engines have proved its properties. If no such conditions exist, a trace shows behaviour that no controller\n"
+        "can prevent. Conditions that disable a transition or an output completely are not written. Exit code 1: no\n"
+        "such conditions exist, or the computed conditions disable a transition or an output completely.\n"
+        "docs/how-to/supervise.md states the guarantees.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
         {OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Supervision,
