@@ -219,11 +219,11 @@ std::vector<Option> options_for_forms() {
                            {"evolutions", TestCover::Evolutions},
                            {"locations", TestCover::Locations}},
                           &Options::cover,
-                          "elements that the test covers: transitions (every combination of inputs in every state), "
-                          "every evolution once, or every location (default: transitions)"),
+                          "elements that the test covers: transitions: every combination of inputs in every state; "
+                          "evolutions: every evolution once; locations: every location (default: transitions)"),
         choice<bool>(OptionGroup::Cover, "hold", {{"stable", false}, {"one", true}}, &Options::one_cycle_each,
-                     "PLC cycles of a test step: two if the inputs keep the controller in the reached state, otherwise "
-                     "one; or always one (default: stable)"),
+                     "PLC cycles of a test step: stable: two if the inputs keep the controller in the reached state, "
+                     "otherwise one; one: always one (default: stable)"),
         toggle(OptionGroup::Minimise, "minimise", &Options::minimise,
                "merge states that no sequence of inputs can distinguish by the outputs"),
         number(OptionGroup::Limits, "max-states", "N", {}, &Options::max_states,

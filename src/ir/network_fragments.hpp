@@ -78,7 +78,7 @@ LocalNetwork localized(const Network& network, const NetworkFragments& cells, co
 
 /// Returns the fragments whose variables and locations the operands of `property` read, in order. The result is empty
 /// if the operands read no fragment. The result is also empty if an operand reads a value that a localized network does
-/// not preserve: `race`, a scratch variable, or the location of a PLC in its cycle.
+/// not preserve: the flag `race`, a scratch variable, or the location of a PLC in its cycle.
 std::vector<std::uint32_t> cells_read(const Network& network, const NetworkFragments& cells, const Property& property);
 
 }  // namespace grafverif

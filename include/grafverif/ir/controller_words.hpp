@@ -31,7 +31,7 @@ struct ControllerWords {
     };
     struct Timer {
         Id<Variable> end = {};
-        /// Index in `steps` of the observed step; empty if another term is observed.
+        /// Index in `steps` of the step that the timer observes; empty if the timer observes another term.
         std::optional<std::size_t> step = {};
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
         /// Name of the step variable or other variable that the timer observes, such as `X2` or `a`; empty if the timer

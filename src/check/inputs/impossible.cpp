@@ -196,9 +196,9 @@ private:
         return network;
     }
 
-    /// Reduces the guard to the conjuncts over known variables. The other conjuncts are assumed to be true. Because the
-    /// edge must be taken only if they are true, it is no longer urgent, unless observers write all variables that they
-    /// read: these conjuncts are true whenever time passes.
+    /// Reduces the guard to the conjuncts over known variables. The other conjuncts are assumed to be true. The edge
+    /// must be taken only if they are true; therefore, the edge is no longer urgent. A conjunct that reads only
+    /// variables of observers does not change the urgency, because it is true whenever time passes.
     static void keep_known_conjuncts(Network& network, Network::Edge& edge,
                                      const std::set<Id<Network::Variable>>& known,
                                      const std::set<Id<Network::Variable>>& of_observers) {
@@ -323,8 +323,8 @@ private:
             if (!is_chosen(m)) processes.match(m, state);
     }
 
-    /// Executes the processes along the path from position `begin`, at which they have the given states. Returns the
-    /// first impossible position.
+    /// Executes the processes along the path from position `begin`, at which the processes have the given states.
+    /// Returns the first impossible position.
     std::optional<std::size_t> first_impossible(ProcessGroup& processes, std::size_t begin) const {
         if (waits_) processes.wait();
         auto next = samplings_.begin();
