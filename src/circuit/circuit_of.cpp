@@ -257,8 +257,8 @@ private:
     }
 
     /// Returns justice conditions for a run that has a state with `from` (default: its first state), but no state with
-    /// `goal` at that time or later. Such a run exists if and only if these conditions, which include the justice
-    /// conditions of the system, can all hold infinitely often. A free input selects a state with `from`.
+    /// `goal` at that time or later. A run of this type exists if and only if these conditions, which include the
+    /// justice conditions of the system, can all hold infinitely often. A free input selects a state with `from`.
     std::vector<Literal> never_again(const Gate& goal, const std::optional<Gate>& from) {
         const std::string number = std::to_string(circuit().targets.size());
         Gate waits = yes();

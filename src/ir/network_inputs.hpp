@@ -146,9 +146,9 @@ InputAbstraction abstract_inputs(const Network& network, const std::vector<Abstr
 /// Converts `network` to the longest time unit in which all clock bounds are integers. Bounds of `paced` instances do
 /// not affect the choice of the unit: they become 1, or 0 if they are shorter than the unit. Integer time is exact in
 /// this unit, as in any unit that divides the bounds. Bounds of `rounded` processes do not affect the choice of the
-/// unit either. They are rounded to multiples of the unit, lower bounds down and upper bounds up, so that each run
-/// remains possible. If both lists are empty, the result is `network` with the longest unit. Requires that `network` is
-/// expanded, and that `rounded` processes have no constraint `clock == bound`.
+/// unit either: lower bounds are rounded down to multiples of the unit, and upper bounds are rounded up, so that each
+/// run remains possible. If both lists are empty, the result is `network` with the longest unit. Requires that
+/// `network` is expanded, and that `rounded` processes have no constraint `clock == bound`.
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced = {},
                         const std::vector<Id<Network::Process>>& rounded = {}, const InputAblations& ablations = {});
 

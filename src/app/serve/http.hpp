@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// HttpServer: serves pages to browsers of this user on this computer. It listens on 127.0.0.1 and, if available, on
-// [::1]. A request must name one of these addresses as its Host, must not come from another page (Origin), and must
-// contain the token. Therefore neither pages of other sites nor other users of the computer have access. The size,
-// duration and number of requests are bounded.
+// HttpServer: serves pages to browsers of this user on this computer. The server listens on 127.0.0.1 and, if
+// available, on [::1]. A request must name one of these addresses as its Host, must not come from another page
+// (Origin), and must contain the token. Therefore neither pages of other sites nor other users of the computer have
+// access. The size, duration and number of requests are bounded.
 //
 // One thread reads and writes; other threads compute responses. The response to a request can be delayed until `notify`
 // is called.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The thread of the watchdog allocates no memory, because memory may be exhausted. It acquires only the lock of the
-// watchdog, because the run may hold any other lock.
+// The thread of the watchdog allocates no memory, because memory may be exhausted. The thread acquires only the lock of
+// the watchdog, because the run may hold any other lock.
 #include "app/system/watchdog.hpp"
 
 #include <fcntl.h>

@@ -73,10 +73,10 @@ Instruction field_within(const Field& field, std::int64_t low, std::int64_t high
 /// value.
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
-/// Special registers, which precede the general registers. They belong to code that chooses the valuations of inputs
-/// when it reads these inputs (ir/network_inputs.hpp). A bit mask represents the set of valuations that are possible
-/// for a choice. If the condition of `Choose` is true for some valuations of this set and false for others, the set is
-/// split. `path` has one bit per split; `depth` counts the splits of an execution.
+/// Special registers, which precede the general registers. The special registers belong to code that chooses the
+/// valuations of inputs when it reads these inputs (ir/network_inputs.hpp). A bit mask represents the set of valuations
+/// that are possible for a choice. If the condition of `Choose` is true for some valuations of this set and false for
+/// others, the set is split. `path` has one bit per split; `depth` counts the splits of an execution.
 struct Choices {
     static constexpr std::uint32_t depth = 1, path = 2, path_text = 4, most_splits = 64 * path_text;
     static constexpr std::uint32_t set(std::size_t choice) {
