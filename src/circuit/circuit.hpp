@@ -73,6 +73,7 @@ struct Circuit {
     std::vector<Latch> latches = {};
     std::vector<Word> words = {};    ///< value of each variable of the flat system in the current state or step
     std::vector<Word> symbols = {};  ///< value of each symbol of the system's main module
+    Literal broken = Gates::no;      ///< the latch `broken`; the constant `no` if the circuit has no such latch
     Literal possible = Gates::yes;   ///< true if the current state satisfies the system's invariants
     /// True if the current state is possible and quiescent. Valid only if the system has the term `settled`.
     Literal settled = Gates::no;

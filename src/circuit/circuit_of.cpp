@@ -173,6 +173,7 @@ private:
         Gate offered = kept;
         for (const Id<Expr> term : flat_.transitions) offered = offered & truth(now_(term));
         broken_ = add_latch("broken");
+        circuit().broken = broken_.literal;
         circuit().latches.back().next = (broken_ | ~offered).literal;
         possible_ = kept & ~broken_;
         stepping_ = offered & ~broken_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analyse/analyse.hpp"
+#include "check/inputs/inputs.hpp"
 #include "check/localization/localization.hpp"
 #include "check/pdr/check.hpp"
 #include "check/symbolic/symbolic.hpp"
@@ -41,6 +42,7 @@ struct LoopToCheck {
     bool disabled_corrections = false;  ///< true if runs of the network intentionally differ from runs of its charts
     /// Returns the duration that determines the time unit; called only for a state profile.
     std::function<std::optional<StateProfile::Finest>()> finest = {};
+    StateProver prove = {};  ///< decides properties in abstractions of `network`; may be empty
 };
 /// Returns the loop to check. `network` is the network of `loop`.
 LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network);

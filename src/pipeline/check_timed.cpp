@@ -179,7 +179,10 @@ private:
 
 LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network) {
     return {network, charts_of(model, model.loops[loop]), false,
-            [&model, loop] { return finest_duration(model, model.loops[loop]); }};
+            [&model, loop] { return finest_duration(model, model.loops[loop]); },
+            prover_by_pdr([&model, loop](const Network& abstraction) {
+                return system_of_abstraction(model, loop, abstraction);
+            })};
 }
 
 namespace {
@@ -203,7 +206,7 @@ public:
     StagedSearch& search() { return search_; }
 
     Report report() {
-        const LoopToCheck watched_loop{network_, loop_.charts, loop_.disabled_corrections, loop_.finest};
+        const LoopToCheck watched_loop{network_, loop_.charts, loop_.disabled_corrections, loop_.finest, loop_.prove};
         Report report = Reporter(watched_loop, own_).report(search_.result());
         const Property& sentence = loop_.network.properties[id_];
         for (PropertyResult& answer : report.answers) {
@@ -277,7 +280,7 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
         rest.limits.states =
             std::min(rest.limits.states.value_or(LocalizationLimits{}.whole), LocalizationLimits{}.whole);
     }
-    const LoopToCheck unwatched{alone, loop.charts, loop.disabled_corrections, loop.finest};
+    const LoopToCheck unwatched{alone, loop.charts, loop.disabled_corrections, loop.finest, loop.prove};
     const Observe nothing = std::identity{};
     StagedSearch search(unwatched, nothing, alone, rest);
     std::deque<StagedSearch*> searches{&search};

@@ -32,6 +32,10 @@ TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const
 /// properties. Use the system only for checking, not for output.
 std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                                    Diagnostics& diagnostics);
+/// Returns the model of `abstraction`, an abstraction of the network of the loop, as a TransitionSystem
+/// (schedule/network.hpp); nullopt if a variable has too many values for a symbolic model.
+std::optional<TransitionSystem> system_of_abstraction(const Model& model, Id<ClosedLoop> loop,
+                                                      const Network& abstraction);
 /// Returns `network` with the observers of all its properties and with all probes, for external programs.
 Network network_with_probes(const Network& network);
 

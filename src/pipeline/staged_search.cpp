@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <memory>
 
+#include "check/pdr/check.hpp"
 #include "ir/probes.hpp"
 #include "pipeline/models.hpp"
 
@@ -48,6 +52,42 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
     return timed;
 }
 
+StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Network&)> system_of) {
+    struct Faults {
+        std::vector<std::string> excluded = {};  // names of implicit properties that are proved
+        bool none = false;                       // true if no model error is possible
+        std::chrono::steady_clock::duration time = std::chrono::seconds(2);  // for the next proof
+    };
+    return [system_of = std::move(system_of),
+            faults = std::make_shared<Faults>()](const ProofTask& task) -> std::optional<bool> {
+        if (faults->none && std::ranges::find(faults->excluded, task.property) != faults->excluded.end()) return true;
+        const std::optional<TransitionSystem> system = system_of(task.abstraction);
+        if (!system) return {};
+        PdrOptions pdr;
+        pdr.max_memory = task.memory;
+        pdr.deadline = task.share;
+        pdr.stop = task.stop;
+        const auto check = [&](std::vector<std::string> names) {
+            pdr.properties = std::move(names);
+            PdrResult found = check_pdr(*system, pdr);
+            if (!found.failures.empty()) found.verdicts.clear();
+            return std::move(found.verdicts);
+        };
+        std::vector<Verdict> found = check({task.property});
+        if (found.size() != 1 || found.front().outcome == Outcome::Unknown) return {};
+        if (found.front().outcome == Outcome::Violated) return false;
+        if (faults->none) return true;
+        if (std::vector<std::string> names = unproven_faults(*system, found); !names.empty()) {
+            const auto end = std::chrono::steady_clock::now() + std::exchange(faults->time, faults->time * 2);
+            pdr.deadline = task.end ? std::min(end, *share_of(task.end, 4)) : end;
+            std::ranges::move(check(names), std::back_inserter(found));
+            faults->excluded = std::move(names);
+        }
+        faults->none = unproven_faults(*system, found).empty();
+        return faults->none ? std::optional(true) : std::nullopt;
+    };
+}
+
 StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network,
                            const CheckOptions& options, bool timelock)
     : is_watched_(&network != &loop.network),
@@ -76,7 +116,7 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, co
     expanded_ = expand(loop_.network);
     abstract_ = options_;
     abstract_.max_states = TimedOptions{}.max_states;
-    inputs_.emplace(expanded_, observe_, abstract_, complete_->found(), inputs);
+    inputs_.emplace(expanded_, observe_, abstract_, complete_->found(), inputs, InputAblations{}, loop_.prove);
     refines_inputs_ = true;
 }
 

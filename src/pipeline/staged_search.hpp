@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -26,6 +27,11 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 /// Checks a loop in the same way as `check` (pipeline/check.hpp), but does not search for the causes of violations and
 /// of unreachable steps.
 Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options);
+
+/// Returns a prover that decides properties by PDR on the untimed model that `system_of` returns for an abstraction.
+/// Copies of the prover share the proof that no model error is possible. Requires that all abstractions are abstractions
+/// of the same loop.
+StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Network&)> system_of);
 
 class StagedSearch {
 public:

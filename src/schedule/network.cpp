@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ir/patterns.hpp"
 #include "ir/probes.hpp"
 #include "ir/slots.hpp"
 #include "ir/words_of.hpp"
@@ -143,6 +144,23 @@ void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     plant.add_range_property();
 }
 
+/// Adds the properties of the network about all states, and the properties that exclude races and values outside their
+/// ranges.
+void add_network_queries(Main& main, const PlantInstances& plant) {
+    const Network& network = plant.context.network;
+    for (const Property& property : network.properties) {
+        const bool about_race = network.race.valid() && !property.origin.source.valid() && property.name == "no_race";
+        if (!is_about_all_states(property.pattern) || about_race) continue;
+        Property translated = property;
+        for (Id<Expr>& operand : translated.operands) operand = over_main(plant, operand);
+        main.system.properties.add(std::move(translated));
+    }
+    if (network.race.valid())
+        add_never(main.system, "no_race", "no two stored actions assign different values to one variable",
+                  {main.draft.leaf(plant.variables[network.race.index])});
+    plant.add_range_property();
+}
+
 /// Returns the subsystems of the network. The result is empty if there are observers, because each observer reads the
 /// complete network.
 System::Subsystems parts(const PlantInstances& plant, const MoveChoice& move, const Offers& offers) {
@@ -203,8 +221,10 @@ System::Controller words(const PlantInstances& plant, const Network::Controller&
     return made;
 }
 
+enum class PropertiesOf { Loop, Network };
+
 TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
-                             const Network& network, const ScheduleOptions& options) {
+                             const Network& network, const ScheduleOptions& options, PropertiesOf properties) {
     const bool discrete = options.time == TimeModel::Discrete;
     Main main(network.name);
     const MoveChoice move = add_move(main, network, discrete);
@@ -236,7 +256,8 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
                         .own = [&](std::size_t process, std::size_t place) { return plant.argument(process, place); },
                         .can_move = offers.can_move,
                         .can_wait = offers.can_wait};
-    add_queries(meaning, plant);
+    if (properties == PropertiesOf::Loop) add_queries(meaning, plant);
+    else add_network_queries(main, plant);
     main.system.settled = over_main(plant, network.settled);
     main.system.scope = network_scope(network, options);
     for (const Id<Network::Controller> id : network.controllers.ids())
@@ -257,7 +278,24 @@ std::optional<TransitionSystem> schedule_network(const Model& model, const Close
     const std::size_t errors = diagnostics.errors();
     check_widths(network, diagnostics);
     if (diagnostics.errors() != errors) return {};
-    TransitionSystem system = interleaved(model, loop, equations, network, options);
+    TransitionSystem system = interleaved(model, loop, equations, network, options, PropertiesOf::Loop);
+    assert(verify(system).empty());
+    return system;
+}
+
+std::optional<TransitionSystem> schedule_abstraction(const Model& model, const ClosedLoop& loop,
+                                                     std::span<const Equations> equations, const Network& abstraction) {
+    Diagnostics found;
+    check_widths(abstraction, found);
+    if (found.errors() != 0) return {};
+    const bool timed = std::ranges::any_of(abstraction.processes, [&](const Network::Process& process) {
+        const Network::Template& automaton = abstraction.templates[process.automaton];
+        return std::ranges::any_of(automaton.edges, [](const auto& edge) { return !edge.constraint.empty(); }) ||
+               std::ranges::any_of(automaton.locations, [](const auto& place) { return !place.invariant.empty(); });
+    });
+    ScheduleOptions options;
+    options.time = timed ? TimeModel::Discrete : TimeModel::Abstract;
+    TransitionSystem system = interleaved(model, loop, equations, abstraction, options, PropertiesOf::Network);
     assert(verify(system).empty());
     return system;
 }

@@ -40,4 +40,11 @@ std::optional<TransitionSystem> schedule_network(const Model& model, const Close
                                                  std::span<const Equations> equations, const Network& network,
                                                  const ScheduleOptions& options, Diagnostics& diagnostics);
 
+/// Translates an abstraction of the network of `loop`: an expanded network with the same controllers, processes and
+/// variables, in which clock constraints may be missing. The properties of the result are the properties of
+/// `abstraction` about all states, and the properties that exclude races and values outside their ranges. If some process
+/// has clock constraints, time is discrete. If a variable has too many values for a symbolic model, returns nullopt.
+std::optional<TransitionSystem> schedule_abstraction(const Model& model, const ClosedLoop& loop,
+                                                     std::span<const Equations> equations, const Network& abstraction);
+
 }  // namespace grafverif

@@ -10,6 +10,8 @@
 
 #include "check/inputs/inputs.hpp"
 #include "compose/observe.hpp"
+#include "pipeline/models.hpp"
+#include "pipeline/staged_search.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_panel.hpp"
 #include "support/read_loop.hpp"
@@ -223,7 +225,7 @@ struct Compared {
 
 /// Compares all properties of a loop; returns the number of wrong verdicts.
 int compare(const Network& loop, const InputAblations& ablations, bool expected, std::map<std::string, int>& seen,
-            std::uint64_t explored = 0) {
+            std::uint64_t explored = 0, const StateProver& prove = {}) {
     Compared compared{0, seen};
     std::vector<std::vector<Id<Property>>> groups{{}};
     for (const Id<Property> id : watched(loop)) groups.push_back({id});
@@ -246,7 +248,8 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
         // The complete search provides the result that a longer first search would find.
         inputs.time_passes = complete.time_passes;
         options.max_states = complete_limit;
-        InputSearch search(loop, observe, options, inputs, {.followed = 20'000, .explored = explored}, ablations);
+        InputSearch search(loop, observe, options, inputs, {.followed = 20'000, .explored = explored}, ablations,
+                           prove);
         for (const std::uint64_t states : {std::uint64_t{30}, options.max_states})
             if (!search.run(states, {})) break;
         compared.compare(network, complete, inputs, expected);
@@ -310,6 +313,28 @@ TEST(InputAbstraction, RandomLoopsGetTheVerdictsOfTheCompleteLoop) {
     print_counts(seen);
     EXPECT_GT(seen["holds without a run"], test_size(5));
     EXPECT_GT(seen["violated with a run"], test_size(5));
+}
+
+TEST(InputAbstraction, SymbolicProofsAgreeWithTheCompleteLoop) {
+    std::map<std::string, int> seen;
+    for (int seed = 1; seed <= test_size(60) && !testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed) + 5000);
+        const auto loop =
+            read_loop(panel_loop(random, plants), {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased});
+        const StateProver by_pdr = prover_by_pdr(
+            [&](const Network& abstraction) { return system_of_abstraction(loop.model, {0}, abstraction); });
+        const StateProver prove = [&](const ProofTask& task) {
+            const std::optional<bool> holds = by_pdr({task.abstraction, task.property, {}, {}, task.memory, task.stop});
+            ++seen[!holds ? "not proved" : *holds ? "proved" : "refuted"];
+            return holds;
+        };
+        compare(expand(loop.network), {}, true, seen, 0, prove);
+    }
+    print_counts(seen);
+    EXPECT_GT(seen["proved"], test_size(10));
+    EXPECT_GT(seen["refuted"], test_size(10));
+    EXPECT_GT(seen["not proved"], 0);
 }
 
 TEST(InputAbstraction, EachPremiseIsNeeded) {

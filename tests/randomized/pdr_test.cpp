@@ -11,6 +11,7 @@
 #include <iostream>
 
 #include "check/pdr/check.hpp"
+#include "check/pdr/latch_pairs.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
@@ -204,6 +205,40 @@ TEST(RandomizedPdr, AgreesWithTheOtherEnginesOnASmallLoopInEveryApproachAndSched
               << " not decided\n";
     EXPECT_GT(compared.systems, 5u);
     EXPECT_GT(compared.violated, 5u);
+}
+
+TEST(RandomizedPdr, PairsOfLatchesAreInvariantsAndChangeNoVerdict) {
+    std::size_t pairs = 0, reached = 0, unreached = 0, proofs = 0;
+    for (int seed = 1; seed <= test_size(150); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        System system = random_system(random);
+        ask_more(system, random);
+        FlatSystem flat = flattened(system);
+        const Circuit circuit = circuit_of(system, flat).circuit;
+        pdr::LimitMonitor watch({});
+        pdr::LatchPairs search(circuit, watch);
+        const std::vector<pdr::Cube>& cubes = search.cubes();
+        ASSERT_EQ(pdr::flaw(circuit, Gates::no, cubes, watch), "");
+        pairs += cubes.size();
+        for (const Circuit::Target& target : circuit.targets) {
+            if (!target.justice.empty()) continue;
+            const pdr::PdrAnswer plain = pdr::reach(circuit, target.bad, watch);
+            const pdr::KnownInvariant known{[&]() -> const std::vector<pdr::Cube>& { return cubes; }, 0};
+            const pdr::PdrAnswer answer = pdr::reach(circuit, target.bad, watch, {}, known);
+            ASSERT_EQ(answer.reached, plain.reached);
+            ++(answer.reached ? reached : unreached);
+            if (answer.reached) continue;
+            ASSERT_EQ(pdr::flaw(circuit, target.bad, answer.invariant, watch), "");
+            proofs += pdr::flaw(circuit, target.bad, cubes, watch).empty() ? 1U : 0U;
+        }
+    }
+    std::cout << pairs << " pairs, " << reached << " targets reached, " << unreached << " not reached, " << proofs
+              << " of them excluded by pairs alone\n";
+    EXPECT_GT(pairs, 500u);
+    EXPECT_GT(reached, 50u);
+    EXPECT_GT(unreached, proofs);
+    EXPECT_GT(proofs, 10u);
 }
 
 TEST(RandomizedPdr, InvariantsWithoutAClauseOrLiteralAreCheckedAgain) {

@@ -25,13 +25,14 @@ class InputAbstractionCheck {
 
 public:
     InputAbstractionCheck(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
-                          const InputLimits& limits, const InputAblations& ablations)
+                          const InputLimits& limits, const InputAblations& ablations, StateProver prove)
         : loop_(loop),
           observe_(observe),
           options_(options),
           result_(result),
           limits_(limits),
           ablations_(ablations),
+          prove_(std::move(prove)),
           instances_(abstractable_processes(loop, ablations)),
           observed_(expand(observe(loop))),
           complete_(in_longest_unit(observed_)),
@@ -123,6 +124,7 @@ private:
     bool each_part_is_lively() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
                          const Task& task);
+    bool prove_symbolically(std::size_t verdict, const Task& task, double seconds);
     void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     Run in_units(Run run) const;
@@ -138,6 +140,7 @@ private:
     TimedResult& result_;
     const InputLimits limits_;
     const InputAblations ablations_;
+    const StateProver prove_;
     const std::vector<AbstractableProcess> instances_;
     const Network observed_;
     const Network complete_;                        // complete network in its longest time unit
@@ -149,6 +152,8 @@ private:
     // True if it is proved that time diverges if instances that need not move (AbstractableProcess::can_rest) do not
     // move.
     bool time_diverges_ = false;
+    // Verdicts with levels for which the symbolic engine found a violation.
+    std::set<std::pair<std::size_t, Levels>> refuted_ = {};
     std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;              // bound of the searches of the current round
     Deadline deadline_ = {};

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <map>
 #include <tuple>
 
 #include "check/inputs/input_check.hpp"
+#include "check/timed/layout.hpp"
 #include "check/timed/program.hpp"
 #include "grafverif/ir/chart_run.hpp"
 #include "ir/patterns.hpp"
@@ -268,7 +270,7 @@ void InputAbstractionCheck::search(const Task& task) {
                                 seconds_text(network.time_unit_ms)));
             conclude(k, verdict, task.levels);
         } else if (ends || stopped()) {
-            open.push_back(k);
+            if (!prove_symbolically(k, task, found.seconds)) open.push_back(k);
         } else {
             refine(k, task, End::Limit, task.levels, next);
         }
@@ -278,6 +280,30 @@ void InputAbstractionCheck::search(const Task& task) {
         postponed_.back().verdicts = std::move(open);
     }
     std::ranges::move(next, std::back_inserter(tasks_));
+}
+
+/// Tries to prove a property by the symbolic engine in at most `seconds`, or one second if this is longer.
+bool InputAbstractionCheck::prove_symbolically(std::size_t k, const Task& task, double seconds) {
+    const std::string& name = observed_.properties[result_.verdicts[k].about].name;
+    if (!prove_ || stopped() || !is_about_all_states(observed_.properties[result_.verdicts[k].about].pattern))
+        return false;
+    Levels levels = task.levels;
+    for (InputLevel& level : levels) level = std::max(level, InputLevel::Untimed);
+    if (refuted_.contains({k, levels})) return false;
+    const InputAbstraction abstraction = abstract_inputs(loop_, instances_, levels, ablations_);
+    const Network network = in_longest_unit(expand(observe_(abstraction.network)), abstraction.paced, {}, ablations_);
+    if (timed::inexact_place(network)) return false;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                            std::chrono::duration<double>(std::max(seconds, 1.0)));
+    const std::optional<bool> holds = prove_({network, name, deadline_ ? std::min(*deadline_, end) : end, deadline_,
+                                              options_.max_memory / 2, options_.stop});
+    if (holds && !*holds) refuted_.emplace(k, std::move(levels));
+    if (!holds || !*holds) return false;
+    Verdict found;
+    found.outcome = Outcome::Holds;
+    found.notes.emplace_back("proved by an inductive invariant of the abstraction");
+    conclude(k, found, levels);
+    return true;
 }
 
 void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const Levels& levels) {
@@ -365,8 +391,9 @@ InputsAbstracted InputAbstractionCheck::abstracted(const Levels& levels) const {
 }
 
 InputSearch::InputSearch(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
-                         const InputLimits& limits, const InputAblations& ablations)
-    : search_(std::make_unique<InputAbstractionCheck>(loop, observe, options, result, limits, ablations)) {}
+                         const InputLimits& limits, const InputAblations& ablations, StateProver prove)
+    : search_(std::make_unique<InputAbstractionCheck>(loop, observe, options, result, limits, ablations,
+                                                      std::move(prove))) {}
 
 InputSearch::~InputSearch() = default;
 

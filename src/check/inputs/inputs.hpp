@@ -13,12 +13,18 @@
 // the next round. Therefore a property that requires a small search does not wait for a property that requires a large
 // search. Each round begins with a search for runs of the complete loop (novelty.hpp).
 //
+// If a search reaches the bound of its round, a symbolic engine may prove the property in the same abstraction, in
+// which `Chosen` processes become `Untimed`. The symbolic engine takes about as much time as the search.
+//
 // An abstraction with a model error yields no verdict, because the states after the error are not explored.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "check/shares.hpp"
@@ -29,6 +35,22 @@ namespace grafverif {
 /// Returns the network with the observers of the current properties; returns the network unchanged if no property has
 /// an observer.
 using Observe = std::function<Network(const Network&)>;
+
+/// A property about all states to be decided by a symbolic engine in an abstraction of the loop.
+struct ProofTask {
+    /// Expanded network in which the clocks of some processes are ignored, with the observers of the current properties.
+    const Network& abstraction;
+    const std::string& property;
+    Deadline share = {};  ///< end of the proof of the property
+    /// End of the proof that no state has a model error. This proof is valid for all abstractions of the loop.
+    Deadline end = {};
+    std::uint64_t memory = 0;  ///< memory limit in bytes
+    const std::atomic<bool>* stop = nullptr;
+};
+
+/// Returns true if it is proved that the property holds in all states, and that no state has a model error. Returns
+/// false if some state violates the property. Returns nullopt if a limit is reached, or if a model error is possible.
+using StateProver = std::function<std::optional<bool>(const ProofTask&)>;
 
 struct InputLimits {
     std::uint64_t states = std::uint64_t{1} << 24U;  ///< maximum number of states of one search of an abstraction
@@ -60,9 +82,10 @@ class InputAbstractionCheck;
 class InputSearch {
 public:
     /// `loop` is expanded and has no observers. `result` is the result for observe(loop), with the verdicts that
-    /// `options` select. The searches have the memory limit of `options`. All references must outlive the search.
+    /// `options` select. The searches have the memory limit of `options`. If `prove` is given, it is called for
+    /// abstractions that exceed the bound of a round. All references must outlive the search.
     InputSearch(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
-                const InputLimits& limits = {}, const InputAblations& ablations = {});
+                const InputLimits& limits = {}, const InputAblations& ablations = {}, StateProver prove = {});
     ~InputSearch();
     InputSearch(InputSearch&&) = delete;
 

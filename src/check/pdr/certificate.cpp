@@ -11,7 +11,8 @@ namespace {
 /// A solver with the clauses of all gates of the circuit. Variable n + 1 represents node n.
 class CircuitClauses {
 public:
-    CircuitClauses(const Circuit& circuit, LimitMonitor& watch) : solver_(watch) {
+    CircuitClauses(const Circuit& circuit, LimitMonitor& watch)
+        : solver_(watch), variables_(static_cast<int>(circuit.gates.size())) {
         clause({-1});
         for (std::uint32_t node = 1; node < circuit.gates.size(); ++node) {
             if (!circuit.gates.is_gate(node)) continue;
@@ -27,10 +28,15 @@ public:
         return is_inverted(literal) ? -variable : variable;
     }
     void clause(const std::vector<int>& literals) { solver_.add(literals); }
-    bool possible(const std::vector<int>& assumptions) { return solver_.solve(assumptions); }
+    int fresh() { return ++variables_; }
+    /// True if the clauses and assumptions are satisfiable; if `one_of` is not empty, with one of its literals.
+    bool possible(const std::vector<int>& assumptions, const std::vector<int>& one_of = {}) {
+        return solver_.solve(assumptions, one_of);
+    }
 
 private:
     SatSolver solver_;
+    int variables_;
 };
 
 }  // namespace
@@ -49,11 +55,13 @@ std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& c
         solver.clause(outside);
     }
     if (solver.possible({CircuitClauses::of(bad)})) return "it does not exclude the bad states";
+    std::vector<int> entered;  // for each cube, a variable that implies that the next state belongs to the cube
     for (const Cube& cube : cubes) {
-        std::vector<int> after;
-        for (const Literal literal : cube) after.push_back(CircuitClauses::of(next[node_of(literal)] ^ (literal & 1U)));
-        if (solver.possible(after)) return "it is not inductive";
+        entered.push_back(solver.fresh());
+        for (const Literal literal : cube)
+            solver.clause({-entered.back(), CircuitClauses::of(next[node_of(literal)] ^ (literal & 1U))});
     }
+    if (!entered.empty() && solver.possible({}, entered)) return "it is not inductive";
     return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "check/evidence.hpp"
 #include "check/pdr/equal_latches.hpp"
+#include "check/pdr/latch_pairs.hpp"
 #include "check/pdr/pdr.hpp"
 #include "check/pdr/unrolling.hpp"
 #include "check/unsupported.hpp"
@@ -115,7 +116,11 @@ private:
         };
         std::function<PdrAnswer()> search = interrupted != nullptr ? *interrupted : nullptr;
         if (options_.reach) search = [&] { return options_.reach(circuit_, bad, watch_); };
-        else if (!search) search = search_for(circuit_, bad, watch_, report_frames);
+        else if (!search)
+            search = search_for(circuit_, bad, watch_, report_frames, {[this]() -> const std::vector<Cube>& {
+                                    if (!pairs_) pairs_.emplace(circuit_, watch_);
+                                    return pairs_->cubes();
+                                }});
         if (interrupted != nullptr) *interrupted = search;
         PdrAnswer answer = search();
         if (interrupted != nullptr) *interrupted = nullptr;
@@ -455,6 +460,7 @@ private:
     std::vector<PropertyQuery> questions_ = {};
     std::optional<Unrolling> unrolling_ = {};
     std::optional<EqualLatches> equal_latches_ = {};
+    std::optional<LatchPairs> pairs_ = {};          ///< searches keep references to its result
     bool without_bmc_ = false;                      ///< true if there is not enough memory for BMC
     UnknownReason obstacle_ = UnknownReason::None;  ///< reason why the current work ended
     std::string reason_ = {};

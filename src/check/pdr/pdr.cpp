@@ -31,8 +31,14 @@ struct Obligation {
 
 class PdrSearch {
 public:
-    PdrSearch(const Circuit& circuit, Literal bad, LimitMonitor& watch, std::function<void(std::size_t)> progress)
-        : circuit_(circuit), bad_(bad), watch_(watch), progress_(std::move(progress)), justifier_(circuit) {
+    PdrSearch(const Circuit& circuit, Literal bad, LimitMonitor& watch, std::function<void(std::size_t)> progress,
+              KnownInvariant known)
+        : circuit_(circuit),
+          bad_(bad),
+          watch_(watch),
+          progress_(std::move(progress)),
+          known_(std::move(known)),
+          justifier_(circuit) {
         for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
     }
 
@@ -74,9 +80,27 @@ private:
         for (int& each : active_) each = solver_->fresh();
         solver_->all_false_under(active_[0]);
         live_ = 0;
+        exclude_known();
         for (std::size_t frame = 1; frame < frames_.size(); ++frame)
             for (const Cube& cube : frames_[frame]) exclude(cube, frame);
         clauses_when_new_ = solver_->clauses();
+    }
+
+    /// Excludes the states of a known invariant's complement from all frames.
+    void exclude_known() {
+        if (invariant_ == nullptr) return;
+        for (const Cube& cube : *invariant_) {
+            std::vector<int> clause;
+            for (const Literal literal : cube) clause.push_back(-solver_->of(literal));
+            solver_->add(clause);
+        }
+    }
+
+    /// Uses the known invariant from the first call after many queries.
+    void look_for_known() {
+        if (!known_.cubes || invariant_ != nullptr || queries_ < known_.after) return;
+        invariant_ = &known_.cubes();
+        exclude_known();
     }
 
     void exclude(const Cube& cube, std::size_t frame) {
@@ -101,6 +125,7 @@ private:
             assumptions.push_back(solver_->of(next_of(literal)));
             if (from_outside) outside.push_back(-solver_->of(literal));
         }
+        ++queries_;
         if (solver_->solve(assumptions, outside)) return true;
         core.clear();
         for (std::size_t i = 0; i < cube.size(); ++i)
@@ -164,6 +189,7 @@ private:
         std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(later)> open(later);
         open.push(first);
         while (!open.empty()) {
+            look_for_known();
             const std::size_t at = open.top();
             const Cube state = obligations_[at].state;
             const std::size_t frame = obligations_[at].frame;
@@ -285,6 +311,8 @@ private:
         PdrAnswer answer{.frames = top()};
         for (std::size_t i = frame + 1; i < frames_.size(); ++i)
             answer.invariant.insert(answer.invariant.end(), frames_[i].begin(), frames_[i].end());
+        if (invariant_ != nullptr)
+            answer.invariant.insert(answer.invariant.end(), invariant_->begin(), invariant_->end());
         return answer;
     }
 
@@ -292,6 +320,9 @@ private:
     Literal bad_;
     LimitMonitor& watch_;
     std::function<void(std::size_t)> progress_;
+    KnownInvariant known_;
+    const std::vector<Cube>* invariant_ = nullptr;  ///< the cubes of `known_`; null if they are not used yet
+    std::uint64_t queries_ = 0;
     Justifier justifier_;
     std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< next value of the latch of each node
     std::optional<Solver> solver_ = {};
@@ -306,14 +337,15 @@ private:
 }  // namespace
 
 PdrAnswer reach(const Circuit& circuit, Literal bad, LimitMonitor& watch,
-                const std::function<void(std::size_t)>& progress) {
-    return PdrSearch(circuit, bad, watch, progress).result();
+                const std::function<void(std::size_t)>& progress, KnownInvariant known) {
+    return PdrSearch(circuit, bad, watch, progress, std::move(known)).result();
 }
 
 std::function<PdrAnswer()> search_for(const Circuit& circuit, Literal bad, LimitMonitor& watch,
-                                      std::function<void(std::size_t)> progress) {
-    return
-        [search = std::make_shared<PdrSearch>(circuit, bad, watch, std::move(progress))] { return search->result(); };
+                                      std::function<void(std::size_t)> progress, KnownInvariant known) {
+    return [search = std::make_shared<PdrSearch>(circuit, bad, watch, std::move(progress), std::move(known))] {
+        return search->result();
+    };
 }
 
 }  // namespace grafverif::pdr

@@ -27,13 +27,20 @@ struct PdrAnswer {
     std::size_t frames = 0;
 };
 
+/// An invariant that a search may use.
+struct KnownInvariant {
+    /// Returns cubes whose complement is an inductive invariant (see flaw); empty if there is no invariant.
+    std::function<const std::vector<Cube>&()> cubes = {};
+    std::uint64_t after = 2000;  ///< number of queries after which the search calls `cubes`
+};
+
 /// Decides if a bad state is reachable. Throws Exhausted if a limit is exceeded. `progress` is called with the current
-/// number of frames.
+/// number of frames. If the search requires many queries, it uses the invariant `known`.
 PdrAnswer reach(const Circuit& circuit, Literal bad, LimitMonitor& watch,
-                const std::function<void(std::size_t)>& progress = {});
+                const std::function<void(std::size_t)>& progress = {}, KnownInvariant known = {});
 /// Returns a function that performs the search of `reach`. If a call throws Exhausted, the next call continues the
 /// search. The circuit and the monitor must outlive the search.
 std::function<PdrAnswer()> search_for(const Circuit& circuit, Literal bad, LimitMonitor& watch,
-                                      std::function<void(std::size_t)> progress);
+                                      std::function<void(std::size_t)> progress, KnownInvariant known = {});
 
 }  // namespace grafverif::pdr

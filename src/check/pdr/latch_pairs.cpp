@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "check/pdr/latch_pairs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace grafverif::pdr {
+
+namespace {
+
+constexpr std::size_t word_bits = 64;
+
+bool bit(const std::vector<std::uint64_t>& bits, std::size_t k) {
+    return (bits[k / word_bits] >> (k % word_bits) & 1U) != 0;
+}
+
+}  // namespace
+
+LatchPairs::LatchPairs(const Circuit& circuit, LimitMonitor& watch) : circuit_(circuit), watch_(watch) {}
+
+/// Creates a solver for the candidates. If an exception interrupts a solver, its state is unknown.
+void LatchPairs::begin() {
+    const std::size_t count = circuit_.latches.size();
+    if (rows_.empty()) {
+        Bits all(count / word_bits + 1, 0);
+        for (std::size_t k = 0; k < count; ++k)
+            if (2 * circuit_.latches[k].node != circuit_.broken)
+                all[k / word_bits] |= std::uint64_t{1} << k % word_bits;
+        rows_.assign(count, {.both = all, .without = all});
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!bit(all, k)) rows_[k] = {.both = Bits(all.size(), 0), .without = Bits(all.size(), 0), .never = false};
+            rows_[k].both[k / word_bits] &= ~(std::uint64_t{1} << k % word_bits);
+            rows_[k].without[k / word_bits] &= ~(std::uint64_t{1} << k % word_bits);
+        }
+    }
+    solver_.emplace(circuit_, watch_);
+    now_.clear();
+    next_.clear();
+    for (const Circuit::Latch& latch : circuit_.latches) {
+        now_.push_back(solver_->of(2 * latch.node));
+        next_.push_back(solver_->of(latch.next));
+        if (2 * latch.node == circuit_.broken) {
+            solver_->add(std::array{-now_.back()});
+            solver_->add(std::array{-next_.back()});
+        }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        rows_[k].violation = solver_->fresh();
+        solver_->add(std::array{-rows_[k].violation, next_[k]});
+        require_violation(k);
+        assume(k);
+    }
+}
+
+/// Adds the clauses of the candidates of a row, with a new premise.
+void LatchPairs::assume(std::size_t latch) {
+    Row& row = rows_[latch];
+    row.premise = solver_->fresh();
+    if (row.never) return solver_->add(std::array{-row.premise, -now_[latch]});
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        if (bit(row.both, k)) solver_->add(std::array{-row.premise, -now_[latch], -now_[k]});
+        if (bit(row.without, k)) solver_->add(std::array{-row.premise, -now_[latch], now_[k]});
+    }
+}
+
+void LatchPairs::require_violation(std::size_t latch) {
+    const Row& row = rows_[latch];
+    if (row.never) return;
+    std::vector<int> clause{-row.violation};
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        if (bit(row.both, k)) clause.push_back(next_[k]);
+        if (bit(row.without, k)) clause.push_back(-next_[k]);
+    }
+    solver_->add(clause);
+}
+
+/// Drops the candidates that the state contains.
+void LatchPairs::drop(const std::vector<bool>& state) {
+    Bits values(rows_.size() / word_bits + 1, 0);
+    for (std::size_t k = 0; k < state.size(); ++k)
+        if (state[k]) values[k / word_bits] |= std::uint64_t{1} << k % word_bits;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        if (!state[k]) continue;
+        Row& row = rows_[k];
+        bool changes = std::exchange(row.never, false);
+        for (std::size_t w = 0; w < values.size(); ++w) {
+            changes = changes || (row.both[w] & values[w]) != 0 || (row.without[w] & ~values[w]) != 0;
+            row.both[w] &= ~values[w];
+            row.without[w] &= values[w];
+        }
+        if (!changes) continue;
+        require_violation(k);
+        assume(k);
+    }
+}
+
+/// Searches for a step from a state that contains no candidate to a state that contains candidates, and drops these
+/// candidates. Returns false if there is no such step.
+bool LatchPairs::refute() {
+    std::vector<int> premises, violations;
+    for (const Row& row : rows_) {
+        premises.push_back(row.premise);
+        violations.push_back(row.violation);
+    }
+    if (!solver_->solve(premises, violations)) return false;
+    std::vector<bool> state;
+    for (const Circuit::Latch& latch : circuit_.latches) state.push_back(solver_->value(latch.next));
+    drop(state);
+    return true;
+}
+
+const std::vector<Cube>& LatchPairs::cubes() {
+    if (cubes_) return *cubes_;
+    if (circuit_.latches.empty() || circuit_.latches.size() > most_latches) return cubes_.emplace();
+    begin();
+    // Clauses of dropped candidates remain in the solver, and slow it down.
+    for (std::uint64_t useful = solver_->clauses(); refute();)
+        if (solver_->clauses() > 2 * useful) {
+            begin();
+            useful = solver_->clauses();
+        }
+    solver_.reset();
+    std::vector<Cube> made;
+    const auto add = [&](Cube cube) {
+        if (circuit_.broken != Gates::no) cube.push_back(circuit_.broken ^ 1U);
+        std::ranges::sort(cube);
+        made.push_back(std::move(cube));
+    };
+    const auto literal = [&](std::size_t k) { return 2 * circuit_.latches[k].node; };
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        if (rows_[k].never) add({literal(k)});
+        for (std::size_t other = 0; other < rows_.size() && !rows_[k].never; ++other) {
+            if (rows_[other].never) continue;
+            if (other > k && bit(rows_[k].both, other)) add({literal(k), literal(other)});
+            if (bit(rows_[k].without, other)) add({literal(k), literal(other) ^ 1U});
+        }
+    }
+    return cubes_.emplace(std::move(made));
+}
+
+}  // namespace grafverif::pdr

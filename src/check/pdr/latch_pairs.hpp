@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Invariants of two literals: pairs of latches that no reachable state contains with certain values, for example the
+// activities of two steps of a sequence that are never active together. All pairs of the result are proved together by
+// induction (Houdini; Flanagan and Leino 2001: "Houdini, an annotation assistant for ESC/Java"; for circuits: Case,
+// Mishchenko and Brayton 2007: "Inductively finding a reachable state space over-approximation").
+//
+// The candidates are all pairs that the first state does not contain. A solver searches for a step from a state that
+// contains no candidate to a state that contains some candidates, and these candidates are dropped. The search ends if
+// there is no such step.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "check/pdr/certificate.hpp"
+
+namespace grafverif::pdr {
+
+class LatchPairs {
+public:
+    /// Circuits with more latches have too many candidates; the result is then empty.
+    static constexpr std::size_t most_latches = 1024;
+
+    /// Both arguments must outlive the object.
+    LatchPairs(const Circuit& circuit, LimitMonitor& watch);
+
+    /// Returns cubes that contain no reachable state. The complement of the cubes is an inductive invariant (see
+    /// `flaw`). A cube contains one or two literals, and the literal that Circuit::broken is false. Throws Exhausted if
+    /// a limit is exceeded; the next call continues the search.
+    const std::vector<Cube>& cubes();
+
+private:
+    using Bits = std::vector<std::uint64_t>;
+
+    /// The candidates with latch `a`: no state contains `a` and a latch of `both`, and no state contains `a` without
+    /// each latch of `without`. If `never` is true, no state contains `a`.
+    struct Row {
+        Bits both = {}, without = {};
+        bool never = true;
+        int premise = 0;    // while assumed, the current state contains no candidate of the row
+        int violation = 0;  // implies that the next state contains a candidate of the row
+    };
+
+    void begin();
+    void assume(std::size_t latch);
+    void require_violation(std::size_t latch);
+    void drop(const std::vector<bool>& state);
+    bool refute();
+
+    const Circuit& circuit_;
+    LimitMonitor& watch_;
+    std::optional<Solver> solver_ = {};
+    std::vector<Row> rows_ = {};
+    std::vector<int> now_ = {}, next_ = {};  // the solver's literals of each latch, before and after a step
+    std::optional<std::vector<Cube>> cubes_ = {};
+};
+
+}  // namespace grafverif::pdr
