@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "check/pdr/check.hpp"
+#include "explain/moves.hpp"
 #include "ir/probes.hpp"
 #include "pipeline/models.hpp"
 
@@ -58,33 +59,38 @@ StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Ne
         bool none = false;                       // true if no model error is possible
         std::chrono::steady_clock::duration time = std::chrono::seconds(2);  // for the next proof
     };
-    return [system_of = std::move(system_of),
-            faults = std::make_shared<Faults>()](const ProofTask& task) -> std::optional<bool> {
-        if (faults->none && std::ranges::find(faults->excluded, task.property) != faults->excluded.end()) return true;
+    return [system_of = std::move(system_of), faults = std::make_shared<Faults>()](const ProofTask& task) -> Proof {
+        if (faults->none && std::ranges::find(faults->excluded, task.property) != faults->excluded.end())
+            return {Outcome::Holds};
         const std::optional<TransitionSystem> system = system_of(task.abstraction);
         if (!system) return {};
         PdrOptions pdr;
         pdr.max_memory = task.memory;
         pdr.deadline = task.share;
         pdr.stop = task.stop;
+        pdr.shorten_for = std::chrono::milliseconds(100);
         const auto check = [&](std::vector<std::string> names) {
             pdr.properties = std::move(names);
             PdrResult found = check_pdr(*system, pdr);
             if (!found.failures.empty()) found.verdicts.clear();
-            return std::move(found.verdicts);
+            return found;
         };
-        std::vector<Verdict> found = check({task.property});
+        PdrResult first = check({task.property});
+        std::vector<Verdict>& found = first.verdicts;
         if (found.size() != 1 || found.front().outcome == Outcome::Unknown) return {};
-        if (found.front().outcome == Outcome::Violated) return false;
-        if (faults->none) return true;
+        if (found.front().outcome == Outcome::Violated) {
+            std::optional<Moves> moves = moves_of(task.abstraction, *system, first.runs.front().value());
+            return {Outcome::Violated, moves ? std::optional(std::move(moves->run)) : std::nullopt};
+        }
+        if (faults->none) return {Outcome::Holds};
         if (std::vector<std::string> names = unproven_faults(*system, found); !names.empty()) {
             const auto end = std::chrono::steady_clock::now() + std::exchange(faults->time, faults->time * 2);
             pdr.deadline = task.end ? std::min(end, *share_of(task.end, 4)) : end;
-            std::ranges::move(check(names), std::back_inserter(found));
+            std::ranges::move(check(names).verdicts, std::back_inserter(found));
             faults->excluded = std::move(names);
         }
         faults->none = unproven_faults(*system, found).empty();
-        return faults->none ? std::optional(true) : std::nullopt;
+        return {faults->none ? Outcome::Holds : Outcome::Unknown};
     };
 }
 

@@ -124,7 +124,7 @@ private:
     bool each_part_is_lively() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
                          const Task& task);
-    bool prove_symbolically(std::size_t verdict, const Task& task, double seconds);
+    bool decide_symbolically(std::size_t verdict, const Task& task, double seconds);
     void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     Run in_units(Run run) const;
@@ -152,8 +152,8 @@ private:
     // True if it is proved that time diverges if instances that need not move (AbstractableProcess::can_rest) do not
     // move.
     bool time_diverges_ = false;
-    // Verdicts with levels for which the symbolic engine found a violation.
-    std::set<std::pair<std::size_t, Levels>> refuted_ = {};
+    // Per verdict: the levels with which the symbolic engine continues; empty if it cannot continue.
+    std::map<std::size_t, Levels> symbolic_levels_ = {};
     std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;              // bound of the searches of the current round
     Deadline deadline_ = {};

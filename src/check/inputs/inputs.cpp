@@ -11,6 +11,7 @@
 #include "check/timed/layout.hpp"
 #include "check/timed/program.hpp"
 #include "grafverif/ir/chart_run.hpp"
+#include "ir/network_run.hpp"
 #include "ir/patterns.hpp"
 
 namespace grafverif {
@@ -215,6 +216,19 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
     return found;
 }
 
+namespace {
+
+/// Returns the states of a run of an abstraction without choices; nullopt if the run is not possible.
+std::optional<std::vector<AbstractState>> path_of(const Network& network, const Run& run) {
+    const std::optional<std::vector<NetworkState>> states = replay(network, run);
+    if (!states) return {};
+    std::vector<AbstractState> path;
+    for (std::size_t i = 0; i < run.moves.size(); ++i) path.push_back({run.moves[i], (*states)[i + 1], {}});
+    return path;
+}
+
+}  // namespace
+
 void InputAbstractionCheck::search(const Task& task) {
     const InputAbstraction abstraction = abstract_inputs(loop_, instances_, task.levels, ablations_);
     Network observed = expand(observe_(abstraction.network));
@@ -270,7 +284,7 @@ void InputAbstractionCheck::search(const Task& task) {
                                 seconds_text(network.time_unit_ms)));
             conclude(k, verdict, task.levels);
         } else if (ends || stopped()) {
-            if (!prove_symbolically(k, task, found.seconds)) open.push_back(k);
+            if (!decide_symbolically(k, task, found.seconds)) open.push_back(k);
         } else {
             refine(k, task, End::Limit, task.levels, next);
         }
@@ -282,28 +296,46 @@ void InputAbstractionCheck::search(const Task& task) {
     std::ranges::move(next, std::back_inserter(tasks_));
 }
 
-/// Tries to prove a property by the symbolic engine in at most `seconds`, or one second if this is longer.
-bool InputAbstractionCheck::prove_symbolically(std::size_t k, const Task& task, double seconds) {
-    const std::string& name = observed_.properties[result_.verdicts[k].about].name;
-    if (!prove_ || stopped() || !is_about_all_states(observed_.properties[result_.verdicts[k].about].pattern))
-        return false;
-    Levels levels = task.levels;
-    for (InputLevel& level : levels) level = std::max(level, InputLevel::Untimed);
-    if (refuted_.contains({k, levels})) return false;
-    const InputAbstraction abstraction = abstract_inputs(loop_, instances_, levels, ablations_);
-    const Network network = in_longest_unit(expand(observe_(abstraction.network)), abstraction.paced, {}, ablations_);
-    if (timed::inexact_place(network)) return false;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                                            std::chrono::duration<double>(std::max(seconds, 1.0)));
-    const std::optional<bool> holds = prove_({network, name, deadline_ ? std::min(*deadline_, end) : end, deadline_,
-                                              options_.max_memory / 2, options_.stop});
-    if (holds && !*holds) refuted_.emplace(k, std::move(levels));
-    if (!holds || !*holds) return false;
-    Verdict found;
-    found.outcome = Outcome::Holds;
-    found.notes.emplace_back("proved by an inductive invariant of the abstraction");
-    conclude(k, found, levels);
-    return true;
+/// Decides a property by the symbolic engine, with refinement, in at most `seconds`, or one second if this is longer.
+/// Returns false if the property remains undecided. The next call begins with the levels that this call has reached.
+bool InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task, double seconds) {
+    const Property& property = observed_.properties[result_.verdicts[k].about];
+    if (!prove_ || !is_about_all_states(property.pattern)) return false;
+    const auto share =
+        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(std::max(seconds, 1.0)));
+    const Deadline end = deadline_ ? std::min(*deadline_, share) : share;
+    Task symbolic{.levels = task.levels, .coarse = true};
+    for (InputLevel& level : symbolic.levels) level = std::max(level, InputLevel::Untimed);
+    Levels& levels = symbolic_levels_.try_emplace(k, symbolic.levels).first->second;
+    while (!levels.empty() && !is_over(end, options_.stop)) {
+        const InputAbstraction abstraction = abstract_inputs(loop_, instances_, levels, ablations_);
+        const Network network =
+            in_longest_unit(expand(observe_(abstraction.network)), abstraction.paced, {}, ablations_);
+        if (timed::inexact_place(network)) return false;
+        const Proof proof = prove_({network, property.name, end, deadline_, options_.max_memory / 2, options_.stop});
+        Verdict found;
+        found.outcome = proof.outcome;
+        if (proof.outcome == Outcome::Holds) {
+            found.notes.emplace_back("proved by an inductive invariant of the abstraction");
+            conclude(k, found, levels);
+            return true;
+        }
+        if (proof.outcome == Outcome::Unknown) return false;
+        Levels raised = levels;
+        if (const auto path = proof.run ? path_of(network, *proof.run) : std::nullopt) {
+            const AbstractRun abstract{network, instances_, levels, abstraction.choices, *path};
+            found.run = real_run(k, abstract, symbolic, raised);
+            if (found.run) {
+                conclude(k, found, levels);
+                return true;
+            }
+            if (stopped()) return false;
+        }
+        if (raised == levels) raised.clear();  // no further levels are known
+        levels = std::move(raised);
+    }
+    return false;
 }
 
 void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const Levels& levels) {

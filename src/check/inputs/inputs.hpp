@@ -13,8 +13,9 @@
 // the next round. Therefore a property that requires a small search does not wait for a property that requires a large
 // search. Each round begins with a search for runs of the complete loop (novelty.hpp).
 //
-// If a search reaches the bound of its round, a symbolic engine may prove the property in the same abstraction, in
-// which `Chosen` processes become `Untimed`. The symbolic engine takes about as much time as the search.
+// If a search reaches the bound of its round, a symbolic engine decides the property in the same abstraction, in which
+// `Chosen` processes become `Untimed`. A run of the symbolic engine is treated like a run of a search, and the symbolic
+// engine continues with the next levels. It takes about as much time as the search.
 //
 // An abstraction with a model error yields no verdict, because the states after the error are not explored.
 #pragma once
@@ -48,9 +49,14 @@ struct ProofTask {
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// Returns true if it is proved that the property holds in all states, and that no state has a model error. Returns
-/// false if some state violates the property. Returns nullopt if a limit is reached, or if a model error is possible.
-using StateProver = std::function<std::optional<bool>(const ProofTask&)>;
+struct Proof {
+    /// Holds: the property holds in all states, and no state has a model error. Violated: some state violates the
+    /// property. Unknown: a limit was reached, or a model error is possible.
+    Outcome outcome = Outcome::Unknown;
+    std::optional<Run> run =
+        {};  ///< if Violated: a run of the abstraction to the state, unless the run has a model error
+};
+using StateProver = std::function<Proof(const ProofTask&)>;
 
 struct InputLimits {
     std::uint64_t states = std::uint64_t{1} << 24U;  ///< maximum number of states of one search of an abstraction

@@ -356,9 +356,9 @@ private:
     // -- bounded model checking --------------------------------------------------------------------------------------
 
     /// Searches for a run that is shorter than the run in `answer`. The time limit is `took`, the time of the search
-    /// for the run in `answer`, plus two seconds.
+    /// for the run in `answer`, plus PdrOptions::shorten_for.
     void shorten(PropertyQuery& question, PdrAnswer& answer, Clock::duration took) {
-        watch_.limit(took + std::chrono::seconds(2));
+        watch_.limit(took + options_.shorten_for);
         try {
             while (question.cleared + 1 < answer.inputs.size())
                 if (std::optional<RunInputs> shorter = next_step(question)) answer.inputs = std::move(*shorter);

@@ -45,6 +45,8 @@ struct PdrOptions {
     enum class Method { Pdr, Bmc, Alternating };
     Method method = Method::Pdr;
     std::chrono::steady_clock::duration first_step_of = std::chrono::milliseconds(250);
+    /// A search for a shorter run than the run of PDR may take this time, in addition to the time of PDR.
+    std::chrono::steady_clock::duration shorten_for = std::chrono::seconds(2);
     /// For BMC: maximum length of the searched runs; if empty, only time and memory limit the search.
     std::optional<std::size_t> max_steps = {};
     /// Engine that is used in place of PDR, with the interface of pdr::reach. The results of this engine are validated.
