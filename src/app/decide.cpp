@@ -115,6 +115,17 @@ void try_remedies(const Model& model, CommandContext& job, const ResourceLimits&
     keep_memory_back();  // a check with other options may have used the reserved memory
 }
 
+/// Creates the certificate of a timed check.
+void add_certificate(const Model& model, const CommandContext& job, const CheckOptions& options, Decided& decided) {
+    Diagnostics reported;  // the check has already reported them
+    const auto network = grafverif::network_of(
+        model, decided.loop, ComposeOptions{job.options.grain, job.options.mode, job.options.without}, reported);
+    if (!network) return;
+    decided.certificate = certificate_of(loop_to_check(model, decided.loop, *network), decided.report, options);
+    std::vector<std::string>& failures = decided.report.failures;
+    failures.insert(failures.end(), decided.certificate->failures.begin(), decided.certificate->failures.end());
+}
+
 /// Reports each controller that is a PLC program: `--why` removes transitions, actions and terms, which only charts
 /// have. Returns false after an error.
 bool consists_of_charts(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
@@ -160,7 +171,8 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
                         << "` is not part of a closed loop: the reachability of its steps is checked in the untimed "
                            "model, with free inputs"
                         << (job.options.stats ? "; --stats applies only to timed checks" : "")
-                        << (job.options.why ? "; --why applies only to closed loops" : "") << '\n';
+                        << (job.options.why ? "; --why applies only to closed loops" : "")
+                        << (job.options.certificate ? "; --certificate applies only to closed loops" : "") << '\n';
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options);
     } else if (const auto loop = chosen_loop(model, job)) {
@@ -177,6 +189,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     options.limits.deadline = deadline;
     if (job.options.why && decided.timed)
         decided.why = why_it_holds(model, decided.loop, model_options(job.options), options, decided.report);
+    if (job.options.certificate && decided.timed) add_certificate(model, job, options, decided);
     name_places(decided.report, job.sources);
     add_stop_cause(decided.report, bounds.interrupted(), job.options);
     return decided;

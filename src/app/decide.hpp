@@ -8,6 +8,7 @@
 
 #include "app/command_context.hpp"
 #include "grafverif/ir/why.hpp"
+#include "pipeline/certificate/certificate.hpp"
 #include "report/remedies/trials.hpp"
 
 namespace grafverif::app {
@@ -18,7 +19,8 @@ struct Decided {
     Id<ClosedLoop> loop = {};        ///< the loop; invalid for a chart without a loop
     Id<Chart> chart = {};            ///< the chart, if it was checked without a loop; otherwise invalid
     bool timed = false;
-    std::optional<ProofExplanation> why = {};  ///< proof explanation of a loop, if requested
+    std::optional<Certificate> certificate = {};  ///< certificate of a timed check, if requested
+    std::optional<ProofExplanation> why = {};     ///< proof explanation of a loop, if requested
 };
 /// Decides the properties. Returns nothing after an error. If `witnesses` is true, runs of properties that hold are
 /// also returned. For a chart without a loop, a note is first written to `streams`.

@@ -324,6 +324,8 @@ std::vector<Option> options_for_checks() {
         text(OptionGroup::Verdicts, "properties", "FILE", &Options::property_file,
              "check each FILE operand as a PLC program (Structured Text, PLCopen XML) against the properties in this "
              "YAML file"),
+        text(OptionGroup::Verdicts, "certificate", "DIR", &Options::certificate,
+             "write a certificate of the verdicts into DIR, for `grafverif-certify DIR` (timed engine)"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,
                "print the elements that each proof depends on (timed engine)"),
         text(OptionGroup::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),

@@ -146,8 +146,9 @@ struct Options {
     std::uint64_t seed = 1;  ///< option of `mutate`
     std::string date = {};   ///< option of `report`: the displayed date
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    EventRange events = {};    ///< range of events that the timing diagram shows
-    std::string against = {};  ///< option of `test`: the command that runs the controller under test
+    std::optional<std::string> certificate = {};  ///< option of `check`: folder of the certificate
+    EventRange events = {};                       ///< range of events that the timing diagram shows
+    std::string against = {};                     ///< option of `test`: the command that runs the controller under test
     /// File with the table of a test. If this member is empty, `test` generates the test from the chart.
     std::optional<std::string> sequence = {};
     /// Time limit in milliseconds for one response (`test`), for one check (`serve` and `lsp`) or for one call (`mcp`).
@@ -189,6 +190,7 @@ inline constexpr std::array path_options = {
     PathOption{"depfile", &Options::depfile, PathUse::Written},
     PathOption{"state", &Options::state_file, PathUse::Updated},
     PathOption{"survivors", &Options::survivors, PathUse::WrittenFolder},
+    PathOption{"certificate", &Options::certificate, PathUse::WrittenFolder},
     PathOption{"script", &Options::script, PathUse::Read},
     PathOption{"sequence", &Options::sequence, PathUse::Read},
     PathOption{"log", &Options::log, PathUse::Read},

@@ -77,8 +77,11 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     if (options.all_modes && options.mode) return "`--all-modes` and `--mode` are mutually exclusive; remove one";
     if (options.depfile_target && !options.depfile) return "`--depfile-target` requires `--depfile`; add it";
     if (options.depfile_reader && !options.depfile) return "`--depfile-format` requires `--depfile`; add it";
+    if (options.certificate && (options.check_untimed || options.property_file || options.list))
+        return "`--certificate` applies only to timed checks of closed loops; remove it, or remove `--untimed`, "
+               "`--properties` and `--list`";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
-                          (options.output && !accepts(verb, OptionGroup::OutputDirectory));
+                          options.certificate || (options.output && !accepts(verb, OptionGroup::OutputDirectory));
     if (several && one_form && !options.list && !accepts(verb, OptionGroup::OutputDirectory))
         return fmt::format(
             "{} the results of one file and one loop only; for several files or loops, use `--junit`, "

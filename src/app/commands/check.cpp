@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 #include <vector>
 
@@ -76,6 +77,21 @@ std::vector<ModelSelection> aims(const Model& model, bool all, const Options& re
     return list;
 }
 
+/// Records the files of the certificate, and prints which verdicts it contains.
+void note_certificate(const Decided& decided, CommandContext& job, const Streams& streams) {
+    if (!decided.certificate) return;
+    const Certificate& certificate = *decided.certificate;
+    const std::string& folder = *job.options.certificate;
+    for (const Certificate::File& file : certificate.files)
+        job.reports->files.push_back({std::filesystem::path(folder) / file.path, file.content});
+    if (job.options.format != Format::Text || job.options.quiet) return;
+    streams.out << fmt::format("certificate: {} of {} verdicts; check it with `grafverif-certify {}`\n",
+                               certificate.certified.size(), certificate.certified.size() + certificate.omitted.size(),
+                               printable(folder));
+    for (const Certificate::Omitted& one : certificate.omitted)
+        streams.out << fmt::format("  {} is not certified: {}\n", one.property, one.reason);
+}
+
 /// Prints the verdicts in the selected form, and adds them to the requested reports.
 ExitCode show(const Decided& decided, const Model& model, CommandContext& job, ResourceLimits& bounds,
               const Streams& streams) {
@@ -97,6 +113,7 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
     streams.out.flush();
     print_failures(report.failures, streams);
     note_trace(report, job, streams);
+    note_certificate(decided, job, streams);
     note(decided, model, job);
     const ExitCode code = app::exit_code(report, bounds.interrupted());
     if (code != ExitCode::Done && decided.timed) point_to_schedule(model.loops[decided.loop], job, streams);
@@ -203,6 +220,13 @@ CliCommand check_usage() {
         "The properties are decided for all input sequences of the program, and counterexamples are replayed on an\n"
         "interpreter of the program.\n"
         "\n"
+        "With --certificate DIR, the files in DIR prove the verdicts of a closed loop to the independent program\n"
+        "`grafverif-certify DIR` (docs/how-to/certificates.md).\n"
+        "\n"
+        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD\n"
+        "(--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before the check\n"
+        "starts (docs/how-to/ci.md).\n"
+         "\n"
         "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); the first trace also\n"
         "as VCD (--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before\n"
         "the check starts (docs/how-to/ci.md).\n"

@@ -29,9 +29,25 @@ Move Graph::move_between(std::uint32_t from, std::uint32_t to) {
     unreachable();
 }
 
+NetworkState Graph::state(std::uint32_t number) {
+    const Network& network = machine.network();
+    const Layout& layout = machine.layout();
+    const Word* const words = load(number);
+    NetworkState state;
+    for (const Field& location : layout.locations)
+        state.locations.push_back({static_cast<std::uint32_t>(location.get(words))});
+    for (const Id<Network::Variable> id : network.variables.ids())
+        state.variables.push_back(network.variables[id].scratch ? network.variables[id].initial
+                                                                : layout.variables[id.index].get(words));
+    for (const std::vector<Field>& clocks : layout.clocks) {
+        std::vector<std::int64_t>& values = state.clocks.emplace_back();
+        for (const Field& clock : clocks) values.push_back(clock.get(words));
+    }
+    return state;
+}
+
 std::vector<AbstractState> Graph::states_along(const std::vector<std::uint32_t>& path) {
     std::vector<AbstractState> states;
-    const Network& network = machine.network();
     const std::size_t choices = machine.choices().size();
     moves_.record_choices = true;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -41,14 +57,8 @@ std::vector<AbstractState> Graph::states_along(const std::vector<std::uint32_t>&
         if (std::holds_alternative<Fire>(state.move))
             std::copy_n(moves_.chosen.begin() + static_cast<std::ptrdiff_t>(taken_ * choices), choices,
                         state.possible.begin());
-        load(path[i + 1]);
-        for (const Id<Network::Process> id : network.processes.ids())
-            state.state.locations.push_back(
-                {static_cast<std::uint32_t>(machine.layout().locations[id.index].get(now_.words.data()))});
-        for (const Id<Network::Variable> id : network.variables.ids())
-            state.state.variables.push_back(network.variables[id].scratch
-                                                ? network.variables[id].initial
-                                                : machine.layout().variables[id.index].get(now_.words.data()));
+        state.state = this->state(path[i + 1]);
+        state.state.clocks.clear();
     }
     moves_.record_choices = false;
     return states;

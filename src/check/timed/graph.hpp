@@ -192,6 +192,8 @@ public:
     /// Returns the moves along a path of states. Consecutive delays are joined to one move, except for two delays
     /// between which the loop begins (at index `loop`).
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
+    /// Returns a state; scratch variables have their initial values.
+    NetworkState state(std::uint32_t number);
     /// Returns the states of a path, except the first, in the form of TimedResult::paths.
     std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);
     /// Returns the path from the initial state to `state`.

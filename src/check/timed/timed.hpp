@@ -80,6 +80,9 @@ struct TimedOptions {
     CoveringAblations covering_without = {};
     bool until_decided = false;  ///< true: the search ends when each property has been decided by a state
     bool paths = false;          ///< report TimedResult::paths
+    /// Called for each state of a complete search without covering, after the verdicts are decided. Clocks have the
+    /// values that represent them (ir/network_clocks.hpp).
+    std::function<void(const NetworkState&)> each_state = {};
     std::function<void(const TimedProgress&)> progress = {};  ///< function that is called a few times per second
     ProfileFor profile = ProfileFor::IfLarge;
     std::function<void(const StateProfile&)> many = {};  ///< called once when the search has found `many_states`

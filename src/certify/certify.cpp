@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// grafverif-certify: checks the certificate that `grafverif check --certificate FOLDER` writes. This folder is the
+// complete program; it shares no code with grafverif. docs/how-to/certificates.md describes the files and the claims.
+//
+//   network.txt      the closed loop as a flat network of timed automata, with its properties
+//   certificate.txt  the claims (`holds P`, `violated P` with a run), the caps of the clocks, and checksums
+//   states.txt       a set of states, one per line
+//
+// If the set contains the initial state and all successors of its states, it contains every reachable state. The
+// program computes all successors itself.
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "network.hpp"
+#include "semantics.hpp"
+
+namespace certify {
+namespace {
+
+constexpr std::size_t most_run = 10'000'000, most_explored = 5'000'000;
+
+/// The text of a state in states.txt: all its values, each followed by a blank.
+std::string text_of(const State& state) {
+    std::string text;
+    for (const Int value : state) text += std::to_string(value) + ' ';
+    return text;
+}
+
+/// The states of states.txt, which contain the initial state and all successors of each state.
+class Graph {
+public:
+    Graph(Semantics& semantics, std::string_view text) : semantics_(semantics) {
+        std::unordered_map<std::string_view, std::size_t> numbers;
+        for (std::size_t end = 0; !text.empty(); text.remove_prefix(end + 1)) {
+            end = text.find('\n');
+            if (end == std::string_view::npos) malformed("states.txt: the last line is incomplete");
+            lines_.push_back(text.substr(0, end));
+            if (!numbers.emplace(lines_.back(), size() - 1).second) reject_state(size() - 1, "occurs twice");
+        }
+        const auto first = numbers.find(text_of(semantics.network.initial));
+        if (first == numbers.end()) reject("states.txt does not contain the initial state");
+        initial_ = first->second;
+        State next;
+        for (std::size_t i = 0; i < size(); ++i) {
+            const auto add = [&](const State& successor) {
+                const auto found = numbers.find(text_of(successor));
+                if (found == numbers.end()) reject_state(i, "has a successor that the file does not contain");
+                targets_.push_back(found->second);
+            };
+            starts_.push_back(targets_.size());
+            waits_.push_back(semantics.moves(state(i), next, add));
+            edges_end_.push_back(targets_.size());
+            if (waits_.back()) add(next);
+            if (!semantics.error.empty()) reject_state(i, "has a model error: " + semantics.error);
+        }
+        starts_.push_back(targets_.size());
+    }
+
+    std::size_t size() const { return lines_.size(); }
+
+    /// Checks that `property` holds or, for `reachable`, that no state satisfies it.
+    void check(const Property& property) {
+        const Pattern pattern = property.pattern;
+        const bool all = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo;
+        std::vector<bool> starts(size()), goal(size());  // a path to a goal is necessary from each start
+        for (std::size_t i = 0; i < size(); ++i) {
+            const State now = state(i);
+            if (semantics_.decides(property, now)) reject_state(i, "decides `" + property.name + "`");
+            if (pattern == Pattern::NoDeadlock) goal[i] = starts_[i] != edges_end_[i];
+            else if (pattern == Pattern::NoTimelock) goal[i] = waits_[i];
+            else if (pattern > Pattern::ExactlyOne) goal[i] = semantics_.last_operand(property, now);
+            starts[i] = pattern == Pattern::Inevitable
+                            ? i == initial_
+                            : pattern == Pattern::AlwaysPossible || semantics_.concerns(property, now);
+            if (pattern == Pattern::LeadsTo) starts[i] = starts[i] && semantics_.truth(property.operands[0], now);
+        }
+        if (pattern <= Pattern::ExactlyOne) return;
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (std::size_t i = size(); i-- > 0;) {
+                const auto from = pattern == Pattern::NoDeadlock ? edges_end_[i] : starts_[i], to = starts_[i + 1];
+                std::size_t reached = 0;  // number of successors from which a goal is reached
+                for (std::size_t k = from; k < to && !goal[i]; ++k) reached += goal[targets_[k]] ? 1U : 0U;
+                if (goal[i] || reached == 0 || (all && reached < to - from)) continue;
+                goal[i] = changed = true;
+            }
+        }
+        for (std::size_t i = 0; i < size(); ++i)
+            if (starts[i] && !goal[i]) reject_state(i, "violates `" + property.name + "`");
+    }
+
+private:
+    [[noreturn]] static void reject_state(std::size_t i, const std::string& problem) {
+        reject("states.txt:" + std::to_string(i + 1) + ": the state " + problem);
+    }
+
+    State state(std::size_t i) const {
+        const Network& network = semantics_.network;
+        State state;
+        const char* at = lines_[i].data();
+        const char* const end = at + lines_[i].size();
+        for (std::size_t k = 0; k < network.initial.size(); ++k) {
+            Int& value = state.emplace_back();
+            at = std::from_chars(at, end, value).ptr + 1;
+            if (at > end || value < network.low[k] || value > network.high[k]) reject_state(i, "is invalid");
+        }
+        for (std::size_t p = 0; p < network.processes.size(); ++p) semantics_.reduce(p, state);
+        if (text_of(state) != lines_[i]) reject_state(i, "is invalid");
+        return state;
+    }
+
+    Semantics& semantics_;
+    std::vector<std::string_view> lines_ = {};
+    std::size_t initial_ = 0;
+    std::vector<std::size_t> starts_ = {}, edges_end_ = {}, targets_ = {};  // targets_: by edges, then by a delay
+    std::vector<bool> waits_ = {};
+};
+
+/// A run from the initial state. From state number `loop` on, it repeats.
+struct Run {
+    std::vector<State> states = {};
+    std::optional<std::size_t> loop = {};
+};
+
+Run read_run(Words& words, Semantics& semantics) {
+    const std::vector<Process>& processes = semantics.network.processes;
+    Run run{{semantics.network.initial}};
+    for (State next; words.next_line() && !words.skip("end");) {
+        if (words.skip("loop")) {
+            run.loop = run.states.size() - 1;
+        } else if (words.skip("take")) {
+            const std::size_t p = words.choice(semantics.network.names);
+            const Edge& edge = processes[p].edges[words.index(processes[p].edges)];
+            const State now = run.states.back();
+            semantics.error.clear();
+            if (now[p] != static_cast<Int>(edge.from) || !semantics.take(p, edge, now, next) ||
+                !semantics.error.empty())
+                reject("an edge of `" + processes[p].name + "` cannot be taken in a run");
+            run.states.push_back(next);
+        } else if (words.skip("delay")) {
+            for (Int left = words.number(1); left > 0; --left) {
+                if (!semantics.moves(run.states.back(), next, [](const State&) {})) reject("time cannot pass in a run");
+                if (next == run.states.back()) left = 1;  // longer delays lead to the same state
+                run.states.push_back(next);
+                if (run.states.size() > most_run) words.fail("the run is too long");
+            }
+        } else words.fail("expected `take`, `delay`, `loop` or `end`");
+    }
+    return run;
+}
+
+/// True if no path from `from` leads to an enabled edge (no deadlock), to a delay (no timelock), to a state with the
+/// operand (always possible), or to any other state (for other patterns).
+bool is_trap(const Property& property, const State& from, Semantics& semantics) {
+    std::set<State> seen{from};
+    std::vector<State> open{from};
+    for (State next; !open.empty();) {
+        const State now = std::move(open.back());
+        open.pop_back();
+        std::vector<State> found;
+        const bool waits = semantics.moves(now, next, [&](const State& state) { found.push_back(state); });
+        if (!semantics.error.empty()) reject("a model error follows a run: " + semantics.error);
+        bool leaves = waits || !found.empty();
+        if (property.pattern == Pattern::NoDeadlock) leaves = !found.empty();
+        if (property.pattern == Pattern::NoTimelock) leaves = waits;
+        if (property.pattern == Pattern::AlwaysPossible) leaves = semantics.last_operand(property, now);
+        if (leaves) return false;
+        if (waits) found.push_back(next);
+        for (State& state : found)
+            if (seen.insert(state).second) open.push_back(std::move(state));
+        if (seen.size() > most_explored) reject("too many states follow a run");
+    }
+    return true;
+}
+
+/// True if the run shows that the property is violated or, for `reachable`, that it holds.
+bool shows(const Run& run, const Property& property, Semantics& semantics) {
+    const std::vector<State>& states = run.states;
+    const State& last = states.back();
+    switch (property.pattern) {
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo: break;
+    case Pattern::NoDeadlock: return semantics.concerns(property, last) && is_trap(property, last, semantics);
+    case Pattern::AlwaysPossible: return is_trap(property, last, semantics);
+    case Pattern::NoTimelock:
+        return std::ranges::any_of(states, [&](const State& state) {
+            return semantics.concerns(property, state) && is_trap(property, state, semantics);
+        });
+    default: return semantics.decides(property, last);
+    }
+    const bool repeats = run.loop && *run.loop + 1 < states.size() && states[*run.loop] == last;
+    if (!repeats && !is_trap(property, last, semantics)) return false;
+    std::size_t since = states.size();  // no state from this state on satisfies the last operand
+    while (since > 0 && !semantics.last_operand(property, states[since - 1])) --since;
+    if (since == states.size() || (repeats && since > *run.loop)) return false;
+    if (property.pattern == Pattern::Inevitable) return since == 0;
+    return std::any_of(states.begin() + static_cast<std::ptrdiff_t>(since), states.end(), [&](const State& state) {
+        return semantics.concerns(property, state) && semantics.truth(property.operands[0], state);
+    });
+}
+
+/// Checks the certificate in `folder` and prints the result for each property.
+void check(const std::filesystem::path& folder) {
+    const std::string text = content_of(folder / "certificate.txt"), model = content_of(folder / "network.txt");
+    const std::size_t end = text.rfind("checksum ");
+    if (end == std::string::npos || text.substr(end) != "checksum " + checksum(text.substr(0, end)) + '\n')
+        malformed("certificate.txt: damaged or incomplete (wrong checksum)");
+    Network network(model);
+    Semantics semantics(network);
+    Words words("certificate.txt", std::string_view(text).substr(0, end));
+    if (!words.next_line() || !words.skip("grafverif-certificate") || words.number() != 1)
+        words.fail("this is not a certificate of version 1");
+    if (!words.next_line() || !words.skip("network") || words.word() != checksum(model))
+        words.fail("the certificate belongs to another network, or network.txt is damaged");
+    std::string states;
+    std::optional<Graph> graph;
+    std::vector<std::string> results(network.properties.size());
+    while (words.next_line()) {
+        if (words.skip("cap")) {
+            if (graph) words.fail("caps must precede the states");
+            Process& process = network.processes[words.choice(network.names)];
+            Location& location = process.locations[words.choice(process.names)];
+            location.caps[words.choice(process.clocks)] = words.number(0, greatest_clock);
+        } else if (words.skip("states")) {
+            states = content_of(folder / "states.txt");
+            if (graph || words.word() != checksum(states))
+                words.fail("states.txt is damaged, or of another certificate");
+            semantics.check_caps();
+            graph.emplace(semantics, states);
+        } else {
+            const std::string verdict(words.word());
+            if (verdict == "also") {
+                const std::string name(words.word());
+                if (name[0] == '.' || name.find('/') != std::string::npos) words.fail("invalid name of a folder");
+                check(folder / name);
+                continue;
+            }
+            if (verdict == "omitted") {
+                const std::string name(words.word());
+                std::printf("%s: not certified:%s\n", name.c_str(), words.remainder().c_str());
+                continue;
+            }
+            const std::size_t i = words.choice(network.names_of_properties);
+            const Property& property = network.properties[i];
+            if (!results[i].empty()) words.fail("two claims about `" + property.name + "`");
+            results[i] = verdict;
+            if (verdict != "holds" && verdict != "violated") words.fail("unknown claim");
+            else if ((verdict == "holds") != (property.pattern == Pattern::Reachable)) {
+                if (!graph) words.fail("the claim requires `states`");
+                graph->check(property);
+                results[i] += ", proved by the set of states";
+            } else {
+                semantics.check_caps();
+                if (!shows(read_run(words, semantics), property, semantics))
+                    reject("the run of `" + property.name + "` does not show its verdict");
+                results[i] += ", shown by a run";
+            }
+        }
+    }
+    std::printf("network %s: %zu states\n", checksum(model).c_str(), graph ? graph->size() : 0);
+    for (std::size_t i = 0; i < results.size(); ++i)
+        std::printf("%s: %s\n", network.properties[i].name.c_str(),
+                    results[i].empty() ? "not certified: no claim" : results[i].c_str());
+}
+
+}  // namespace
+}  // namespace certify
+
+int main(int count, char** values) {
+    if (count != 2 || values[1][0] == '-') {
+        const bool help = count == 2 && std::string_view(values[1]) == "--help";
+        std::fputs("usage: grafverif-certify FOLDER\nchecks a certificate of `grafverif check --certificate FOLDER`\n",
+                   help ? stdout : stderr);
+        return help ? 0 : 2;
+    }
+    try {
+        certify::check(values[1]);
+        return 0;
+    } catch (const certify::Rejected& rejected) {
+        std::fprintf(stderr, "rejected: %s\n", rejected.what());
+        return 1;
+    } catch (const std::bad_alloc&) {
+        std::fputs("error: out of memory\n", stderr);
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "error: %s\n", failure.what());
+    }
+    return 2;
+}

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// The network of a certificate: timed automata with variables, read from network.txt. Names are declared before they are
+// used. A part of the text that the reader does not understand is an error.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace certify {
+
+using Int = std::int64_t;
+using State = std::vector<Int>;  // the locations of all processes, then all variables, then the clocks of all processes
+
+inline constexpr Int greatest_clock = Int{1} << 40;
+inline constexpr std::size_t most_nesting = 500, most_depth = 5000;
+
+/// The files are well-formed, but do not prove the claims: exit code 1.
+struct Rejected : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+/// A term has no value: division by zero, or a result outside 64 bits.
+struct NoValue {};
+
+[[noreturn]] inline void reject(const std::string& problem) { throw Rejected(problem); }
+[[noreturn]] inline void malformed(const std::string& problem) { throw std::runtime_error(problem); }
+
+inline std::string content_of(const std::filesystem::path& path) {
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(path, failure)) malformed(path.string() + ": no such file");
+    std::string text(std::filesystem::file_size(path), '\0');
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(text.data(), std::ssize(text))) malformed(path.string() + ": cannot be read");
+    return text;
+}
+
+/// Returns FNV-1a, 64 bits, as hexadecimal digits. It detects damage and mixed-up files, not deliberate changes.
+inline std::string checksum(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+    std::string digits;
+    for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[hash >> shift & 15U];
+    return digits;
+}
+
+/// The words of a text, line by line. Each parenthesis is a word.
+class Words {
+public:
+    Words(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
+
+    bool next_line() {
+        if (!at_end()) fail("unexpected `" + std::string(word()) + "`");
+        if (rest_.empty()) return false;
+        const std::size_t end = rest_.find('\n');
+        if (end == std::string_view::npos) fail("the last line is incomplete");
+        line_ = rest_.substr(0, end);
+        rest_.remove_prefix(end + 1);
+        ++number_;
+        return true;
+    }
+    bool at_end() {
+        line_.remove_prefix(std::min(line_.find_first_not_of(' '), line_.size()));
+        return line_.empty();
+    }
+    std::string_view word() {
+        if (at_end()) fail("the line is incomplete");
+        const bool parenthesis = line_[0] == '(' || line_[0] == ')';
+        const std::string_view found = line_.substr(0, parenthesis ? 1 : line_.find_first_of(" ()"));
+        line_.remove_prefix(found.size());
+        return found;
+    }
+    /// Reads the next word if it is `expected`.
+    bool skip(std::string_view expected) {
+        const std::string_view before = line_;
+        if (!at_end() && word() == expected) return true;
+        line_ = before;
+        return false;
+    }
+    bool at_number() { return !at_end() && (line_[0] == '-' || (line_[0] >= '0' && line_[0] <= '9')); }
+    Int number(Int low = INT64_MIN, Int high = INT64_MAX) {
+        const std::string_view text = word();
+        Int value = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (failure != std::errc() || end != text.data() + text.size() || value < low || value > high)
+            fail("`" + std::string(text) + "` is not a number, or too large or small");
+        return value;
+    }
+    /// Reads the index of an entry of `list`.
+    template <class List>
+    std::size_t index(const List& list) {
+        return static_cast<std::size_t>(number(0, std::ssize(list) - 1));
+    }
+    /// Reads a word of `list` and returns its index.
+    template <class List>
+    std::size_t choice(const List& list) {
+        const auto found = std::ranges::find(list, word());
+        if (found == std::end(list)) fail("unknown word");
+        return static_cast<std::size_t>(found - std::begin(list));
+    }
+    std::string remainder() { return std::string(std::exchange(line_, {})); }
+    [[noreturn]] void fail(const std::string& problem) const {
+        malformed(name_ + ":" + std::to_string(number_) + ": " + problem);
+    }
+
+private:
+    std::string name_;
+    std::string_view rest_, line_ = {};
+    std::size_t number_ = 0;
+};
+
+// The network
+
+enum class Op { Not, And, Or, If, Neg, Eq, Ne, Lt, Le, Gt, Ge, Add, Sub, Mul, Div, Mod, Constant, Value, At };
+inline constexpr std::string_view operators[] = {"not", "and", "or", "if", "neg", "=", "!=", "<",
+                                                 "<=",  ">",   ">=", "+",  "-",   "*", "/",  "%"};
+enum class Pattern {
+    Always,
+    Never,
+    Reachable,
+    ExactlyOne,
+    Inevitable,
+    LeadsTo,
+    NoDeadlock,
+    NoTimelock,
+    AlwaysPossible
+};
+inline constexpr std::string_view patterns[] = {"always",      "never",       "reachable",
+                                                "exactly-one", "inevitable",  "leads-to",
+                                                "no-deadlock", "no-timelock", "always-possible"};
+
+struct Term {
+    Op op = Op::Constant;
+    Int value = 0;          // Constant: the value; At: the location
+    std::size_t place = 0;  // Value, At: index in State
+    std::vector<std::size_t> operands = {};
+    std::size_t depth = 1;
+};
+struct Constraint {
+    std::size_t clock = 0;
+    Op relation = Op::Le;
+    Int bound = 0;
+    /// The least value from which on all values satisfy the constraint or all values violate it.
+    Int cap() const { return relation == Op::Lt || relation == Op::Ge ? bound : bound + 1; }
+};
+struct Location {
+    std::vector<Constraint> invariant = {};
+    std::vector<Int> caps = {};  // per clock: this value also represents all greater values
+};
+struct Edge {
+    std::size_t from = 0, to = 0, guard = 0;
+    bool urgent = false;
+    std::vector<Constraint> constraint = {};
+    std::vector<std::size_t> resets = {};
+    std::vector<std::pair<std::size_t, std::size_t>> assignments = {};  // index in State, term
+};
+struct Process {
+    std::string name = {};
+    std::vector<std::string> clocks = {}, names = {};  // names of locations
+    std::vector<Location> locations = {};
+    std::vector<Edge> edges = {};
+    std::size_t first_clock = 0;  // index in State
+};
+struct Property {
+    std::string name = {};
+    bool stable = false;  // concerns only states in which `settled` is true
+    Pattern pattern = Pattern::Always;
+    std::vector<std::size_t> operands = {};
+};
+
+class Network {
+public:
+    explicit Network(const std::string& text) : words_("network.txt", text) {
+        if (!words_.next_line() || !words_.skip("grafverif-network") || words_.number() != 1)
+            words_.fail("this is not a network of version 1");
+        while (words_.next_line()) read_line(words_.word());
+        for (Process& process : processes) {
+            process.first_clock = initial.size();
+            for (Location& location : process.locations) location.caps.resize(process.clocks.size());
+            initial.resize(initial.size() + process.clocks.size());
+        }
+        low.resize(initial.size());
+        high.resize(initial.size(), greatest_clock);
+        if (processes.empty() || settled == 0) words_.fail("the network is incomplete");
+    }
+
+    std::vector<Process> processes = {};
+    std::vector<std::string> names = {}, names_of_properties = {};  // names of processes
+    std::vector<Property> properties = {};
+    std::vector<Term> terms = {Term{}};  // term 0 is not used
+    std::size_t settled = 0, race = 0;   // terms
+    State initial = {}, low = {}, high = {};
+    std::vector<std::size_t> scratch = {};  // variables that have a value only within an edge
+
+private:
+    void read_line(std::string_view kind) {
+        if (kind == "name") words_.remainder();
+        else if (kind == "processes") {
+            initial.resize(static_cast<std::size_t>(words_.number(1, 1'000'000)));
+            low = high = initial;
+        } else if (kind == "variable" || kind == "scratch") {
+            declare({Op::Value, 0, initial.size()});
+            if (kind == "scratch") scratch.push_back(initial.size());
+            low.push_back(words_.number());
+            high.push_back(words_.number(low.back()));
+            initial.push_back(words_.number(low.back(), high.back()));
+        } else if (kind == "define") {
+            const std::string name(words_.word());
+            if (!terms_.emplace(name, term()).second) words_.fail("a name is declared twice");
+        } else if (kind == "race") race = term();
+        else if (kind == "settled") settled = term();
+        else if (kind == "property") read_property();
+        else if (kind == "process") {
+            processes.push_back({std::string(words_.word())});
+            names.push_back(processes.back().name);
+            if (names.size() > initial.size()) words_.fail("too many processes");
+        } else if (processes.empty()) words_.fail("unexpected `" + std::string(kind) + "`");
+        else read_part(kind, processes.back());
+    }
+
+    void read_part(std::string_view kind, Process& process) {
+        if (kind == "clock") process.clocks.emplace_back(words_.word());
+        else if (kind == "location") {
+            process.names.emplace_back(words_.word());
+            process.locations.emplace_back();
+            high[processes.size() - 1] = std::ssize(process.names) - 1;
+        } else if (kind == "initial") initial[processes.size() - 1] = static_cast<Int>(words_.choice(process.names));
+        else if (kind == "invariant" && !process.locations.empty())
+            process.locations.back().invariant.push_back(constraint(process));
+        else if (kind == "edge") {
+            const std::size_t from = words_.choice(process.names), to = words_.choice(process.names);
+            const bool urgent = words_.skip("urgent");
+            process.edges.push_back({from, to, term(), urgent});
+        } else if (process.edges.empty()) words_.fail("unexpected `" + std::string(kind) + "`");
+        else if (kind == "when") process.edges.back().constraint.push_back(constraint(process));
+        else if (kind == "reset") process.edges.back().resets.push_back(words_.choice(process.clocks));
+        else if (kind == "set") {
+            const Term& target = terms[term()];
+            if (target.op != Op::Value) words_.fail("the target is not a variable");
+            const std::size_t place = target.place;
+            process.edges.back().assignments.emplace_back(place, term());
+        } else words_.fail("unexpected `" + std::string(kind) + "`");
+    }
+
+    void read_property() {
+        Property one{std::string(words_.word()), words_.skip("stable")};
+        one.pattern = static_cast<Pattern>(words_.choice(patterns));
+        while (!words_.at_end()) one.operands.push_back(term());
+        const bool none = one.pattern == Pattern::NoDeadlock || one.pattern == Pattern::NoTimelock;
+        const std::size_t count = none ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
+        if (one.pattern != Pattern::ExactlyOne && one.operands.size() != count) words_.fail("wrong number of operands");
+        names_of_properties.push_back(one.name);
+        properties.push_back(std::move(one));
+    }
+
+    Constraint constraint(const Process& process) {
+        const std::size_t clock = words_.choice(process.clocks);
+        const Op relation = static_cast<Op>(words_.choice(operators));
+        if (relation < Op::Eq || relation > Op::Ge || relation == Op::Ne) words_.fail("invalid relation");
+        return {clock, relation, words_.number(-greatest_clock, greatest_clock - 1)};
+    }
+
+    std::size_t add(Term term) {
+        for (const std::size_t operand : term.operands) term.depth = std::max(term.depth, terms[operand].depth + 1);
+        if (term.depth > most_depth) words_.fail("a term is too deep");
+        terms.push_back(std::move(term));
+        return terms.size() - 1;
+    }
+    void declare(Term term) {
+        if (!terms_.emplace(words_.word(), add(std::move(term))).second) words_.fail("a name is declared twice");
+    }
+    /// Reads a term: a number, the name of a variable or of a defined term, or an operator with its operands.
+    std::size_t term(std::size_t nesting = 0) {
+        if (nesting > most_nesting) words_.fail("parentheses are nested too deeply");
+        if (words_.at_number()) return add({Op::Constant, words_.number()});
+        if (!words_.skip("(")) {
+            const auto found = terms_.find(words_.word());
+            if (found == terms_.end()) words_.fail("unknown variable or term");
+            return found->second;
+        }
+        Term made;
+        if (words_.skip("at")) {
+            made = {Op::At, 0, words_.choice(names)};
+            made.value = static_cast<Int>(words_.choice(processes[made.place].names));
+            if (!words_.skip(")")) words_.fail("expected `)`");
+            return add(std::move(made));
+        }
+        made.op = static_cast<Op>(words_.choice(operators));
+        while (!words_.skip(")")) made.operands.push_back(term(nesting + 1));
+        const std::size_t count = made.op == Op::Not || made.op == Op::Neg ? 1 : made.op == Op::If ? 3 : 2;
+        if (made.op != Op::And && made.op != Op::Or && made.operands.size() != count)
+            words_.fail("wrong number of operands");
+        return add(std::move(made));
+    }
+
+    Words words_;
+    std::map<std::string, std::size_t, std::less<>> terms_ = {};
+};
+
+}  // namespace certify

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The semantics of a network in integer time: values of terms, edges, delays, and the caps of the clocks.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "network.hpp"
+
+namespace certify {
+
+class Semantics {
+public:
+    explicit Semantics(const Network& of) : network(of), memory_(of.terms.size()) {}
+
+    const Network& network;
+    std::string error = {};  // the model error that `take` or `moves` has found, or empty
+
+    bool truth(std::size_t term, const State& state) try { return value(term, state) != 0; } catch (const NoValue&) {
+        reject("a term of a property has no value in some state");
+    }
+    /// True if `property` concerns the state.
+    bool concerns(const Property& property, const State& state) {
+        return !property.stable || truth(network.settled, state);
+    }
+    bool last_operand(const Property& property, const State& state) {
+        return concerns(property, state) && truth(property.operands.back(), state);
+    }
+    /// True if the state alone violates the property or, for `reachable`, satisfies it.
+    bool decides(const Property& property, const State& state) {
+        if (property.pattern > Pattern::ExactlyOne || !concerns(property, state)) return false;
+        const auto count = std::ranges::count_if(property.operands, [&](auto term) { return truth(term, state); });
+        if (property.pattern == Pattern::ExactlyOne) return count != 1;
+        return (count != 0) != (property.pattern == Pattern::Always);
+    }
+
+    /// Returns true if the edge can be taken in `now`; then `next` is the successor, unless `error` is set.
+    bool take(std::size_t p, const Edge& edge, const State& now, State& next) try {
+        const Process& process = network.processes[p];
+        if (!satisfied(edge.constraint, process, now)) return false;
+        next = now;
+        for (const std::size_t clock : edge.resets) next[process.first_clock + clock] = 0;
+        if (!satisfied(process.locations[edge.to].invariant, process, next)) return false;
+        if (value(edge.guard, now) == 0) return false;
+        for (const auto& [target, term] : edge.assignments) {
+            next[target] = value(term, next);
+            if (next[target] < network.low[target] || next[target] > network.high[target]) throw NoValue();
+        }
+        next[p] = static_cast<Int>(edge.to);
+        for (const std::size_t variable : network.scratch) next[variable] = network.initial[variable];
+        reduce(p, next);
+        return true;
+    } catch (const NoValue&) {
+        error = "an edge of `" + network.processes[p].name + "` causes a model error";
+        return true;
+    }
+
+    /// Calls `visit(next)` for the successor by each edge that can be taken. Returns true if one unit of time can pass;
+    /// then `next` is the successor.
+    template <class Visit>
+    bool moves(const State& now, State& next, const Visit& visit) {
+        bool urgent = false;
+        error = network.race != 0 && truth(network.race, now) ? "a race of stored actions" : "";
+        for (std::size_t p = 0; p < network.processes.size(); ++p)
+            for (const Edge& edge : network.processes[p].edges) {
+                if (now[p] != static_cast<Int>(edge.from) || !take(p, edge, now, next)) continue;
+                urgent = urgent || edge.urgent;
+                if (error.empty()) visit(next);
+            }
+        next = now;
+        for (std::size_t p = 0; p < network.processes.size() && !urgent; ++p) {
+            const Process& process = network.processes[p];
+            for (std::size_t clock = 0; clock < process.clocks.size(); ++clock) ++next[process.first_clock + clock];
+            if (!satisfied(location(p, now).invariant, process, next)) return false;
+            reduce(p, next);
+        }
+        return !urgent;
+    }
+
+    /// Checks that no constraint distinguishes values that one cap represents: a cap covers the constraints of its
+    /// location and, for each edge that does not reset the clock, the cap of the target.
+    void check_caps() const {
+        for (const Process& process : network.processes) {
+            const auto require = [&](const Location& at, std::size_t clock, Int least) {
+                if (at.caps[clock] < least) reject("a cap of a clock of `" + process.name + "` is too small");
+            };
+            for (const Location& at : process.locations)
+                for (const Constraint& one : at.invariant) require(at, one.clock, one.cap());
+            for (const Edge& edge : process.edges) {
+                const Location &from = process.locations[edge.from], &to = process.locations[edge.to];
+                for (const Constraint& one : edge.constraint) require(from, one.clock, one.cap());
+                for (std::size_t clock = 0; clock < process.clocks.size(); ++clock)
+                    if (std::ranges::find(edge.resets, clock) == edge.resets.end())
+                        require(from, clock, to.caps[clock]);
+            }
+        }
+    }
+
+    /// Replaces the clocks of process `p` by their caps.
+    void reduce(std::size_t p, State& state) const {
+        for (std::size_t clock = 0; clock < network.processes[p].clocks.size(); ++clock) {
+            Int& value = state[network.processes[p].first_clock + clock];
+            value = std::min(value, location(p, state).caps[clock]);
+        }
+    }
+
+private:
+    const Location& location(std::size_t p, const State& state) const {
+        return network.processes[p].locations[static_cast<std::size_t>(state[p])];
+    }
+    static bool satisfied(const std::vector<Constraint>& list, const Process& process, const State& state) {
+        return std::ranges::all_of(list, [&](const Constraint& one) {
+            return combined(one.relation, state[process.first_clock + one.clock], one.bound) != 0;
+        });
+    }
+    Int value(std::size_t term, const State& state) {
+        ++round_;  // forgets all values in memory_
+        return evaluate(term, state);
+    }
+    Int evaluate(std::size_t index, const State& state) {
+        const Term& term = network.terms[index];
+        if (term.op == Op::Constant) return term.value;
+        if (term.op == Op::Value) return state[term.place];
+        if (term.op == Op::At) return state[term.place] == term.value;
+        if (memory_[index].first != round_) memory_[index] = {round_, compute(term, state)};
+        return memory_[index].second;
+    }
+    Int compute(const Term& term, const State& state) {
+        const auto operand = [&](std::size_t i) { return evaluate(term.operands[i], state); };
+        if (term.op == Op::And || term.op == Op::Or) {
+            for (std::size_t i = 0; i < term.operands.size(); ++i)
+                if ((operand(i) != 0) == (term.op == Op::Or)) return term.op == Op::Or;
+            return term.op == Op::And;
+        }
+        if (term.op == Op::If) return operand(operand(0) != 0 ? 1 : 2);
+        if (term.op == Op::Not) return operand(0) == 0;
+        return term.op == Op::Neg ? combined(Op::Sub, 0, operand(0)) : combined(term.op, operand(0), operand(1));
+    }
+    static Int combined(Op op, Int left, Int right) {
+        Int result = 0;
+        bool fails = false;
+        if (op == Op::Eq) return left == right;
+        if (op == Op::Ne) return left != right;
+        if (op == Op::Lt) return left < right;
+        if (op == Op::Le) return left <= right;
+        if (op == Op::Gt) return left > right;
+        if (op == Op::Ge) return left >= right;
+        if (op == Op::Add) fails = __builtin_add_overflow(left, right, &result);
+        else if (op == Op::Sub) fails = __builtin_sub_overflow(left, right, &result);
+        else if (op == Op::Mul) fails = __builtin_mul_overflow(left, right, &result);
+        else if (right == 0 || (left == INT64_MIN && right == -1)) fails = true;
+        else result = op == Op::Div ? left / right : left % right;
+        return fails ? throw NoValue() : result;
+    }
+
+    std::vector<std::pair<std::uint64_t, Int>> memory_;  // values of terms, with their rounds
+    std::uint64_t round_ = 0;
+};
+
+}  // namespace certify

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Texts of a certificate: the network, the caps of its clocks, states and runs, as `grafverif-certify` reads them
+// (src/certify, docs/how-to/certificates.md).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/verdict.hpp"
+#include "ir/network_run.hpp"
+
+namespace grafverif::certificate {
+
+/// Maximum depth of a term that `grafverif-certify` accepts.
+inline constexpr std::size_t most_depth = 4000;
+
+/// Returns the checksum that the index of a certificate contains for a file: FNV-1a, 64 bits.
+std::string checksum(std::string_view text);
+
+/// Returns a name without characters that separate words. Different names remain different.
+std::string word_of(std::string_view name);
+
+/// True if the depth of a term exceeds `most_depth`.
+bool is_too_deep(const Network& flat);
+
+/// Returns the text of an expanded network without its properties, and with `properties`, whose patterns must be those
+/// of the timed engine. A property `reachable all steps` must be given as one `reachable` for each step.
+std::string network_text(const Network& flat, const std::vector<Property>& properties);
+
+/// Returns one line for each location and clock with a cap greater than zero.
+std::string caps_text(const Network& flat);
+
+/// Appends the line of a state. Clocks must have been replaced by their caps.
+void write_state(const Network& flat, const NetworkState& state, std::string& text);
+
+/// Returns the lines of a run, which end with `end`.
+std::string run_text(const Network& flat, const Run& run);
+
+}  // namespace grafverif::certificate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Certificates of timed checks: files from which `grafverif-certify` checks verdicts without the engines
+// (docs/how-to/certificates.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/check.hpp"
+
+namespace grafverif {
+
+struct Certificate {
+    struct File {
+        std::string path = {};  ///< path relative to the folder of the certificate
+        std::string content = {};
+    };
+    struct Omitted {
+        std::string property = {}, reason = {};
+    };
+    std::vector<File> files = {};
+    std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
+    std::vector<Omitted> omitted = {};
+    std::vector<std::string> failures = {};  ///< internal errors: verdicts of `report` that this search contradicts
+};
+
+/// Searches the complete loop again, without decomposition, abstractions and covering, and creates the certificate of
+/// the verdicts in `report`, which `check` returned for the same loop. A verdict that this search does not decide within
+/// the limits of `options` is omitted.
+Certificate certificate_of(const LoopToCheck& loop, const Report& report, const CheckOptions& options);
+
+}  // namespace grafverif
