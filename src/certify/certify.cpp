@@ -8,19 +8,11 @@
 //
 // If the set contains the initial state and all successors of its states, it contains every reachable state. The
 // program computes all successors itself.
-#include <charconv>
 #include <cstdio>
-#include <exception>
-#include <new>
 #include <optional>
 #include <set>
-#include <string>
-#include <string_view>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
-#include "network.hpp"
 #include "semantics.hpp"
 
 namespace certify {
@@ -80,7 +72,7 @@ public:
             else if (pattern > Pattern::ExactlyOne) goal[i] = semantics_.last_operand(property, now);
             starts[i] = pattern == Pattern::Inevitable
                             ? i == initial_
-                            : pattern == Pattern::AlwaysPossible || semantics_.concerns(property, now);
+                            : pattern == Pattern::Possible || semantics_.concerns(property, now);
             if (pattern == Pattern::LeadsTo) starts[i] = starts[i] && semantics_.truth(property.operands[0], now);
         }
         if (pattern <= Pattern::ExactlyOne) return;
@@ -139,7 +131,8 @@ Run read_run(Words& words, Semantics& semantics) {
             run.loop = run.states.size() - 1;
         } else if (words.skip("take")) {
             const std::size_t p = words.choice(semantics.network.names);
-            const Edge& edge = processes[p].edges[words.index(processes[p].edges)];
+            const Edge& edge =
+                processes[p].edges[static_cast<std::size_t>(words.number(0, std::ssize(processes[p].edges) - 1))];
             const State now = run.states.back();
             semantics.error.clear();
             if (now[p] != static_cast<Int>(edge.from) || !semantics.take(p, edge, now, next) ||
@@ -168,12 +161,11 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
         open.pop_back();
         std::vector<State> found;
         const bool waits = semantics.moves(now, next, [&](const State& state) { found.push_back(state); });
-        if (!semantics.error.empty()) reject("a model error follows a run: " + semantics.error);
         bool leaves = waits || !found.empty();
         if (property.pattern == Pattern::NoDeadlock) leaves = !found.empty();
         if (property.pattern == Pattern::NoTimelock) leaves = waits;
-        if (property.pattern == Pattern::AlwaysPossible) leaves = semantics.last_operand(property, now);
-        if (leaves) return false;
+        if (property.pattern == Pattern::Possible) leaves = semantics.last_operand(property, now);
+        if (leaves || !semantics.error.empty()) return false;
         if (waits) found.push_back(next);
         for (State& state : found)
             if (seen.insert(state).second) open.push_back(std::move(state));
@@ -190,7 +182,7 @@ bool shows(const Run& run, const Property& property, Semantics& semantics) {
     case Pattern::Inevitable:
     case Pattern::LeadsTo: break;
     case Pattern::NoDeadlock: return semantics.concerns(property, last) && is_trap(property, last, semantics);
-    case Pattern::AlwaysPossible: return is_trap(property, last, semantics);
+    case Pattern::Possible: return is_trap(property, last, semantics);
     case Pattern::NoTimelock:
         return std::ranges::any_of(states, [&](const State& state) {
             return semantics.concerns(property, state) && is_trap(property, state, semantics);
@@ -208,8 +200,8 @@ bool shows(const Run& run, const Property& property, Semantics& semantics) {
     });
 }
 
-/// Checks the certificate in `folder` and prints the result for each property.
-void check(const std::filesystem::path& folder) {
+/// Checks the certificate in `folder`. Returns a line for each property. Throws Rejected or std::runtime_error.
+std::string check(const std::filesystem::path& folder, bool is_inner = false) {
     const std::string text = content_of(folder / "certificate.txt"), model = content_of(folder / "network.txt");
     const std::size_t end = text.rfind("checksum ");
     if (end == std::string::npos || text.substr(end) != "checksum " + checksum(text.substr(0, end)) + '\n')
@@ -221,55 +213,47 @@ void check(const std::filesystem::path& folder) {
         words.fail("this is not a certificate of version 1");
     if (!words.next_line() || !words.skip("network") || words.word() != checksum(model))
         words.fail("the certificate belongs to another network, or network.txt is damaged");
-    std::string states;
+    std::string states, result, others;
     std::optional<Graph> graph;
-    std::vector<std::string> results(network.properties.size());
+    std::vector<bool> claimed(network.properties.size());
     while (words.next_line()) {
-        if (words.skip("cap")) {
+        const std::string kind(words.word());
+        if (kind == "cap") {
             if (graph) words.fail("caps must precede the states");
             Process& process = network.processes[words.choice(network.names)];
             Location& location = process.locations[words.choice(process.names)];
-            location.caps[words.choice(process.clocks)] = words.number(0, greatest_clock);
-        } else if (words.skip("states")) {
+            Int& cap = location.caps[words.choice(process.clocks)];
+            cap = words.number(0, greatest_clock);
+        } else if (kind == "states") {
             states = content_of(folder / "states.txt");
             if (graph || words.word() != checksum(states))
                 words.fail("states.txt is damaged, or of another certificate");
             semantics.check_caps();
             graph.emplace(semantics, states);
-        } else {
-            const std::string verdict(words.word());
-            if (verdict == "also") {
-                const std::string name(words.word());
-                if (name[0] == '.' || name.find('/') != std::string::npos) words.fail("invalid name of a folder");
-                check(folder / name);
-                continue;
-            }
-            if (verdict == "omitted") {
-                const std::string name(words.word());
-                std::printf("%s: not certified:%s\n", name.c_str(), words.remainder().c_str());
-                continue;
-            }
+        } else if (kind == "omitted") {
+            const std::string name(words.word());
+            others += name + ": not certified:" + words.remainder() + '\n';
+        } else if (kind == "also") {
+            const std::string name(words.word());
+            if (is_inner || name[0] == '.' || name.find('/') != std::string::npos) words.fail("invalid folder");
+            others += check(folder / name, true);
+        } else if (kind == "holds" || kind == "violated") {
             const std::size_t i = words.choice(network.names_of_properties);
             const Property& property = network.properties[i];
-            if (!results[i].empty()) words.fail("two claims about `" + property.name + "`");
-            results[i] = verdict;
-            if (verdict != "holds" && verdict != "violated") words.fail("unknown claim");
-            else if ((verdict == "holds") != (property.pattern == Pattern::Reachable)) {
-                if (!graph) words.fail("the claim requires `states`");
-                graph->check(property);
-                results[i] += ", proved by the set of states";
-            } else {
-                semantics.check_caps();
-                if (!shows(read_run(words, semantics), property, semantics))
-                    reject("the run of `" + property.name + "` does not show its verdict");
-                results[i] += ", shown by a run";
-            }
-        }
+            if (claimed[i]) words.fail("two claims about `" + property.name + "`");
+            claimed[i] = true;
+            const bool by_states = (kind == "holds") != (property.pattern == Pattern::Reachable);
+            if (by_states && !graph) words.fail("the claim requires `states`");
+            if (by_states) graph->check(property);
+            else if (semantics.check_caps(); !shows(read_run(words, semantics), property, semantics))
+                reject("the run of `" + property.name + "` does not show its verdict");
+            result += property.name + ": " + kind + (by_states ? ", proved by the states\n" : ", shown by a run\n");
+        } else words.fail("unknown line");
     }
-    std::printf("network %s: %zu states\n", checksum(model).c_str(), graph ? graph->size() : 0);
-    for (std::size_t i = 0; i < results.size(); ++i)
-        std::printf("%s: %s\n", network.properties[i].name.c_str(),
-                    results[i].empty() ? "not certified: no claim" : results[i].c_str());
+    for (std::size_t i = 0; i < claimed.size(); ++i)
+        if (!claimed[i]) result += network.properties[i].name + ": not certified: no claim\n";
+    return "network " + checksum(model) + ": " + std::to_string(graph ? graph->size() : 0) + " states\n" + result +
+           others;
 }
 
 }  // namespace
@@ -277,14 +261,14 @@ void check(const std::filesystem::path& folder) {
 
 int main(int count, char** values) {
     if (count != 2 || values[1][0] == '-') {
-        const bool help = count == 2 && std::string_view(values[1]) == "--help";
-        std::fputs("usage: grafverif-certify FOLDER\nchecks a certificate of `grafverif check --certificate FOLDER`\n",
-                   help ? stdout : stderr);
-        return help ? 0 : 2;
+        std::fputs(
+            "usage: grafverif-certify FOLDER\nchecks a certificate that `grafverif check --certificate FOLDER` has "
+            "written\n",
+            stderr);
+        return 2;
     }
     try {
-        certify::check(values[1]);
-        return 0;
+        return std::fputs(certify::check(values[1]).c_str(), stdout) < 0 ? 2 : 0;
     } catch (const certify::Rejected& rejected) {
         std::fprintf(stderr, "rejected: %s\n", rejected.what());
         return 1;

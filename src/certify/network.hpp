@@ -93,11 +93,6 @@ public:
             fail("`" + std::string(text) + "` is not a number, or too large or small");
         return value;
     }
-    /// Reads the index of an entry of `list`.
-    template <class List>
-    std::size_t index(const List& list) {
-        return static_cast<std::size_t>(number(0, std::ssize(list) - 1));
-    }
     /// Reads a word of `list` and returns its index.
     template <class List>
     std::size_t choice(const List& list) {
@@ -121,17 +116,7 @@ private:
 enum class Op { Not, And, Or, If, Neg, Eq, Ne, Lt, Le, Gt, Ge, Add, Sub, Mul, Div, Mod, Constant, Value, At };
 inline constexpr std::string_view operators[] = {"not", "and", "or", "if", "neg", "=", "!=", "<",
                                                  "<=",  ">",   ">=", "+",  "-",   "*", "/",  "%"};
-enum class Pattern {
-    Always,
-    Never,
-    Reachable,
-    ExactlyOne,
-    Inevitable,
-    LeadsTo,
-    NoDeadlock,
-    NoTimelock,
-    AlwaysPossible
-};
+enum class Pattern { Always, Never, Reachable, ExactlyOne, Inevitable, LeadsTo, NoDeadlock, NoTimelock, Possible };
 inline constexpr std::string_view patterns[] = {"always",      "never",       "reachable",
                                                 "exactly-one", "inevitable",  "leads-to",
                                                 "no-deadlock", "no-timelock", "always-possible"};
@@ -180,15 +165,22 @@ public:
     explicit Network(const std::string& text) : words_("network.txt", text) {
         if (!words_.next_line() || !words_.skip("grafverif-network") || words_.number() != 1)
             words_.fail("this is not a network of version 1");
-        while (words_.next_line()) read_line(words_.word());
+        if (!words_.next_line() || !words_.skip("processes")) words_.fail("expected `processes`");
+        const auto count = static_cast<std::size_t>(words_.number(1, 1'000'000));
+        low = high = initial = State(count);
+        while (words_.next_line()) {
+            read_line(words_.word());
+            if (processes.size() > count) words_.fail("too many processes");
+        }
         for (Process& process : processes) {
             process.first_clock = initial.size();
             for (Location& location : process.locations) location.caps.resize(process.clocks.size());
             initial.resize(initial.size() + process.clocks.size());
+            if (process.locations.empty()) words_.fail("a process has no location");
         }
         low.resize(initial.size());
         high.resize(initial.size(), greatest_clock);
-        if (processes.empty() || settled == 0) words_.fail("the network is incomplete");
+        if (processes.size() != count) words_.fail("a process is missing");
     }
 
     std::vector<Process> processes = {};
@@ -202,10 +194,7 @@ public:
 private:
     void read_line(std::string_view kind) {
         if (kind == "name") words_.remainder();
-        else if (kind == "processes") {
-            initial.resize(static_cast<std::size_t>(words_.number(1, 1'000'000)));
-            low = high = initial;
-        } else if (kind == "variable" || kind == "scratch") {
+        else if (kind == "variable" || kind == "scratch") {
             declare({Op::Value, 0, initial.size()});
             if (kind == "scratch") scratch.push_back(initial.size());
             low.push_back(words_.number());
@@ -220,7 +209,6 @@ private:
         else if (kind == "process") {
             processes.push_back({std::string(words_.word())});
             names.push_back(processes.back().name);
-            if (names.size() > initial.size()) words_.fail("too many processes");
         } else if (processes.empty()) words_.fail("unexpected `" + std::string(kind) + "`");
         else read_part(kind, processes.back());
     }
@@ -256,6 +244,7 @@ private:
         const bool none = one.pattern == Pattern::NoDeadlock || one.pattern == Pattern::NoTimelock;
         const std::size_t count = none ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
         if (one.pattern != Pattern::ExactlyOne && one.operands.size() != count) words_.fail("wrong number of operands");
+        if (one.stable && settled == 0) words_.fail("`settled` is not defined");
         names_of_properties.push_back(one.name);
         properties.push_back(std::move(one));
     }

@@ -2,12 +2,6 @@
 // The semantics of a network in integer time: values of terms, edges, delays, and the caps of the clocks.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "network.hpp"
 
 namespace certify {

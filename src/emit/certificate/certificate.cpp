@@ -83,7 +83,7 @@ public:
     }
 
     std::string text(const std::vector<Property>& properties) && {
-        write("grafverif-network 1\nname {}\nprocesses {}\n", word_of(network_.name), network_.processes.size());
+        write("grafverif-network 1\nprocesses {}\nname {}\n", network_.processes.size(), word_of(network_.name));
         for (const Network::Variable& variable : network_.variables)
             write("{} {} {} {} {}\n", variable.scratch ? "scratch" : "variable", word_of(variable.name),
                   variable.type.low, variable.type.high, variable.initial);

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+// Certificates of random networks and closed loops. `grafverif-certify` must accept each certificate. It must reject
+// each damaged certificate, also if the checksums of the damaged files are correct, and each certificate of another
+// model. An accepted damage must leave all claims true: the timed engine is the second route.
+#include "emit/certificate/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "check/timed/property_queries.hpp"
+#include "compose/observe.hpp"
+#include "pipeline/certificate/certificate.hpp"
+#include "support/damage.hpp"
+#include "support/random_loop.hpp"
+#include "support/random_network.hpp"
+#include "support/random_subsystems.hpp"
+#include "support/read_loop.hpp"
+#include "support/test_size.hpp"
+
+// The checker is a program of one source file. The tests call its function in their own process.
+#define main certify_main
+#include "certify/certify.cpp"
+#undef main
+
+namespace grafverif {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::map<std::string, std::string>;
+
+enum class Checked { Accepted, Rejected, Malformed };
+
+/// A temporary folder with the files of a certificate.
+class CertificateFolder {
+public:
+    CertificateFolder() {
+        std::string pattern = (fs::temp_directory_path() / "grafverif-certificate-XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+    }
+    CertificateFolder(const CertificateFolder&) = delete;
+    CertificateFolder& operator=(const CertificateFolder&) = delete;
+    ~CertificateFolder() { fs::remove_all(folder_); }
+
+    Checked check(const Files& files) {
+        fs::remove_all(folder_);
+        for (const auto& [name, content] : files) {
+            fs::create_directories((folder_ / name).parent_path());
+            std::ofstream(folder_ / name, std::ios::binary) << content;
+        }
+        text.clear();
+        try {
+            text = certify::check(folder_);
+            return Checked::Accepted;
+        } catch (const certify::Rejected& rejected) {
+            text = rejected.what();
+            return Checked::Rejected;
+        } catch (const std::runtime_error& malformed) {
+            text = malformed.what();
+            return Checked::Malformed;
+        }
+    }
+
+    std::string text = {};  ///< the text of the last result
+
+private:
+    fs::path folder_ = {};
+};
+
+/// Returns the network without properties of several verdicts.
+Network with_single_verdicts(Network network) {
+    for (const Property& property : std::exchange(network.properties, {}))
+        if (property.pattern != Pattern::ReachableAllSteps && property.pattern < Pattern::Watched)
+            network.properties.add(property);
+    return network;
+}
+
+Report report_of(const Network& network) {
+    Report report;
+    const auto add = [&](const TimedResult& result) {
+        for (const Verdict& verdict : result.verdicts) report.answers.push_back({.verdict = verdict});
+    };
+    for (const Id<Property> id : watched(network))
+        add(check_timed(observed(network, {id}), {.properties = {network.properties[id].name}, .timelock = false}));
+    add(check_timed(watched(network).empty() ? network : observed(network, {})));
+    return report;
+}
+
+Files files_of(const Certificate& certificate) {
+    Files files;
+    for (const Certificate::File& file : certificate.files) files[file.path] = file.content;
+    return files;
+}
+
+/// Writes the correct checksums into the index of the certificate.
+void forge_checksums(Files& files) {
+    std::istringstream lines(files["certificate.txt"]);
+    std::string index;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("checksum ")) continue;
+        if (line.starts_with("network ")) line = "network " + certificate::checksum(files["network.txt"]);
+        if (line.starts_with("states ")) line = "states " + certificate::checksum(files["states.txt"]);
+        index += line + '\n';
+    }
+    files["certificate.txt"] = index + "checksum " + certificate::checksum(index) + '\n';
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + '\n';
+    return text;
+}
+
+/// Returns the verdicts that an accepted certificate shows.
+std::map<std::string, std::string> accepted_claims(const std::string& text) {
+    std::map<std::string, std::string> claims;
+    for (const std::string& line : lines_of(text)) {
+        const std::size_t colon = line.find(": ");
+        const std::string verdict = line.substr(colon + 2, line.find(',') - colon - 2);
+        if (verdict == "holds" || verdict == "violated") claims[line.substr(0, colon)] = verdict;
+    }
+    return claims;
+}
+
+/// Checks that no accepted claim contradicts a verdict of the engine.
+void expect_true(const std::string& text, const Report& truth) {
+    const auto claims = accepted_claims(text);
+    for (const PropertyResult& answer : truth.answers) {
+        const auto claim = claims.find(certificate::word_of(answer.verdict.property));
+        if (claim == claims.end() || answer.verdict.outcome == Outcome::Unknown) continue;
+        EXPECT_EQ(claim->second, word(answer.verdict.outcome)) << claim->first;
+    }
+}
+
+std::optional<Network> random_model(std::uint64_t seed) {
+    Random random(seed);
+    if (seed % 3 == 0) return random_network(random);
+    if (seed % 3 == 1) {
+        Network network = random_parts(random, 2);
+        query_subsystems(network, random);
+        return network;
+    }
+    try {
+        return composed_loop(random_loop_asked(random, 8), {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased})
+            .network;
+    } catch (const std::invalid_argument&) {
+        return {};  // compose rejects this loop
+    }
+}
+
+/// A random model, the verdicts of the engine, and its certificate.
+struct Case {
+    Network network = {};
+    Report report = {};
+    Certificate certificate = {};
+    Files files = {};
+};
+
+std::optional<Case> random_case(std::uint64_t seed, bool single) {
+    std::optional<Network> network = random_model(seed);
+    if (!network) return {};
+    Case made{single ? with_single_verdicts(std::move(*network)) : std::move(*network)};
+    if (check_timed(made.network, {.max_states = single ? 400U : 20'000U, .covering = false}).states >=
+        (single ? 400U : 20'000U))
+        return {};
+    made.report = report_of(made.network);
+    made.certificate = certificate_of({made.network}, made.report, {});
+    made.files = files_of(made.certificate);
+    return made;
+}
+
+TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
+    CertificateFolder folder;
+    std::map<std::string, int> shown;
+    int models = 0;
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(150)); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const std::optional<Case> one = random_case(seed, false);
+        if (!one) continue;
+        ++models;
+        EXPECT_TRUE(one->certificate.failures.empty());
+        ASSERT_EQ(folder.check(one->files), Checked::Accepted) << folder.text;
+        const auto claims = accepted_claims(folder.text);
+        EXPECT_EQ(claims.size(), one->certificate.certified.size());
+        expect_true(folder.text, one->report);
+        for (const std::string& line : lines_of(folder.text))
+            if (const std::size_t comma = line.find(", "); comma != std::string::npos)
+                ++shown[line.substr(line.find(": ") + 2)];
+    }
+    EXPECT_GT(models, test_size(150) / 3);
+    EXPECT_GT(shown["holds, proved by the states"], models);
+    EXPECT_GT(shown["violated, shown by a run"], models);
+    EXPECT_GT(shown["holds, shown by a run"], 0);
+    EXPECT_GT(shown["violated, proved by the states"], 0);
+}
+
+/// Returns the certificate with a change that alters its meaning, and with correct checksums. `changes_states` is true
+/// if a state of the set is lost.
+Files with_other_meaning(const Files& files, std::mt19937& random, bool& changes_states) {
+    Files changed = files;
+    changes_states = false;
+    const auto pick = [&](std::size_t count) { return count == 0 ? 0 : random() % count; };
+    std::vector<std::string> states =
+        changed.contains("states.txt") ? lines_of(changed["states.txt"]) : std::vector<std::string>();
+    std::vector<std::string> index = lines_of(changed["certificate.txt"]);
+    index.pop_back();  // the checksum
+    const std::size_t line = 2 + pick(index.size() - 2);
+    const std::size_t kind = random() % 4;
+    if (!states.empty() && kind < 2) {
+        const std::size_t state = pick(states.size());
+        changes_states = true;
+        if (kind == 0) {
+            states.erase(states.begin() + static_cast<std::ptrdiff_t>(state));
+        } else {
+            std::string& text = states[state];
+            const std::size_t digit = text.find_first_of("0123456789", pick(text.size() - 1));
+            const char before = text[digit];
+            text[digit] = static_cast<char>('0' + (before - '0' + 1 + static_cast<char>(pick(9))) % 10);
+        }
+        changed["states.txt"] = joined(states);
+    } else if (kind == 2) {
+        if (index[line].starts_with("holds ")) index[line].replace(0, 5, "violated");
+        else if (index[line].starts_with("violated ")) index[line].replace(0, 8, "holds");
+        else index.erase(index.begin() + static_cast<std::ptrdiff_t>(line));
+        changed["certificate.txt"] = joined(index);
+    } else {
+        index[line] = damaged(index[line], {.likely = "0123456789", .most_changes = 1, .longest_piece = 5}, random);
+        changed["certificate.txt"] = joined(index);
+    }
+    forge_checksums(changed);
+    return changed;
+}
+
+TEST(RandomizedCertificate, DamagedCertificatesAreRejected) {
+    CertificateFolder folder;
+    const int most = test_size(10'000);
+    int damages = 0, accepted = 0, forged = 0, lost_states = 0;
+    for (std::uint64_t seed = 1; damages < most && seed < 100'000; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const std::optional<Case> one = random_case(seed, true);
+        if (!one || one->certificate.certified.empty()) continue;
+        std::mt19937 random(static_cast<std::uint32_t>(seed));
+        for (int k = 0; k < 100 && damages < most; ++k) {
+            Files files = one->files;
+            if (k % 2 == 0) {  // the checksums are not adapted: each change is rejected
+                auto file = std::next(files.begin(), static_cast<std::ptrdiff_t>(random() % files.size()));
+                file->second = random() % 4 == 0 ? file->second.substr(0, random() % file->second.size())
+                                                 : damaged(file->second, {.likely = "0123456789 ()\n$"}, random);
+                if (file->second == one->files.at(file->first)) continue;
+                ++damages;
+                EXPECT_NE(folder.check(files), Checked::Accepted) << file->first;
+                continue;
+            }
+            bool loses_state = false;
+            files = with_other_meaning(one->files, random, loses_state);
+            if (files == one->files) continue;
+            ++damages;
+            ++forged;
+            lost_states += loses_state ? 1 : 0;
+            if (folder.check(files) != Checked::Accepted) continue;
+            ++accepted;
+            EXPECT_FALSE(loses_state);
+            expect_true(folder.text, one->report);
+        }
+        if (testing::Test::HasFailure()) break;
+    }
+    EXPECT_EQ(damages, most);
+    EXPECT_GT(lost_states, most / 10);
+    EXPECT_LT(accepted, forged / 2);
+    RecordProperty("accepted", accepted);
+    RecordProperty("forged", forged);
+}
+
+/// Changes one element of the network, which usually changes its states.
+void mutate(Network& network, Random& random) {
+    const auto pick = [&](auto& table) {
+        return static_cast<std::uint32_t>(random_number(random, 0, static_cast<std::int64_t>(table.size()) - 1));
+    };
+    Network::Template& automaton = network.templates[{pick(network.templates)}];
+    if (automaton.edges.empty() || network.variables.empty()) return;
+    Network::Edge& edge = automaton.edges[{pick(automaton.edges)}];
+    switch (random_number(random, 0, 5)) {
+    case 0: edge.guard = network.exprs.negation(edge.guard); break;
+    case 1:
+        for (Network::ClockConstraint& one : edge.constraint)
+            one.bound = network.exprs.integer(random_number(random, 0, 4));
+        break;
+    case 2: edge.resets.clear(); break;
+    case 3:
+        if (!edge.assignments.empty()) edge.assignments.pop_back();
+        else edge.calls.clear();
+        break;
+    case 4: edge.to = {pick(automaton.locations)}; break;
+    default: {
+        Network::Variable& variable = network.variables[{pick(network.variables)}];
+        variable.initial = random_number(random, variable.type.low, variable.type.high);
+    }
+    }
+}
+
+TEST(RandomizedCertificate, CertificatesOfOtherModelsProveOnlyTrueClaims) {
+    CertificateFolder folder;
+    int compared = 0, rejected = 0;
+    for (std::uint64_t seed = 1; compared < test_size(1000) && seed < 100'000; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const std::optional<Case> one = random_case(seed, true);
+        if (!one || one->certificate.certified.empty()) continue;
+        Random random(seed);
+        for (int k = 0; k < 10; ++k) {
+            Network other = one->network;
+            mutate(other, random);
+            if (!verify(other).empty() || other == one->network) continue;
+            const Network flat = expand(other);
+            std::vector<Property> properties;
+            for (const std::string& name : one->certificate.certified) {
+                const auto found = std::ranges::find(flat.properties, name, &Property::name);
+                properties.push_back(found == flat.properties.end() ? timed::undeclared_timelock(flat) : *found);
+            }
+            Files files = one->files;
+            files["network.txt"] = certificate::network_text(flat, properties);
+            if (files == one->files) continue;
+            ++compared;
+            EXPECT_NE(folder.check(files), Checked::Accepted) << "the checksum is wrong";
+            forge_checksums(files);
+            if (folder.check(files) != Checked::Accepted) ++rejected;
+            else expect_true(folder.text, report_of(other));
+        }
+        if (testing::Test::HasFailure()) break;
+    }
+    EXPECT_GT(rejected, compared / 3);
+}
+
+}  // namespace
+}  // namespace grafverif
