@@ -5,13 +5,14 @@
 include(CMakePackageConfigHelpers)
 set(data ${CMAKE_INSTALL_DATADIR})
 
-install(TARGETS grafverif_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS grafverif_program grafverif_certify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 foreach(folder vim/vimfiles nvim/site)
     install(DIRECTORY editors/vim/ DESTINATION ${data}/${folder} COMPONENT program)
 endforeach()
 install(FILES packaging/mime.xml DESTINATION ${data}/mime/packages RENAME grafverif.xml COMPONENT program)
 install(FILES editors/vscode/icons/grafcet.svg DESTINATION ${data}/icons/hicolor/scalable/mimetypes RENAME text-x-grafcet.svg
         COMPONENT program)
+install(FILES packaging/grafverif-certify.1 DESTINATION ${data}/man/man1 COMPONENT program)
 if(NOT CMAKE_CROSSCOMPILING)
     install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:grafverif_program>\"
                                           \"-DROOT=\$ENV{DESTDIR}\" \"-DPREFIX=\${CMAKE_INSTALL_PREFIX}\"
@@ -39,7 +40,8 @@ install(DIRECTORY tests/unit/app/elements DESTINATION ${CMAKE_INSTALL_DOCDIR}/te
         FILES_MATCHING PATTERN "*.grafcet")
 install(DIRECTORY templates DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation PATTERN CMakeLists.txt EXCLUDE)
 
-set(stripped "program:grafverif_program:${CMAKE_INSTALL_BINDIR}" "library:grafverif:${CMAKE_INSTALL_LIBDIR}")
+set(stripped "program:grafverif_program:${CMAKE_INSTALL_BINDIR}" "program:grafverif_certify:${CMAKE_INSTALL_BINDIR}"
+             "library:grafverif:${CMAKE_INSTALL_LIBDIR}")
 if(TARGET grafverif_python)
     list(APPEND stripped "python:grafverif_python:${GRAFVERIF_PYTHON_DESTINATION}/grafverif")
 endif()

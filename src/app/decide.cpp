@@ -36,12 +36,31 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Comman
                                                   : check(loop, options);
 }
 
-/// Decides the properties of a transition system with the selected engine; the default is the portfolio engine.
-std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options) {
+/// Decides the properties by PDR. If a certificate is requested, it contains the witness circuits of the invariants.
+Report certified_by_pdr(const SystemToCheck& system, const CommandContext& job, const CheckOptions& options,
+                        std::optional<Certificate>& certificate) {
+    StateSearch search;
+    if (!job.options.certificate) return check_states(system, options, search);
+    certificate.emplace();
+    search.proved = [&](const auto&... invariant) { add_witness(invariant..., *certificate); };
+    Report report = check_states(system, options, search);
+    for (const PropertyResult& answer : report.answers)
+        if (const std::string& name = answer.verdict.property;
+            std::ranges::find(certificate->certified, name) == certificate->certified.end())
+            certificate->omitted.push_back({name, answer.verdict.outcome == Outcome::Unknown
+                                                      ? "the verdict is unknown"
+                                                      : "a run shows the verdict; it is not part of the certificate"});
+    return report;
+}
+
+/// Decides the properties of a transition system with the selected engine; the default is the portfolio. `certificate`
+/// receives the invariants of PDR.
+std::optional<Report> system_report(const SystemToCheck& system, CommandContext& job, const CheckOptions& options,
+                                    std::optional<Certificate>& certificate) {
     switch (job.options.engine) {
     case Engine::Embedded:
     case Engine::Auto: return check_together(system, options);
-    case Engine::Pdr: return check_states(system, options);
+    case Engine::Pdr: return certified_by_pdr(system, job, options, certificate);
     case Engine::Bmc: return check_states(system, options, bounded_search(job.options.max_steps));
     case Engine::Abc: return check_by_abc(system, options, job.diagnostics);
     case Engine::Hwmcc: return check_by_command(system, job.options.engine_command, options);
@@ -55,16 +74,16 @@ std::optional<Report> system_report(const SystemToCheck& system, CommandContext&
 }
 
 std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, CommandContext& job,
-                                     const CheckOptions& options) {
+                                     const CheckOptions& options, std::optional<Certificate>& certificate) {
     const ModelOptions how = model_options(job.options, model.loops[id]);
     const auto system = system_with_probes(model, id, how, job.diagnostics);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
-    return system_report(system_to_check(*system, model, id, how), job, options);
+    return system_report(system_to_check(*system, model, id, how), job, options, certificate);
 }
 
 std::optional<Report> chart_report(const Model& model, Id<Chart> chart, CommandContext& job,
-                                   const CheckOptions& options) {
-    const auto decide = [&](const SystemToCheck& system) { return system_report(system, job, options); };
+                                   const CheckOptions& options, std::optional<Certificate>& certificate) {
+    const auto decide = [&](const SystemToCheck& system) { return system_report(system, job, options, certificate); };
     return check_chart(model, chart, model_options(job.options), options, job.diagnostics, decide);
 }
 
@@ -172,14 +191,18 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
                            "model, with free inputs"
                         << (job.options.stats ? "; --stats applies only to timed checks" : "")
                         << (job.options.why ? "; --why applies only to closed loops" : "")
-                        << (job.options.certificate ? "; --certificate applies only to closed loops" : "") << '\n';
+                        << (job.options.certificate && job.options.engine != Engine::Pdr
+                                ? "; --certificate requires --engine pdr for charts"
+                                : "")
+                        << '\n';
         decided.chart = *chart;
-        found = chart_report(model, *chart, job, options);
+        found = chart_report(model, *chart, job, options, decided.certificate);
     } else if (const auto loop = chosen_loop(model, job)) {
         if (job.options.why && !consists_of_charts(model, *loop, job)) return {};
         decided.loop = *loop;
         decided.timed = !job.options.check_untimed;
-        found = decided.timed ? timed_report(model, *loop, job, of_check) : untimed_report(model, *loop, job, of_check);
+        found = decided.timed ? timed_report(model, *loop, job, of_check)
+                              : untimed_report(model, *loop, job, of_check, decided.certificate);
     }
     if (!found) return {};
     if (!keep_requested(job.options.properties, *found, job.diagnostics)) return {};

@@ -325,7 +325,7 @@ std::vector<Option> options_for_checks() {
              "check each FILE operand as a PLC program (Structured Text, PLCopen XML) against the properties in this "
              "YAML file"),
         text(OptionGroup::Verdicts, "certificate", "DIR", &Options::certificate,
-             "write a certificate of the verdicts into DIR, for `grafverif-certify DIR` (timed engine)"),
+             "write a certificate of the verdicts into DIR (engines timed and pdr; see `grafverif-certify`)"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,
                "print the elements that each proof depends on (timed engine)"),
         text(OptionGroup::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),

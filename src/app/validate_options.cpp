@@ -77,9 +77,11 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     if (options.all_modes && options.mode) return "`--all-modes` and `--mode` are mutually exclusive; remove one";
     if (options.depfile_target && !options.depfile) return "`--depfile-target` requires `--depfile`; add it";
     if (options.depfile_reader && !options.depfile) return "`--depfile-format` requires `--depfile`; add it";
-    if (options.certificate && (options.check_untimed || options.property_file || options.list))
-        return "`--certificate` applies only to timed checks of closed loops; remove it, or remove `--untimed`, "
-               "`--properties` and `--list`";
+    if (options.certificate && (options.property_file || options.list))
+        return "`--certificate` applies only to checks of closed loops and charts; remove it, or remove `--properties` "
+               "and `--list`";
+    if (options.certificate && options.check_untimed && options.engine != Engine::Pdr)
+        return "for untimed models, only PDR writes certificates; pass `--engine pdr`, or remove `--certificate`";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
                           options.certificate || (options.output && !accepts(verb, OptionGroup::OutputDirectory));
     if (several && one_form && !options.list && !accepts(verb, OptionGroup::OutputDirectory))

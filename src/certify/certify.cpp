@@ -10,15 +10,15 @@
 // program computes all successors itself.
 #include <cstdio>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <unordered_map>
 
 #include "semantics.hpp"
 
 namespace certify {
-namespace {
 
-constexpr std::size_t most_run = 10'000'000, most_explored = 5'000'000;
+constexpr std::size_t most_explored = 10'000'000;
 
 /// The text of a state in states.txt: all its values, each followed by a blank.
 std::string text_of(const State& state) {
@@ -70,10 +70,9 @@ public:
             if (pattern == Pattern::NoDeadlock) goal[i] = starts_[i] != edges_end_[i];
             else if (pattern == Pattern::NoTimelock) goal[i] = waits_[i];
             else if (pattern > Pattern::ExactlyOne) goal[i] = semantics_.last_operand(property, now);
-            starts[i] = pattern == Pattern::Inevitable
-                            ? i == initial_
-                            : pattern == Pattern::Possible || semantics_.concerns(property, now);
-            if (pattern == Pattern::LeadsTo) starts[i] = starts[i] && semantics_.truth(property.operands[0], now);
+            const bool concerned = pattern == Pattern::Possible || semantics_.concerns(property, now);
+            starts[i] = concerned && (pattern != Pattern::LeadsTo || semantics_.truth(property.operands[0], now));
+            if (pattern == Pattern::Inevitable) starts[i] = i == initial_;
         }
         if (pattern <= Pattern::ExactlyOne) return;
         for (bool changed = true; changed;) {
@@ -126,33 +125,32 @@ struct Run {
 Run read_run(Words& words, Semantics& semantics) {
     const std::vector<Process>& processes = semantics.network.processes;
     Run run{{semantics.network.initial}};
+    Int longest = 10'000'000;  // units of time in the remaining run
     for (State next; words.next_line() && !words.skip("end");) {
-        if (words.skip("loop")) {
-            run.loop = run.states.size() - 1;
-        } else if (words.skip("take")) {
+        if (words.skip("loop")) run.loop = run.states.size() - 1;
+        else if (words.skip("take")) {
             const std::size_t p = words.choice(semantics.network.names);
-            const Edge& edge =
-                processes[p].edges[static_cast<std::size_t>(words.number(0, std::ssize(processes[p].edges) - 1))];
-            const State now = run.states.back();
+            const Int i = words.number(0, std::ssize(processes[p].edges) - 1);
             semantics.error.clear();
-            if (now[p] != static_cast<Int>(edge.from) || !semantics.take(p, edge, now, next) ||
+            if (!semantics.take(p, processes[p].edges[static_cast<std::size_t>(i)], run.states.back(), next) ||
                 !semantics.error.empty())
-                reject("an edge of `" + processes[p].name + "` cannot be taken in a run");
+                reject("a run takes an edge of `" + processes[p].name + "` that is not enabled");
             run.states.push_back(next);
         } else if (words.skip("delay")) {
-            for (Int left = words.number(1); left > 0; --left) {
+            const Int units = words.number(1, longest);
+            longest -= units;
+            run.states.push_back(run.states.back());
+            for (Int i = 0; i < units; ++i) {
                 if (!semantics.moves(run.states.back(), next, [](const State&) {})) reject("time cannot pass in a run");
-                if (next == run.states.back()) left = 1;  // longer delays lead to the same state
-                run.states.push_back(next);
-                if (run.states.size() > most_run) words.fail("the run is too long");
+                if (std::exchange(run.states.back(), next) == next) break;  // longer delays lead to the same state
             }
         } else words.fail("expected `take`, `delay`, `loop` or `end`");
     }
     return run;
 }
 
-/// True if no path from `from` leads to an enabled edge (no deadlock), to a delay (no timelock), to a state with the
-/// operand (always possible), or to any other state (for other patterns).
+/// True if no path from `from` leads to a required state: with an enabled edge (no deadlock), with a delay (no
+/// timelock), or with the operand (always possible). For other patterns: true if `from` has no successor.
 bool is_trap(const Property& property, const State& from, Semantics& semantics) {
     std::set<State> seen{from};
     std::vector<State> open{from};
@@ -177,20 +175,14 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
 /// True if the run shows that the property is violated or, for `reachable`, that it holds.
 bool shows(const Run& run, const Property& property, Semantics& semantics) {
     const std::vector<State>& states = run.states;
-    const State& last = states.back();
-    switch (property.pattern) {
-    case Pattern::Inevitable:
-    case Pattern::LeadsTo: break;
-    case Pattern::NoDeadlock: return semantics.concerns(property, last) && is_trap(property, last, semantics);
-    case Pattern::Possible: return is_trap(property, last, semantics);
-    case Pattern::NoTimelock:
-        return std::ranges::any_of(states, [&](const State& state) {
-            return semantics.concerns(property, state) && is_trap(property, state, semantics);
+    if (property.pattern <= Pattern::ExactlyOne) return semantics.decides(property, states.back());
+    if (property.pattern != Pattern::Inevitable && property.pattern != Pattern::LeadsTo)
+        return std::ranges::any_of(states | std::views::reverse, [&](const State& state) {
+            const bool concerned = property.pattern == Pattern::Possible || semantics.concerns(property, state);
+            return concerned && is_trap(property, state, semantics);
         });
-    default: return semantics.decides(property, last);
-    }
-    const bool repeats = run.loop && *run.loop + 1 < states.size() && states[*run.loop] == last;
-    if (!repeats && !is_trap(property, last, semantics)) return false;
+    const bool repeats = run.loop && *run.loop + 1 < states.size() && states[*run.loop] == states.back();
+    if (!repeats && !is_trap(property, states.back(), semantics)) return false;
     std::size_t since = states.size();  // no state from this state on satisfies the last operand
     while (since > 0 && !semantics.last_operand(property, states[since - 1])) --since;
     if (since == states.size() || (repeats && since > *run.loop)) return false;
@@ -256,24 +248,15 @@ std::string check(const std::filesystem::path& folder, bool is_inner = false) {
            others;
 }
 
-}  // namespace
 }  // namespace certify
 
 int main(int count, char** values) {
-    if (count != 2 || values[1][0] == '-') {
-        std::fputs(
-            "usage: grafverif-certify FOLDER\nchecks a certificate that `grafverif check --certificate FOLDER` has "
-            "written\n",
-            stderr);
-        return 2;
-    }
+    if (count != 2) return std::fputs("usage: grafverif-certify FOLDER (of `check --certificate`)\n", stderr), 2;
     try {
         return std::fputs(certify::check(values[1]).c_str(), stdout) < 0 ? 2 : 0;
     } catch (const certify::Rejected& rejected) {
         std::fprintf(stderr, "rejected: %s\n", rejected.what());
         return 1;
-    } catch (const std::bad_alloc&) {
-        std::fputs("error: out of memory\n", stderr);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "error: %s\n", failure.what());
     }

@@ -20,13 +20,11 @@ namespace certify {
 using Int = std::int64_t;
 using State = std::vector<Int>;  // the locations of all processes, then all variables, then the clocks of all processes
 
-inline constexpr Int greatest_clock = Int{1} << 40;
+inline constexpr Int greatest_clock = Int{1} << 60;
 inline constexpr std::size_t most_nesting = 500, most_depth = 5000;
 
 /// The files are well-formed, but do not prove the claims: exit code 1.
-struct Rejected : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+using Rejected = std::domain_error;
 /// A term has no value: division by zero, or a result outside 64 bits.
 struct NoValue {};
 
@@ -36,10 +34,8 @@ struct NoValue {};
 inline std::string content_of(const std::filesystem::path& path) {
     std::error_code failure;
     if (!std::filesystem::is_regular_file(path, failure)) malformed(path.string() + ": no such file");
-    std::string text(std::filesystem::file_size(path), '\0');
     std::ifstream file(path, std::ios::binary);
-    if (!file.read(text.data(), std::ssize(text))) malformed(path.string() + ": cannot be read");
-    return text;
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 /// Returns FNV-1a, 64 bits, as hexadecimal digits. It detects damage and mixed-up files, not deliberate changes.
@@ -51,7 +47,7 @@ inline std::string checksum(std::string_view text) {
     return digits;
 }
 
-/// The words of a text, line by line. Each parenthesis is a word.
+/// Reads a text line by line and word by word. Each parenthesis is a word.
 class Words {
 public:
     Words(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
@@ -116,10 +112,10 @@ private:
 enum class Op { Not, And, Or, If, Neg, Eq, Ne, Lt, Le, Gt, Ge, Add, Sub, Mul, Div, Mod, Constant, Value, At };
 inline constexpr std::string_view operators[] = {"not", "and", "or", "if", "neg", "=", "!=", "<",
                                                  "<=",  ">",   ">=", "+",  "-",   "*", "/",  "%"};
-enum class Pattern { Always, Never, Reachable, ExactlyOne, Inevitable, LeadsTo, NoDeadlock, NoTimelock, Possible };
-inline constexpr std::string_view patterns[] = {"always",      "never",       "reachable",
-                                                "exactly-one", "inevitable",  "leads-to",
-                                                "no-deadlock", "no-timelock", "always-possible"};
+enum class Pattern { Always, Never, Reachable, ExactlyOne, Inevitable, LeadsTo, Possible, NoDeadlock, NoTimelock };
+inline constexpr std::string_view patterns[] = {"always",          "never",       "reachable",
+                                                "exactly-one",     "inevitable",  "leads-to",
+                                                "always-possible", "no-deadlock", "no-timelock"};
 
 struct Term {
     Op op = Op::Constant;
@@ -194,15 +190,15 @@ public:
 private:
     void read_line(std::string_view kind) {
         if (kind == "name") words_.remainder();
-        else if (kind == "variable" || kind == "scratch") {
-            declare({Op::Value, 0, initial.size()});
+        else if (kind == "variable" || kind == "scratch" || kind == "define") {
+            const std::string name(words_.word());
+            const std::size_t meaning = kind == "define" ? term() : add({Op::Value, 0, initial.size()});
+            if (!terms_.emplace(name, meaning).second) words_.fail("a name is declared twice");
+            if (kind == "define") return;
             if (kind == "scratch") scratch.push_back(initial.size());
             low.push_back(words_.number());
             high.push_back(words_.number(low.back()));
             initial.push_back(words_.number(low.back(), high.back()));
-        } else if (kind == "define") {
-            const std::string name(words_.word());
-            if (!terms_.emplace(name, term()).second) words_.fail("a name is declared twice");
         } else if (kind == "race") race = term();
         else if (kind == "settled") settled = term();
         else if (kind == "property") read_property();
@@ -241,8 +237,7 @@ private:
         Property one{std::string(words_.word()), words_.skip("stable")};
         one.pattern = static_cast<Pattern>(words_.choice(patterns));
         while (!words_.at_end()) one.operands.push_back(term());
-        const bool none = one.pattern == Pattern::NoDeadlock || one.pattern == Pattern::NoTimelock;
-        const std::size_t count = none ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
+        const std::size_t count = one.pattern >= Pattern::NoDeadlock ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
         if (one.pattern != Pattern::ExactlyOne && one.operands.size() != count) words_.fail("wrong number of operands");
         if (one.stable && settled == 0) words_.fail("`settled` is not defined");
         names_of_properties.push_back(one.name);
@@ -261,9 +256,6 @@ private:
         if (term.depth > most_depth) words_.fail("a term is too deep");
         terms.push_back(std::move(term));
         return terms.size() - 1;
-    }
-    void declare(Term term) {
-        if (!terms_.emplace(words_.word(), add(std::move(term))).second) words_.fail("a name is declared twice");
     }
     /// Reads a term: a number, the name of a variable or of a defined term, or an operator with its operands.
     std::size_t term(std::size_t nesting = 0) {

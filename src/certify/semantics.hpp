@@ -31,9 +31,10 @@ public:
         return (count != 0) != (property.pattern == Pattern::Always);
     }
 
-    /// Returns true if the edge can be taken in `now`; then `next` is the successor, unless `error` is set.
+    /// True if the edge is enabled in `now`; then `next` is the successor, unless `error` is set.
     bool take(std::size_t p, const Edge& edge, const State& now, State& next) try {
         const Process& process = network.processes[p];
+        if (now[p] != static_cast<Int>(edge.from)) return false;
         if (!satisfied(edge.constraint, process, now)) return false;
         next = now;
         for (const std::size_t clock : edge.resets) next[process.first_clock + clock] = 0;
@@ -60,7 +61,7 @@ public:
         error = network.race != 0 && truth(network.race, now) ? "a race of stored actions" : "";
         for (std::size_t p = 0; p < network.processes.size(); ++p)
             for (const Edge& edge : network.processes[p].edges) {
-                if (now[p] != static_cast<Int>(edge.from) || !take(p, edge, now, next)) continue;
+                if (!take(p, edge, now, next)) continue;
                 urgent = urgent || edge.urgent;
                 if (error.empty()) visit(next);
             }

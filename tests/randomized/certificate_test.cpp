@@ -207,7 +207,7 @@ TEST(RandomizedCertificate, CertificatesOfRandomModelsAreAccepted) {
 }
 
 /// Returns the certificate with a change that alters its meaning, and with correct checksums. `changes_states` is true
-/// if a state of the set is lost.
+/// if the set no longer contains some state.
 Files with_other_meaning(const Files& files, std::mt19937& random, bool& changes_states) {
     Files changed = files;
     changes_states = false;
@@ -281,6 +281,26 @@ TEST(RandomizedCertificate, DamagedCertificatesAreRejected) {
     EXPECT_LT(accepted, forged / 2);
     RecordProperty("accepted", accepted);
     RecordProperty("forged", forged);
+}
+
+TEST(RandomizedCertificate, DamagedFilesWithCorrectChecksumsAreHandled) {
+    CertificateFolder folder;
+    std::map<Checked, int> results;
+    int damages = 0;
+    for (std::uint64_t seed = 1; damages < test_size(3000) && seed < 100'000; ++seed) {
+        const std::optional<Case> one = random_case(seed, true);
+        if (!one || one->certificate.certified.empty()) continue;
+        std::mt19937 random(static_cast<std::uint32_t>(seed));
+        for (int k = 0; k < 100; ++k, ++damages) {
+            Files files = one->files;
+            std::string& text = files[k % 3 == 0 ? "certificate.txt" : "network.txt"];
+            text = damaged(text, {.likely = "0123456789 ()\n$", .most_changes = 2}, random);
+            forge_checksums(files);
+            ++results[folder.check(files)];
+        }
+    }
+    EXPECT_GT(results[Checked::Malformed], damages / 4);
+    EXPECT_GT(results[Checked::Rejected], damages / 50);
 }
 
 /// Changes one element of the network, which usually changes its states.

@@ -85,9 +85,10 @@ void note_certificate(const Decided& decided, CommandContext& job, const Streams
     for (const Certificate::File& file : certificate.files)
         job.reports->files.push_back({std::filesystem::path(folder) / file.path, file.content});
     if (job.options.format != Format::Text || job.options.quiet) return;
-    streams.out << fmt::format("certificate: {} of {} verdicts; check it with `grafverif-certify {}`\n",
-                               certificate.certified.size(), certificate.certified.size() + certificate.omitted.size(),
-                               printable(folder));
+    const std::string checker = decided.timed ? fmt::format("`grafverif-certify {}`", printable(folder))
+                                              : "Certifaiger (NAME.model.aag, NAME.witness.aag)";
+    streams.out << fmt::format("certificate: {} of {} verdicts; check it with {}\n", certificate.certified.size(),
+                               certificate.certified.size() + certificate.omitted.size(), checker);
     for (const Certificate::Omitted& one : certificate.omitted)
         streams.out << fmt::format("  {} is not certified: {}\n", one.property, one.reason);
 }
@@ -221,12 +222,10 @@ CliCommand check_usage() {
         "interpreter of the program.\n"
         "\n"
         "With --certificate DIR, the files in DIR prove the verdicts of a closed loop to the independent program\n"
-        "`grafverif-certify DIR` (docs/how-to/certificates.md).\n"
+        "`grafverif-certify DIR` (docs/how-to/certificates.md). With --untimed --engine pdr, the files are witness "
+        "circuits\n"
+        "in AIGER.\n"
         "\n"
-        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD\n"
-        "(--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before the check\n"
-        "starts (docs/how-to/ci.md).\n"
-         "\n"
         "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); the first trace also\n"
         "as VCD (--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before\n"
         "the check starts (docs/how-to/ci.md).\n"

@@ -311,6 +311,8 @@ private:
         // If the search for a quiescent state is interrupted, the query remains open.
         if (!question.is_reachability() && property.at_stable) is_settled();
         close(question, question.is_reachability() ? Outcome::Violated : Outcome::Holds);
+        if (options_.proved && !is_probe(property))
+            options_.proved(property.name, circuit_, question.target->bad, answer.invariant);
         question.verdict.notes.push_back("proved by an inductive invariant of " +
                                          std::to_string(answer.invariant.size()) +
                                          (answer.invariant.size() == 1 ? " clause" : " clauses") + ", checked by " +

@@ -54,6 +54,11 @@ struct PdrOptions {
     /// True: before PDR, tries the invariant that some latches are always equal (EqualLatches). This is useful for the
     /// product of two similar systems.
     bool equal_latches = false;
+    /// Called for each property that an inductive invariant proves, after the invariant has been checked. The invariant
+    /// is the complement of the cubes; it excludes the states in which `bad` is true.
+    std::function<void(const std::string& property, const Circuit& circuit, pdr::Literal bad,
+                       const std::vector<pdr::Cube>& cubes)>
+        proved = {};
     std::vector<std::string> properties = {};            ///< names of the properties to check; all if empty
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};

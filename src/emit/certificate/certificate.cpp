@@ -242,6 +242,13 @@ void write_state(const Network& flat, const NetworkState& state, std::string& te
     text += '\n';
 }
 
+std::int64_t units_of(const Run& run) {
+    std::int64_t units = 0;
+    for (const Move& move : run.moves)
+        if (const auto* delay = std::get_if<Delay>(&move)) units += delay->units;
+    return units;
+}
+
 std::string run_text(const Network& flat, const Run& run) {
     std::string text;
     for (std::size_t i = 0; i < run.moves.size(); ++i) {

@@ -3,6 +3,7 @@
 // (src/certify, docs/how-to/certificates.md).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,8 +15,9 @@
 
 namespace grafverif::certificate {
 
-/// Maximum depth of a term that `grafverif-certify` accepts.
+/// Limits of `grafverif-certify`: the depth of a term, and the length of a run in units of time.
 inline constexpr std::size_t most_depth = 4000;
+inline constexpr std::int64_t longest_run = 10'000'000;
 
 /// Returns the checksum that the index of a certificate contains for a file: FNV-1a, 64 bits.
 std::string checksum(std::string_view text);
@@ -35,6 +37,9 @@ std::string caps_text(const Network& flat);
 
 /// Appends the line of a state. Clocks must have been replaced by their caps.
 void write_state(const Network& flat, const NetworkState& state, std::string& text);
+
+/// Returns the length of a run in units of time.
+std::int64_t units_of(const Run& run);
 
 /// Returns the lines of a run, which end with `end`.
 std::string run_text(const Network& flat, const Run& run);

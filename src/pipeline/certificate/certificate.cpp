@@ -9,6 +9,7 @@
 #include "check/timed/property_queries.hpp"
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
+#include "emit/aiger/aiger.hpp"
 #include "emit/certificate/certificate.hpp"
 #include "ir/probes.hpp"
 #include "ir/step_names.hpp"
@@ -18,8 +19,9 @@ namespace grafverif {
 
 namespace {
 
-/// Maximum number of states of a certificate, which is built in memory.
+/// Maximum number of states of a certificate, and maximum size of their text, which is built in memory.
 constexpr std::uint64_t most_states = 10'000'000;
+constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
 /// Returns the property that `verdict` decides. For a step of `reachable all steps`, this is a `reachable`.
 Property decided_property(const Network& flat, const Verdict& verdict) {
@@ -48,7 +50,9 @@ public:
         options.profile = ProfileFor::None;
         options.many = {};
         options.max_states = std::min(options.max_states, most_states);
-        options.each_state = [&](const NetworkState& state) { certificate::write_state(flat_, state, states); };
+        options.each_state = [&](const NetworkState& state) {
+            if (states.size() < most_bytes) certificate::write_state(flat_, state, states);
+        };
         const TimedResult result = check_timed(flat_, options);
         std::vector<Property> properties;
         bool needs_states = false;
@@ -56,6 +60,8 @@ public:
             const auto found = std::ranges::find(result.verdicts, verdict->property, &Verdict::property);
             std::string reason = found == result.verdicts.end() ? "the complete search does not check the property"
                                                                 : obstacle(*verdict, *found, result);
+            if (reason.empty() && !found->run && states.size() >= most_bytes)
+                reason = "the text of the states is larger than 1 GiB";
             if (!reason.empty()) {
                 omitted_.push_back({verdict->property, std::move(reason)});
                 continue;
@@ -95,6 +101,7 @@ private:
                             found.outcome == Outcome::Holds ? "holds" : "is violated", word(reported.outcome)));
             return "the complete search contradicts the verdict";
         }
+        if (found.run && certificate::units_of(*found.run) > certificate::longest_run) return "its run is too long";
         if (!found.run && (!result.complete || !result.errors.empty())) return "the set of states is incomplete";
         return {};
     }
@@ -107,6 +114,24 @@ private:
 };
 
 }  // namespace
+
+void add_witness(const std::string& property, const Circuit& circuit, pdr::Literal bad,
+                 const std::vector<pdr::Cube>& cubes, Certificate& certificate) {
+    Circuit witness = circuit;
+    pdr::Literal outside = bad;
+    for (const pdr::Cube& cube : cubes) {
+        pdr::Literal inside = Gates::yes;
+        for (const pdr::Literal literal : cube) inside = witness.gates.both(inside, literal);
+        outside = witness.gates.either(outside, inside);
+    }
+    const auto text = [&](const Circuit& of, pdr::Literal property_bad) {
+        return aiger::written(of, {{property, property_bad, {}}}, aiger::Form::Ascii, aiger::Extent::Whole).text;
+    };
+    const std::string name = certificate::word_of(property);
+    certificate.files.push_back({name + ".model.aag", text(circuit, bad)});
+    certificate.files.push_back({name + ".witness.aag", text(witness, outside)});
+    certificate.certified.push_back(property);
+}
 
 Certificate certificate_of(const LoopToCheck& loop, const Report& report, const CheckOptions& options) {
     Certificate certificate;

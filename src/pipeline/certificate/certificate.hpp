@@ -24,6 +24,14 @@ struct Certificate {
     std::vector<std::string> failures = {};  ///< internal errors: verdicts of `report` that this search contradicts
 };
 
+/// Adds the certificate of an invariant that PDR has found: the circuit with the property `bad`, and its witness circuit
+/// as in Certifaiger (Yu, Froleyks, Biere, Heljanko 2023: "Towards compositional hardware model checking
+/// certification"), both as AIGER. The witness has the same inputs, latches and gates; its `bad` is also true in all
+/// states outside of the invariant. Therefore the property of the witness is inductive and implies the one of the
+/// model.
+void add_witness(const std::string& property, const Circuit& circuit, pdr::Literal bad,
+                 const std::vector<pdr::Cube>& cubes, Certificate& certificate);
+
 /// Searches the complete loop again, without decomposition, abstractions and covering, and creates the certificate of
 /// the verdicts in `report`, which `check` returned for the same loop. A verdict that this search does not decide within
 /// the limits of `options` is omitted.

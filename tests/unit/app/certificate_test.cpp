@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Tests `check --certificate` and the program `grafverif-certify`: accepted certificates, invalid files, and the size
+// and independence of the program.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cadical.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <random>
+#include <span>
+#include <sstream>
+
+#include "support/read_aiger.hpp"
+#include "unit/app/run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+struct Certified {
+    int code = 0;
+    std::string out = {};  ///< standard output and standard error
+};
+
+Certified certify(const std::string& folder) {
+    const std::string line = std::string(GRAFVERIF_CERTIFY) + " '" + folder + "' 2>&1";
+    FILE* const pipe = ::popen(line.c_str(), "r");
+    std::string text;
+    for (int c = 0; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
+    return {WEXITSTATUS(::pclose(pipe)), text};
+}
+
+/// Returns the checksum of a certificate file.
+std::string checksum(const std::string& text) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+    std::ostringstream digits;
+    digits << std::hex << std::setw(16) << std::setfill('0') << hash;
+    return std::move(digits).str();
+}
+
+/// Writes a certificate with correct checksums; `claims` are the lines of the index after `network`.
+std::string write_certificate(const Folder& folder, const std::string& network, const std::string& claims) {
+    std::string index = "grafverif-certificate 1\nnetwork " + checksum(network) + '\n' + claims;
+    index += "checksum " + checksum(index) + '\n';
+    folder.write("network.txt", network);
+    return fs::path(folder.write("certificate.txt", index)).parent_path().string();
+}
+
+constexpr const char* lamp =
+    "grafverif-network 1\nprocesses 1\nvariable ON 0 1 0\nprocess lamp\nlocation off\nlocation on\ninitial off\n"
+    "edge off on 1\nset ON 1\nproperty lit reachable ON\nproperty dark never ON\n";
+
+TEST(Certificate, ProvesTheVerdictsOfTheTestingStation) {
+    const Folder folder;
+    const Result result = grafverif({"check", station, "--certificate", folder.file("station")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_NE(result.out.find("certificate: 4 of 4 verdicts; check it with `grafverif-certify "), std::string::npos);
+    const Certified certified = certify(folder.file("station"));
+    EXPECT_EQ(certified.code, 0) << certified.out;
+    for (const char* property : {"P14", "P15", "no_deadlock", "no_timelock"})
+        EXPECT_NE(certified.out.find(std::string(property) + ": holds, proved by the states\n"), std::string::npos);
+}
+
+TEST(Certificate, StatesTheReasonForAVerdictWithoutCertificate) {
+    const Folder folder;
+    const Result result = grafverif(
+        {"check", station, "--certificate", folder.file("station"), "--max-states", "100", "--property", "P15"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.out.find("P15 is not certified: the verdict is unknown"), std::string::npos) << result.out;
+    const Certified certified = certify(folder.file("station"));
+    EXPECT_EQ(certified.code, 0);
+    EXPECT_NE(certified.out.find("P15: not certified: the verdict is unknown"), std::string::npos) << certified.out;
+}
+
+TEST(Certificate, RequiresPdrForUntimedChecks) {
+    const Folder folder;
+    const Result result = grafverif({"check", station, "--untimed", "--certificate", folder.file("station")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("for untimed models, only PDR writes certificates"), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(folder.file("station")));
+}
+
+/// Clauses of two consecutive states of a circuit.
+class Steps {
+public:
+    explicit Steps(const AigerFile& file) : file_(file) {
+        solver_.add(-1);
+        solver_.add(0);
+        for (const int step : {0, 1})
+            for (const AigerFile::And& gate : file.ands) {
+                const int out = of(gate.out, step), left = of(gate.left, step), right = of(gate.right, step);
+                for (const std::vector<int>& clause :
+                     std::vector<std::vector<int>>{{-out, left}, {-out, right}, {out, -left, -right}}) {
+                    for (const int literal : clause) solver_.add(literal);
+                    solver_.add(0);
+                }
+            }
+        for (const AigerFile::Latch& latch : file.latches) {
+            const int now = of(latch.next, 0), next = of(latch.literal, 1);
+            for (const int literal : {-now, next, 0, now, -next, 0}) solver_.add(literal);
+        }
+    }
+    int of(std::uint32_t literal, int step) const {
+        const int variable =
+            literal < 2 ? 1 : static_cast<int>(literal / 2 + 1 + file_.most * static_cast<unsigned>(step));
+        return literal % 2 != 0 ? -variable : variable;
+    }
+    bool possible(const std::vector<int>& literals) {
+        for (const int literal : literals) solver_.assume(literal);
+        return solver_.solve() == 10;
+    }
+
+private:
+    const AigerFile& file_;
+    CaDiCaL::Solver solver_ = {};
+};
+
+/// Returns the condition of Certifaiger that the witness violates, or an empty string.
+std::string flaw(const std::string& model_text, const std::string& witness_text) {
+    const AigerFile model = read_aiger(model_text), witness = read_aiger(witness_text);
+    if (!model.error_text.empty() || !witness.error_text.empty()) return "syntax";
+    if (model.inputs != witness.inputs || model.latches.size() != witness.latches.size()) return "interface";
+    if (!std::ranges::equal(model.ands, std::span(witness.ands).first(std::min(model.ands.size(), witness.ands.size())),
+                            [](const auto& a, const auto& b) { return a.left == b.left && a.right == b.right; }))
+        return "gates";
+    for (std::size_t i = 0; i < model.latches.size(); ++i)
+        if (model.latches[i].next != witness.latches[i].next) return "transition";
+    Steps steps(witness);
+    std::vector<int> initial;
+    for (const AigerFile::Latch& latch : witness.latches) initial.push_back(-steps.of(latch.literal, 0));
+    const int bad = steps.of(witness.bads.at(0), 0), later = steps.of(witness.bads.at(0), 1);
+    initial.push_back(bad);
+    if (steps.possible(initial)) return "initial";
+    if (steps.possible({-bad, steps.of(model.bads.at(0), 0)})) return "property";
+    if (steps.possible({-bad, later})) return "induction";
+    return {};
+}
+
+TEST(Certificate, WitnessCircuitsOfPdrAreInductive) {
+    const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+    const Folder folder;
+    const Result result = grafverif(
+        {"check", tanks, "--untimed", "--plant", "automata", "--engine", "pdr", "--certificate", folder.file("tanks")});
+    EXPECT_NE(result.out.find("check it with Certifaiger"), std::string::npos) << result.out << result.err;
+    int witnesses = 0, damages = 0, rejected = 0;
+    std::mt19937 random(1);
+    for (const auto& entry : fs::directory_iterator(folder.file("tanks"))) {
+        const std::string name = entry.path().filename().string(), ending = ".model.aag";
+        if (!name.ends_with(ending)) continue;
+        const std::string base = "tanks/" + name.substr(0, name.size() - ending.size());
+        const std::string model = folder.read(base + ending), witness = folder.read(base + ".witness.aag");
+        EXPECT_EQ(flaw(model, witness), "") << name;
+        ++witnesses;
+        for (int k = 0; k < 20; ++k) {  // a literal of an additional gate, or of the property, is inverted
+            std::vector<std::string> lines;
+            std::istringstream in(witness);
+            for (std::string line; std::getline(in, line);) lines.push_back(line);
+            const AigerFile file = read_aiger(witness);
+            const std::size_t bad = 1 + file.inputs.size() + file.latches.size();
+            const std::size_t own = file.ands.size() - read_aiger(model).ands.size();
+            const std::size_t at = k == 0 || own == 0 ? bad : bad + file.ands.size() - random() % own;
+            const std::size_t space = lines[at].rfind(' ') + 1;
+            lines[at] = lines[at].substr(0, space) +
+                        std::to_string(std::stoul(lines[at].substr(space == std::string::npos + 1 ? 0 : space)) ^ 1U);
+            std::string changed;
+            for (const std::string& line : lines) changed += line + '\n';
+            ++damages;
+            const bool is_rejected = !flaw(model, changed).empty();
+            EXPECT_TRUE(is_rejected || k != 0) << "the property is inverted";
+            rejected += is_rejected ? 1 : 0;
+        }
+    }
+    EXPECT_GE(witnesses, 4);
+    EXPECT_GT(rejected, damages / 2);
+}
+
+TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
+    const Folder folder;
+    const Certified shown = certify(write_certificate(folder, lamp, "holds lit\ntake lamp 0\nend\n"));
+    EXPECT_EQ(shown.code, 0) << shown.out;
+    EXPECT_NE(shown.out.find("lit: holds, shown by a run\ndark: not certified: no claim\n"), std::string::npos);
+    const Certified not_shown = certify(write_certificate(folder, lamp, "holds lit\ndelay 1\nend\n"));
+    EXPECT_EQ(not_shown.code, 1);
+    EXPECT_EQ(not_shown.out, "rejected: the run of `lit` does not show its verdict\n");
+    const std::string states = "0 0 \n";
+    folder.write("states.txt", states);
+    const Certified open = certify(write_certificate(folder, lamp, "states " + checksum(states) + "\nholds dark\n"));
+    EXPECT_EQ(open.code, 1);
+    EXPECT_EQ(open.out, "rejected: states.txt:1: the state has a successor that the file does not contain\n");
+}
+
+TEST(Certify, RejectsMalformedFilesWithAMessage) {
+    const Folder folder;
+    const std::string head = "grafverif-network 1\nprocesses 1\nvariable V 0 1 0\nprocess p\nlocation l\n";
+    std::string nested = "edge l l ", chain = head + "define a0 V\n";
+    for (int i = 0; i < 600; ++i) nested += "(not ";
+    nested += "V" + std::string(600, ')') + '\n';
+    for (int i = 1; i < 6000; ++i) chain += "define a" + std::to_string(i) + " (not a" + std::to_string(i - 1) + ")\n";
+    const std::vector<std::pair<std::string, std::string>> networks = {
+        {"", "network.txt:0: this is not a network of version 1"},
+        {"grafverif-network 2\n", "network.txt:1: this is not a network of version 1"},
+        {"grafverif-network 1\nprocesses 1\n", "network.txt:2: a process is missing"},
+        {"grafverif-network 1\nprocesses 1\nprocess p\n", "network.txt:3: a process has no location"},
+        {"grafverif-network 1\nprocesses 9999999999999999999999\n",
+         "network.txt:2: `9999999999999999999999` is not a number, or too large or small"},
+        {head + "process q\nlocation l\n", "network.txt:6: too many processes"},
+        {head + "variable V 0 1 0\n", "network.txt:6: a name is declared twice"},
+        {head + "variable W 0 1 2\n", "network.txt:6: `2` is not a number, or too large or small"},
+        {head + "edge l m 1\n", "network.txt:6: unknown word"},
+        {head + "edge l l (and V\n", "network.txt:6: the line is incomplete"},
+        {head + "edge l l (not V V)\n", "network.txt:6: wrong number of operands"},
+        {head + "edge l l W\n", "network.txt:6: unknown variable or term"},
+        {head + "edge l l V V\n", "network.txt:6: unexpected `V`"},
+        {head + "set V 1\n", "network.txt:6: unexpected `set`"},
+        {head + "property p stable always V\n", "network.txt:6: `settled` is not defined"},
+        {head + "edge l l V", "network.txt:5: the last line is incomplete"},
+        {head + nested, "network.txt:6: parentheses are nested too deeply"},
+        {chain, "network.txt:5006: a term is too deep"},
+    };
+    for (const auto& [network, message] : networks) {
+        const Certified found = certify(write_certificate(folder, network, ""));
+        EXPECT_EQ(found.code, 2) << network.substr(0, 200);
+        EXPECT_EQ(found.out, "error: " + message + '\n') << network.substr(0, 200);
+    }
+    const std::vector<std::pair<std::string, std::string>> indices = {
+        {"holds missing\n", "certificate.txt:3: unknown word"},
+        {"holds dark\n", "certificate.txt:3: the claim requires `states`"},
+        {"proves lit\n", "certificate.txt:3: unknown line"},
+        {"also ../other\n", "certificate.txt:3: invalid folder"},
+        {"holds lit\ntake lamp 7\nend\n", "certificate.txt:4: `7` is not a number, or too large or small"},
+        {"holds lit\ntake lamp 0\nend\nholds lit\ntake lamp 0\nend\n", "certificate.txt:6: two claims about `lit`"},
+        {"states 0\n", folder.file("states.txt") + ": no such file"},
+    };
+    for (const auto& [claims, message] : indices) {
+        const Certified found = certify(write_certificate(folder, lamp, claims));
+        EXPECT_EQ(found.code, 2) << claims;
+        EXPECT_EQ(found.out, "error: " + message + '\n') << claims;
+    }
+    EXPECT_EQ(certify(folder.file("missing")).code, 2);
+}
+
+/// A longer delay than the run can contain, and a folder that contains itself, end with a message.
+TEST(Certify, BoundsItsWork) {
+    const Folder folder;
+    const Certified waits = certify(write_certificate(folder, lamp, "holds lit\ndelay 4611686018427387904\nend\n"));
+    EXPECT_EQ(waits.code, 2);
+    EXPECT_EQ(waits.out, "error: certificate.txt:4: `4611686018427387904` is not a number, or too large or small\n");
+    const std::string path = write_certificate(folder, lamp, "also again\n");
+    fs::create_directory_symlink(path, fs::path(path) / "again");
+    const Certified endless = certify(path);
+    EXPECT_EQ(endless.code, 2);
+    EXPECT_EQ(endless.out, "error: certificate.txt:3: invalid folder\n");
+}
+
+TEST(Certify, IsSmallAndIncludesNoOtherModule) {
+    std::size_t lines = 0;
+    for (const auto& entry : fs::directory_iterator(root / "src/certify")) {
+        if (entry.path().extension() == ".txt") continue;
+        std::ifstream file(entry.path());
+        for (std::string line; std::getline(file, line);) {
+            const std::size_t start = line.find_first_not_of(' ');
+            if (start == std::string::npos || line.substr(start).starts_with("//")) continue;
+            if (!line.starts_with("#include")) ++lines;
+            if (!line.starts_with("#include \"")) continue;
+            EXPECT_TRUE(fs::exists(root / "src/certify" / line.substr(10, line.size() - 11))) << line;
+        }
+    }
+    EXPECT_LE(lines, 600U) << "lines without comments and includes";
+}
+
+}  // namespace
+}  // namespace grafverif::app
