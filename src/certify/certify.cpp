@@ -23,7 +23,8 @@ constexpr std::size_t most_explored = 10'000'000;
 /// The text of a state in states.txt: all its values, each followed by a blank.
 std::string text_of(const State& state) {
     std::string text;
-    for (const Int value : state) text += std::to_string(value) + ' ';
+    for (const Int value : state)
+        (value >= 0 && value < 10 ? text += static_cast<char>('0' + value) : text += std::to_string(value)) += ' ';
     return text;
 }
 
@@ -48,8 +49,10 @@ public:
                 if (found == numbers.end()) reject_state(i, "has a successor that the file does not contain");
                 targets_.push_back(found->second);
             };
+            const State now = state(i);
+            if (text_of(now) != lines_[i]) reject_state(i, "is invalid");
             starts_.push_back(targets_.size());
-            waits_.push_back(semantics.moves(state(i), next, add));
+            waits_.push_back(semantics.moves(now, next, add));
             edges_end_.push_back(targets_.size());
             if (waits_.back()) add(next);
             if (!semantics.error.empty()) reject_state(i, "has a model error: " + semantics.error);
@@ -97,15 +100,13 @@ private:
     State state(std::size_t i) const {
         const Network& network = semantics_.network;
         State state;
-        const char* at = lines_[i].data();
-        const char* const end = at + lines_[i].size();
+        const char *at = lines_[i].data(), *const end = at + lines_[i].size();
         for (std::size_t k = 0; k < network.initial.size(); ++k) {
             Int& value = state.emplace_back();
             at = std::from_chars(at, end, value).ptr + 1;
             if (at > end || value < network.low[k] || value > network.high[k]) reject_state(i, "is invalid");
         }
         for (std::size_t p = 0; p < network.processes.size(); ++p) semantics_.reduce(p, state);
-        if (text_of(state) != lines_[i]) reject_state(i, "is invalid");
         return state;
     }
 

@@ -35,11 +35,10 @@ public:
     bool take(std::size_t p, const Edge& edge, const State& now, State& next) try {
         const Process& process = network.processes[p];
         if (now[p] != static_cast<Int>(edge.from)) return false;
-        if (!satisfied(edge.constraint, process, now)) return false;
+        if (!satisfied(edge.constraint, process, now) || value(edge.guard, now) == 0) return false;
         next = now;
         for (const std::size_t clock : edge.resets) next[process.first_clock + clock] = 0;
         if (!satisfied(process.locations[edge.to].invariant, process, next)) return false;
-        if (value(edge.guard, now) == 0) return false;
         for (const auto& [target, term] : edge.assignments) {
             next[target] = value(term, next);
             if (next[target] < network.low[target] || next[target] > network.high[target]) throw NoValue();

@@ -300,7 +300,7 @@ TEST(RandomizedCertificate, DamagedFilesWithCorrectChecksumsAreHandled) {
         }
     }
     EXPECT_GT(results[Checked::Malformed], damages / 4);
-    EXPECT_GT(results[Checked::Rejected], damages / 50);
+    EXPECT_GT(results[Checked::Rejected], 0);
 }
 
 /// Changes one element of the network, which usually changes its states.
