@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests `check --certificate` and the program `grafverif-certify`: accepted certificates, invalid files, and the size
 // and independence of the program.
+#include "pipeline/certificate/certificate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +16,10 @@
 #include <span>
 #include <sstream>
 
+#include "check/pdr/check.hpp"
+#include "support/random_system.hpp"
 #include "support/read_aiger.hpp"
+#include "support/test_size.hpp"
 #include "unit/app/run_program.hpp"
 
 namespace grafverif::app {
@@ -175,6 +180,24 @@ TEST(Certificate, WitnessCircuitsOfPdrAreInductive) {
     }
     EXPECT_EQ(witnesses, 3);
     EXPECT_GT(rejected, damages / 2);
+}
+
+TEST(Certificate, WitnessCircuitsOfRandomSystemsAreInductive) {
+    int witnesses = 0;
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test_size(100)); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TransitionSystem system = random_system(random);
+        ask_more(system, random);
+        Certificate certificate;
+        PdrOptions options;
+        options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+        options.proved = [&](const auto&... invariant) { add_witness(invariant..., certificate); };
+        check_pdr(system, options);
+        for (std::size_t k = 0; k < certificate.files.size(); k += 2, ++witnesses)
+            EXPECT_EQ(flaw(certificate.files[k].content, certificate.files[k + 1].content), "");
+    }
+    EXPECT_GT(witnesses, test_size(100) / 2);
 }
 
 TEST(Certify, AcceptsAShownRunAndRejectsAFalseClaim) {
