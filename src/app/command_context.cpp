@@ -156,6 +156,15 @@ bool keep_requested(ClosedLoop& loop, CommandContext& job) {
 }
 
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job) {
+    // Instances of charts must be named, and charts with parameters unless there are no others.
+    for (const bool with_parameters : {false, true}) {
+        std::vector<Id<Chart>> found;
+        for (const Id<Chart> id : model.charts.ids())
+            if (model.charts[id].has_parameters == with_parameters && model.charts[id].instance_of.empty())
+                found.push_back(id);
+        if (!job.options.chart && found.size() == 1) return found.front();
+        if (!found.empty()) break;
+    }
     return chosen(model.charts, job.options.chart, "chart", "--chart", job);
 }
 

@@ -136,7 +136,8 @@ Diagnostics BackgroundChecker::refused_models(const Task& task) const {
         const bool controls = std::ranges::any_of(model.loops, [&](const ClosedLoop& loop) {
             return std::ranges::any_of(loop.controllers, [&](const auto& each) { return each.chart == chart; });
         });
-        if (!controls && !model.charts[chart].program) equations_of(model, chart, diagnostics);
+        if (!controls && !model.charts[chart].program && !is_repeated(model.charts[chart]))
+            equations_of(model, chart, diagnostics);
     }
     return diagnostics;
 }
@@ -169,7 +170,7 @@ void BackgroundChecker::prove(const Task& task) {
         each(model.loops[loop].name, model.loops[loop].origin, "loop ",
              [&](Found& outcome) { prove_loop(root, loop, outcome); });
     for (const Id<Chart> chart : model.charts.ids())
-        if (!model.charts[chart].program)
+        if (!model.charts[chart].program && !is_repeated(model.charts[chart]))
             each(model.charts[chart].name, model.charts[chart].origin, "chart ",
                  [&](Found& outcome) { look_into(root, chart, outcome); });
 }

@@ -127,7 +127,7 @@ private:
 
     void in_file() {
         if (half_.words.empty()) return keywords({"grafcet", "component", "closed_loop", "program", "include"});
-        if (half_.words[0] != "component" || !has("(")) return;
+        if ((half_.words[0] != "component" && half_.words[0] != "grafcet") || !has("(")) return;
         if (last() == "(" || last() == ";") return keywords({"input", "output"});
         if (last() == ":") keywords({"bool", "int", "duration"});
     }
@@ -139,6 +139,7 @@ private:
                              "entry step", "exit step", "linked step", "transition", "partial", "expansion",
                              "constraint", "accept", "for"});
         if (words[0] == "constraint") return term();
+        if (words[0] == "partial" && chart_instance()) return;
         if (words[0] == "accept" && words.size() == 1)
             for (const FindingKind& kind : finding_kinds())
                 add({std::string(kind.code), ProposalKind::Constant, "", std::string(kind.meaning), ""});
@@ -215,7 +216,7 @@ private:
             return keywords({"controller", "plant", "environment", "property", "constraint", "constant", "grain",
                              "time unit", "schedule", "observer", "fault", "for"});
         const std::string& first = words[0];
-        if (first == "controller") {
+        if (first == "controller" && !chart_instance()) {
             if (has("with")) return keywords({"stability_search", "every_cycle"});
             if (has("every")) return parts(owner_, {DeclarationKind::Constant}), keywords({"with"});
             if (words.size() > 1) return keywords({"every", "with"});
@@ -229,6 +230,31 @@ private:
         if (first == "plant" || first == "environment") instance(3);
         if (first == "fault") fault();
         if (first == "property") property();
+    }
+
+    /// Handles `controller NAME = CHART(...` and `partial NAME = CHART(...`. Returns false at other positions.
+    bool chart_instance() {
+        const Words& words = half_.words;
+        const auto is = std::ranges::find(words, "=");
+        if (is == words.end() || has(")")) return false;
+        if (std::next(is) == words.end()) {
+            for (const Declaration* const chart : names_.all(DeclarationKind::Chart)) element(*chart);
+        } else if (last() == "(" || last() == ",") {
+            const Declaration* const chart = names_.find(DeclarationKind::Chart, *std::next(is));
+            for (const Declaration* const part : chart == nullptr ? List() : names_.parts(chart))
+                if (is_port(*part) && !contains_word(words, part->name))
+                    add({part->name, kind_of(part->kind), declaration_text(*part), comment_of(*part->file, part->whole),
+                         part->name + " = $1"});
+        } else if (last() == "=") {
+            if (owner_ != nullptr && owner_->kind == DeclarationKind::Loop) shared();
+            parts(owner_, {DeclarationKind::Input, DeclarationKind::Output, DeclarationKind::Internal,
+                           DeclarationKind::Partial, DeclarationKind::Constant, DeclarationKind::Instance});
+        }
+        return true;
+    }
+    static bool is_port(const Declaration& part) {
+        return part.kind == DeclarationKind::Input || part.kind == DeclarationKind::Output ||
+               part.kind == DeclarationKind::Constant;
     }
 
     /// Handles an incomplete declaration `fault NAME of INSTANCE: COMPONENT(...)`.
@@ -378,6 +404,8 @@ private:
         parts(part, {DeclarationKind::Location});  // of an observer
         for (const Declaration* const component : names_.referred(part, DeclarationKind::Component))
             return parts(component, {DeclarationKind::Location});
+        for (const Declaration* const chart : names_.referred(part, DeclarationKind::Chart))
+            return all_steps(chart, "X"), parts(chart, {DeclarationKind::Internal});
         for (const Declaration* const chart : controllers()) {
             if (chart->name == before)
                 all_steps(chart, "X"), parts(chart, {DeclarationKind::Internal, DeclarationKind::Partial});

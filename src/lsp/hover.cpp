@@ -52,8 +52,8 @@ std::string documentation_of(const Names& names, const Declaration& element) {
     if (parameter && element.owner != nullptr && element.owner->kind == DeclarationKind::Component)
         return parameter_comment(*element.owner->file, element.owner->whole, element.name);
     if (element.kind == DeclarationKind::Instance)
-        for (const Declaration* const component : names.referred(&element, DeclarationKind::Component))
-            return comment_of(*component->file, component->whole);
+        for (const DeclarationKind kind : {DeclarationKind::Component, DeclarationKind::Chart})
+            for (const Declaration* const of : names.referred(&element, kind)) return comment_of(*of->file, of->whole);
     return comment_of(*element.file, element.whole);
 }
 

@@ -100,11 +100,13 @@ std::map<std::uint32_t, std::string> comments_of(const tree::File& file, std::st
 }
 
 template <class Elements>
-std::vector<std::string> texts_of(const Elements& elements, const std::map<std::uint32_t, std::string>& written) {
+std::vector<std::string> texts_of(const Elements& elements, const std::map<std::uint32_t, std::string>& written,
+                                  Id<Source> source) {
     std::vector<std::string> texts;
     for (const auto& element : elements) {
         const auto known = written.find(element.origin.begin);
-        texts.push_back(known == written.end() ? std::string() : known->second);
+        const bool elsewhere = element.origin.source != source;  // in an instance of a chart of another file
+        texts.push_back(elsewhere || known == written.end() ? std::string() : known->second);
     }
     return texts;
 }
@@ -123,6 +125,7 @@ ChartText text_of_program(const Chart& drawn) {
 
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const Chart& chart = model.charts[id];
+    if (!chart.instance_of.empty()) return {};  // its names are those of the instance
     if (!sources.contains(chart.origin.source)) return {};
     Sources copy;  // `read_any` may modify a source, so it receives a copy
     Diagnostics known;
@@ -130,13 +133,14 @@ ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     const tree::File file = read_any(source, copy, {true}, known);
     SourceTexts written;
     for (const tree::Declaration& declaration : file.declarations)
-        if (const auto* found = std::get_if<tree::Chart>(&declaration); found != nullptr)
+        if (const auto* found = std::get_if<tree::Chart>(&declaration);
+            found != nullptr && found->name.where.begin == chart.origin.begin)
             Collector(file, written).add(found->items);
-    return {.comments = texts_of(chart.steps, comments_of(file, copy[source].text, written.steps)),
-            .transitions = texts_of(chart.transitions, written.conditions),
-            .continuous = texts_of(chart.continuous, written.conditions),
-            .events = texts_of(chart.stored, written.events),
-            .values = texts_of(chart.stored, written.values)};
+    return {.comments = texts_of(chart.steps, comments_of(file, copy[source].text, written.steps), chart.origin.source),
+            .transitions = texts_of(chart.transitions, written.conditions, chart.origin.source),
+            .continuous = texts_of(chart.continuous, written.conditions, chart.origin.source),
+            .events = texts_of(chart.stored, written.events, chart.origin.source),
+            .values = texts_of(chart.stored, written.values, chart.origin.source)};
 }
 
 Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options, const Sources& sources) {

@@ -106,7 +106,8 @@ struct ReadState {
     std::uint64_t copied = 0;  ///< number of elements in copies of replicated declarations
     std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};  ///< known names with their
                                                                                      ///< positions
-    std::unordered_set<std::string> charts_in_error = {}, components_in_error = {};
+    WrittenCharts written = {};
+    std::unordered_set<std::string> components_in_error = {};
 };
 
 /// True if the name is new in `seen`; otherwise reports a duplicate.
@@ -128,9 +129,9 @@ void read_chart(ReadState& reading, const tree::File& file, const tree::Chart& w
     const bool fresh = is_new(reading, reading.charts, "chart or program", name, written.name.where);
     std::optional<Chart> chart;
     if (is_resolved(reading, fresh, written.broken))
-        chart = resolve_chart(file, written, reading.diagnostics, reading.record, &reading.copied);
+        chart = resolve_chart(file, written, reading.diagnostics, reading.record, &reading.copied, &reading.written);
     if (chart && fresh) reading.model.charts.add(std::move(*chart));
-    else if (fresh) reading.charts_in_error.insert(name);
+    else if (fresh) reading.written.in_error.insert(name);
 }
 
 /// Reports inputs and outputs of a program that a loop cannot declare: parts of structures, arrays and instances.
@@ -159,7 +160,7 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
     const std::string name(file.text(written.name));
     if (!is_new(reading, reading.charts, "chart or program", name, written.name.where)) return;
     reading.record.declare(DeclarationKind::Chart, name, written.name.where, written.where);
-    reading.charts_in_error.insert(name);
+    reading.written.in_error.insert(name);
     const std::string path = path_of_include(reading.sources[file.source].name, written.path, reading.context);
     std::string why = "other files are not available here";
     auto text = reading.context.load ? reading.context.load(path, why) : std::nullopt;
@@ -167,7 +168,7 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
     const Id<Source> source = reading.sources.add({path, std::move(*text)});
     const auto program = read_program(source, reading.sources, reading.diagnostics);
     if (!program || !has_elementary_signals(program->program(), reading.diagnostics)) return;
-    reading.charts_in_error.erase(name);
+    reading.written.in_error.erase(name);
     Chart chart = interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where);
     for (const Chart::Variable& each : chart.variables)
         reading.record.declare(declaration_kind(each.kind), each.name, each.origin, each.origin, chart.origin);
@@ -194,18 +195,28 @@ void read_component(ReadState& reading, const tree::File& file, const tree::Comp
     else if (fresh) reading.components_in_error.insert(name);
 }
 
-/// Reads charts and components first, because loops refer to them independently of the order of declaration.
+/// Reads charts and components first, because loops refer to them independently of the order of declaration. Charts
+/// with instances of other charts are omitted.
 void read_parts(ReadState& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         std::visit(overloaded{
                        [](const tree::Include&) {},
                        [](const tree::ClosedLoop&) {},
-                       [&](const tree::Chart& chart) { read_chart(reading, file, chart); },
+                       [&](const tree::Chart& chart) {
+                           if (!has_instances(chart.items)) read_chart(reading, file, chart);
+                       },
                        [&](const tree::Component& component) { read_component(reading, file, component); },
                        [&](const tree::PlcProgram& program) { read_plc_program(reading, file, program); },
                    },
                    declaration);
     }
+}
+
+/// Reads the charts that contain instances of other charts.
+void read_charts_with_instances(ReadState& reading, const tree::File& file) {
+    for (const tree::Declaration& declaration : file.declarations)
+        if (const auto* chart = std::get_if<tree::Chart>(&declaration); chart != nullptr && has_instances(chart->items))
+            read_chart(reading, file, *chart);
 }
 
 /// Adds the component `name` from the library if the library defines this component and the input does not.
@@ -248,9 +259,8 @@ void check_settings(ReadState& reading) {
                 messages::no_such_choice("constant of a closed loop", name, known, nearest_of(name, known)));
 }
 
-LoopContext loop_context(const ReadState& reading) {
-    LoopContext context{
-        reading.model, reading.charts_in_error, reading.components_in_error, {}, reading.context.constants};
+LoopContext loop_context(ReadState& reading) {
+    LoopContext context{reading.model, reading.written, reading.components_in_error, {}, reading.context.constants};
     for (const auto& [name, where] : reading.components) context.component_names.push_back(name);
     for (const LibraryEntry& entry : reading.context.library) context.component_names.emplace_back(entry.name);
     std::ranges::sort(context.component_names);
@@ -273,7 +283,12 @@ void read_loops(ReadState& reading, const tree::File& file, const LoopContext& c
 /// Adds the declarations of the files to the model. If declarations are `hidden` (omitted because of an error), loops
 /// are not added, because they may refer to hidden declarations.
 void read_all(ReadState& reading, std::span<const tree::File> files, bool hidden) {
+    for (const tree::File& parsed : files)
+        for (const tree::Declaration& declaration : parsed.declarations)
+            if (const auto* chart = std::get_if<tree::Chart>(&declaration))
+                reading.written.charts.try_emplace(std::string(parsed.text(chart->name)), &parsed, chart);
     for (const tree::File& parsed : files) read_parts(reading, parsed);
+    for (const tree::File& parsed : files) read_charts_with_instances(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
     const LoopContext loops = loop_context(reading);
     if (!hidden)

@@ -50,6 +50,7 @@ Diagnostic empty_replication(Span where, std::string_view index, std::int64_t lo
 Diagnostic expansion_too_large(Span where, std::size_t limit);
 /// Note: `values` are those of the index variables of a copy, such as `i = 3`.
 Diagnostic in_copy(Span where, std::string_view values);
+Diagnostic in_instance(Span where, std::string_view instance, std::string_view values);
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant);
 Diagnostic single_equals(Span where, std::string_view what, std::string_view meant);
 Diagnostic missing_semicolon(Span where);
@@ -144,6 +145,9 @@ Diagnostic edge_outside_chart(Span where);
 Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
                             std::string_view example);
 Diagnostic output_not_a_name(Span where, std::string_view parameter);
+Diagnostic port_not_a_variable(Span where, std::string_view port);
+Diagnostic bound_twice(Span where, std::string_view variable, std::string_view first, std::string_view second);
+Diagnostic partial_in_partial(Span where, std::string_view chart);
 /// The term of an input contains a name to which an instance cannot be connected. `what` describes the named element,
 /// for example `a step`.
 Diagnostic no_signal(Span where, std::string_view name, std::string_view what);

@@ -100,6 +100,11 @@ Diagnostic in_copy(Span where, std::string_view values) {
     return note(where, fmt::format("in the copy with `{}`", values));
 }
 
+Diagnostic in_instance(Span where, std::string_view instance, std::string_view values) {
+    const std::string copy = values.empty() ? "" : fmt::format(", in the copy with `{}`", values);
+    return note(where, fmt::format("in the instance `{}`{}", clipped(instance), copy));
+}
+
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant) {
     return with_fix(
         error("other-spelling", where, fmt::format("`{}` is not an operator here; write `{}`", seen, meant)), where,

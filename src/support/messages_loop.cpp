@@ -27,6 +27,25 @@ Diagnostic output_not_a_name(Span where, std::string_view parameter) {
             clipped(parameter)));
 }
 
+Diagnostic port_not_a_variable(Span where, std::string_view port) {
+    return error("argument-not-a-name", where,
+                 fmt::format("the port `{}` is bound to a term; bind it to a variable, and write the term in the chart",
+                             clipped(port)));
+}
+
+Diagnostic bound_twice(Span where, std::string_view variable, std::string_view first, std::string_view second) {
+    return error("duplicate-name", where,
+                 fmt::format("`{0}` is bound to `{1}` and `{2}`; bind it to one port, and read this port in the chart",
+                             clipped(variable), clipped(first), clipped(second)));
+}
+
+Diagnostic partial_in_partial(Span where, std::string_view chart) {
+    return error("unsupported", where,
+                 fmt::format("`{}` contains partial charts, so that an instance cannot be a partial chart; declare the "
+                             "instance as a controller of the closed loop",
+                             clipped(chart)));
+}
+
 Diagnostic no_signal(Span where, std::string_view name, std::string_view what) {
     return error("no-signal", where,
                  fmt::format("`{}` is {}, not a signal; bind the input to a controller input or output or to a plant "

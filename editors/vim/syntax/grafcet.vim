@@ -72,7 +72,7 @@ syn match grafcetType /\%(:\s*\)\@<=\%(bool\|int\|duration\)\>\%(\s*\%(->\|\%(le
 " Names at their declaration.
 syn match grafcetTypeName /\<\%(\%(and\|or\|when\|do\)\>\)\@!\K\k*/ contained
 syn match grafcetTypeName /\%([:=!<>]\@1<!=\s*\)\@<=\%(\%(not\|rise\|fall\|all\|any\)\>\)\@!\<\K\k*\%(\s*(\)\@=/
-syn match grafcetBlockName /\<\K\k*\%(\s*\%({\|$\)\)\@=/ contained
+syn match grafcetBlockName /\<\K\k*\%(\s*\%({\|=\|\[\|$\)\)\@=/ contained
 syn match grafcetStepName /\<\%(\%(and\|or\|when\|do\|step\|transition\|input\|output\|internal\)\>\)\@!\k\+/ contained
 syn match grafcetLabel /\<\k\+\%(\s*:\)\@=/ contained
 syn match grafcetPropertyName /\<\K\k*/ contained

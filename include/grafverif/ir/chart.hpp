@@ -160,10 +160,16 @@ struct Chart {
     /// only the variables and steps of this program (ir/program/interface.hpp). Only controllers of closed loops can
     /// execute such a chart.
     ProgramReference program = {};
-    Span origin = {};
+    std::string instance_of = {};  ///< name of the chart of which this chart is an instance; empty if there is none
+    bool has_parameters = false;   ///< true if the chart is declared with parameters
+    bool has_defaults = true;      ///< true if the constants of an instance have their declared values
+    Span origin = {};              ///< position of the name of the chart or of the instance
 
     bool operator==(const Chart&) const = default;
 };
+
+/// True for an instance that differs from its chart only in the names of inputs and outputs.
+inline bool is_repeated(const Chart& chart) { return !chart.instance_of.empty() && chart.has_defaults; }
 
 StepName name_of(const Chart& chart, Id<Chart::Step> step);
 

@@ -165,7 +165,8 @@ ExitCode analyse(CommandContext& job, const Streams& streams) {
         return chart ? analyse_one(*model, *chart, job, streams) : ExitCode::Input;
     }
     ExitCode code = ExitCode::Done;
-    for (const Id<Chart> chart : model->charts.ids()) code = worse(code, analyse_one(*model, chart, job, streams));
+    for (const Id<Chart> chart : model->charts.ids())
+        if (!is_repeated(model->charts[chart])) code = worse(code, analyse_one(*model, chart, job, streams));
     return code;
 }
 

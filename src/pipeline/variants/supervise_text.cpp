@@ -114,7 +114,10 @@ std::optional<Span> first_replicated(const std::vector<tree::ChartItem>& items, 
                                if (inside && !first && std::holds_alternative<tree::ContinuousAction>(action))
                                    first = std::get<tree::ContinuousAction>(action).where;
                        },
-                       [&](const tree::Partial& partial) { first = first_replicated(partial.items, inside); },
+                       [&](const tree::Partial& partial) {
+                           if (partial.chart.valid()) first = partial.where;
+                           else first = first_replicated(partial.items, inside);
+                       },
                        [&](const tree::ReplicatedChartItems& copies) { first = first_replicated(copies.items, true); },
                        [](const auto&) {},
                    },
@@ -138,6 +141,7 @@ bool is_grafcet_text(Id<Source> source, const Sources& sources) {
 
 std::optional<Span> replicated_element(const Chart& chart, const Sources& sources) {
     const Id<Source> source = chart.origin.source;
+    if (!chart.instance_of.empty()) return chart.origin;
     if (!source.valid() || !is_grafcet_text(source, sources)) return {};
     const tree::File file = tree_of(source, sources);
     for (const tree::Declaration& declaration : file.declarations)

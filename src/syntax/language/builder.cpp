@@ -26,9 +26,15 @@ void Builder::lost() {
     file_->broken = file_->incomplete = true;
 }
 
-Chart Builder::chart(Name name, std::vector<ChartItem> items, Span where) {
+Chart Builder::chart(Name name, std::vector<Variables> parameters, std::vector<ChartItem> items, Span where) {
     const auto [broken, replicated] = take_marks();
-    return {name, std::move(items), where, broken, replicated};
+    const bool expanded = replicated || !parameters.empty();
+    return {name, std::move(items), where, broken, expanded, std::move(parameters)};
+}
+
+Partial Builder::instance(Name name, Name chart, std::vector<Argument> arguments, Span where) {
+    replicated_ = true;
+    return {PartialKind::Partial, name, {}, where, chart, std::move(arguments)};
 }
 
 Component Builder::component(Name name, Component body, Span where) {

@@ -24,7 +24,10 @@ public:
     void broken();
     void lost();
 
-    tree::Chart chart(tree::Name name, std::vector<tree::ChartItem> items, Span where);
+    tree::Chart chart(tree::Name name, std::vector<tree::Variables> parameters, std::vector<tree::ChartItem> items,
+                      Span where);
+    /// Returns the instance of a chart `partial NAME = CHART(...);`.
+    tree::Partial instance(tree::Name name, tree::Name chart, std::vector<tree::Argument> arguments, Span where);
     tree::Component component(tree::Name name, tree::Component body, Span where);
     tree::Component component_body(std::vector<tree::Variables> parameters,
                                    std::vector<tree::ComponentItem> items) const;

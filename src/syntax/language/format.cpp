@@ -159,9 +159,15 @@ public:
             std::visit(
                 overloaded{
                     [&](const tree::Include& written) { one_line(written.where, "include \"" + written.path + "\";"); },
-                    [&](const tree::Chart& chart) { block("grafcet " + text(chart.name), chart.items, where); },
+                    [&](const tree::Chart& chart) {
+                        block(chart.parameters.empty()
+                                  ? "grafcet " + text(chart.name)
+                                  : head_with_parameters(file_, "grafcet", chart.name, chart.parameters),
+                              chart.items, where);
+                    },
                     [&](const tree::Component& component) {
-                        block(component_head(file_, component), component.items, where);
+                        block(head_with_parameters(file_, "component", component.name, component.parameters),
+                              component.items, where);
                     },
                     [&](const tree::ClosedLoop& loop) { block("closed_loop " + text(loop.name), loop.items, where); },
                     [&](const tree::PlcProgram& written) {
@@ -214,6 +220,7 @@ private:
     }
 
     void item(const tree::Partial& partial) {
+        if (partial.chart.valid()) return lines(partial.where, instance_lines(file_, partial, page_.column()));
         const bool expansion = partial.kind == tree::PartialKind::Expansion;
         block((expansion ? "expansion " : "partial ") + text(partial.name), partial.items, partial.where);
     }

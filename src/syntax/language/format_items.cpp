@@ -199,10 +199,11 @@ Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t 
     return guarded(file, head, written.condition, written.assignments, column);
 }
 
-std::string component_head(const tree::File& file, const tree::Component& component) {
-    const std::string head = "component " + formatted(file, component.name) + '(';
+std::string head_with_parameters(const tree::File& file, std::string_view keyword, tree::Name name,
+                                 const std::vector<tree::Variables>& parameters) {
+    const std::string head = std::string(keyword) + ' ' + formatted(file, name) + '(';
     std::vector<std::string> parts;  // complete groups, or single variables if a group is too long
-    for (const tree::Variables& group : component.parameters) {
+    for (const tree::Variables& group : parameters) {
         const std::string word = group.kind == tree::VariableKind::Input    ? "input "
                                  : group.kind == tree::VariableKind::Output ? "output "
                                                                             : "";
@@ -211,7 +212,7 @@ std::string component_head(const tree::File& file, const tree::Component& compon
         const std::string whole = joined(declared);
         if (head.size() + whole.size() + 3 <= widest) declared = {whole};
         for (std::size_t i = 0; i + 1 < declared.size(); ++i) declared[i] += ',';
-        declared.back() += &group == &component.parameters.back() ? "" : ";";
+        declared.back() += &group == &parameters.back() ? "" : ";";
         parts.insert(parts.end(), declared.begin(), declared.end());
     }
     std::string lines = head;
@@ -233,12 +234,33 @@ std::string component_head(const tree::File& file, const tree::Component& compon
 
 // -- closed loops -----------------------------------------------------------------------------------------------------
 
-Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t) {
-    std::string line = "controller " + formatted(file, written.chart);
-    if (written.cycle.least.valid()) line += " every " + formatted(file, written.cycle.least);
-    if (written.cycle.most.valid()) line += ".." + formatted(file, written.cycle.most);
-    if (!written.options.empty()) line += " with " + names(file, written.options);
-    return {line + ';'};
+namespace {
+
+/// Returns `HEAD CALLED(ARGUMENTS)` and `tail`.
+Lines call(const tree::File& file, std::string head, tree::Name called, const std::vector<tree::Argument>& arguments,
+           const std::string& tail, std::size_t column) {
+    head += formatted(file, called) + '(';
+    std::vector<std::string> parts;
+    for (const tree::Argument& argument : arguments)
+        parts.push_back(formatted(file, argument.parameter) + " = " + formatted(file, argument.value));
+    return filled(head, parts, ')' + tail, column);
+}
+
+}  // namespace
+
+Lines instance_lines(const tree::File& file, const tree::Partial& written, std::size_t column) {
+    return call(file, "partial " + formatted(file, written.name) + " = ", written.chart, written.arguments, ";",
+                column);
+}
+
+Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t column) {
+    std::string options;
+    if (written.cycle.least.valid()) options += " every " + formatted(file, written.cycle.least);
+    if (written.cycle.most.valid()) options += ".." + formatted(file, written.cycle.most);
+    if (!written.options.empty()) options += " with " + names(file, written.options);
+    const std::string head = "controller " + formatted(file, written.name());
+    if (!written.instance.valid()) return {head + options + ';'};
+    return call(file, head + " = ", written.chart, written.arguments, options + ';', column);
 }
 
 Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t) {
@@ -261,13 +283,10 @@ Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::siz
 namespace {
 
 /// Returns the lines of an instance. `head` is the text before the name of the component.
-Lines instance_lines(const tree::File& file, std::string head, const tree::Instance& written, std::size_t column) {
-    head += formatted(file, written.component) + '(';
-    std::vector<std::string> parts;
-    for (const tree::Argument& argument : written.arguments)
-        parts.push_back(formatted(file, argument.parameter) + " = " + formatted(file, argument.value));
-    const std::string tail = written.initial.valid() ? ") initially " + formatted(file, written.initial) + ';' : ");";
-    return filled(head, parts, tail, column);
+Lines instance_lines(const tree::File& file, const std::string& head, const tree::Instance& written,
+                     std::size_t column) {
+    const std::string tail = written.initial.valid() ? " initially " + formatted(file, written.initial) + ';' : ";";
+    return call(file, head, written.component, written.arguments, tail, column);
 }
 
 }  // namespace

@@ -38,6 +38,10 @@ std::string step_head(const tree::File& file, const tree::Step& step);
 /// actions. For any other step, the result is empty.
 std::optional<std::string> step_in_one_line(const tree::File& file, const tree::Step& step, std::size_t column);
 /// Returns `component NAME(...)`, on several lines if one line would be too long.
-std::string component_head(const tree::File& file, const tree::Component& component);
+/// Returns `KEYWORD NAME(PARAMETERS)`, on several lines if necessary.
+std::string head_with_parameters(const tree::File& file, std::string_view keyword, tree::Name name,
+                                 const std::vector<tree::Variables>& parameters);
+/// Returns `partial NAME = CHART(ARGUMENTS);`.
+Lines instance_lines(const tree::File& file, const tree::Partial& written, std::size_t column);
 
 }  // namespace grafverif

@@ -126,6 +126,13 @@ struct Assignment {
     Span where = {};
 };
 
+/// An argument `NAME = VALUE` of an instance.
+struct Argument {
+    Name parameter = {};
+    Id<Expr> value = {};
+    Span where = {};
+};
+
 // -- charts ----------------------------------------------------------------------------------------------------------
 
 struct ContinuousAction {
@@ -184,11 +191,15 @@ struct ReplicatedChartItems;
 using ChartItem = std::variant<Variables, Constraint, Accept, Step, Transition, Partial, ReplicatedChartItems>;
 
 enum class PartialKind { Partial, Expansion };
+/// A partial chart. The declaration `partial NAME = CHART(...);` has a chart and arguments instead of items.
 struct Partial {
     PartialKind kind = PartialKind::Partial;
     Name name = {};
     std::vector<ChartItem> items;  // without an initializer, because ReplicatedChartItems is incomplete here
     Span where = {};
+    Name chart = {};  ///< invalid if the items are written out
+    std::vector<Argument> arguments = {};
+    std::vector<Variables> ports = {};  ///< filled by name resolution: the ports of `chart` with their variables
 };
 
 /// Declarations that are repeated for each value of an index variable: `for i in 1..4 { ... }`.
@@ -203,7 +214,8 @@ struct Chart {
     std::vector<ChartItem> items = {};
     Span where = {};
     bool broken = false;      ///< true if the declaration contains a syntax error
-    bool replicated = false;  ///< true if the declaration contains indices, `for`, `all` or `any`
+    bool replicated = false;  ///< true if the declaration is expanded (see syntax/resolve/expand)
+    std::vector<Variables> parameters = {};
 };
 
 // -- components -------------------------------------------------------------------------------------------------------
@@ -251,11 +263,15 @@ struct TaskCycle {
     Id<Expr> least = {}, most = {};
     Span where = {};
 };
+/// A controller: `controller CHART;` or `controller NAME = CHART(...);`.
 struct Controller {
     Name chart = {};
     TaskCycle cycle = {};
     std::vector<Name> options = {};
     Span where = {};
+    Name instance = {};  ///< invalid if the controller is the chart
+    std::vector<Argument> arguments = {};
+    Name name() const { return instance.valid() ? instance : chart; }
 };
 struct Grain {
     Name name = {};
@@ -263,12 +279,6 @@ struct Grain {
 };
 struct TimeUnit {
     Id<Expr> duration = {};
-    Span where = {};
-};
-/// An argument `NAME = VALUE` of an instance.
-struct Argument {
-    Name parameter = {};
-    Id<Expr> value = {};
     Span where = {};
 };
 struct Instance {
@@ -347,12 +357,14 @@ struct PlcProgram {
 };
 using Declaration = std::variant<Include, Chart, Component, ClosedLoop, PlcProgram>;
 
-/// A copy of replicated declarations.
+/// A copy of replicated declarations, or of the declarations of a chart in an instance.
 struct Copy {
-    Id<Word> index = {};  ///< name of the index variable
+    Id<Word> index = {};  ///< name of the index variable or of the instance
     std::int64_t value = 0;
-    Span where = {};          ///< position of the replication
-    std::uint32_t outer = 0;  ///< the enclosing copy, as in Name::copy
+    Span where = {};           ///< position of the replication or of the instance
+    std::uint32_t outer = 0;   ///< the enclosing copy, as in Name::copy
+    bool is_instance = false;  ///< true for an instance of a chart, which has no value
+    bool in_instance = false;  ///< true for an instance and for the copies in it
 };
 
 struct File {

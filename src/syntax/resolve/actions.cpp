@@ -136,7 +136,7 @@ void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::S
 
 void resolve_actions(ChartScope& scope, const WrittenChart& written) {
     for (const WrittenStep& step : written.steps) {
-        const InCopy copy(scope.diagnostics, scope.file, step.step->name);
+        const InChartCopy copy(scope, step.step->name);
         scope.here = scope.chart.steps[step.id].chart;
         for (const tree::Action& action : step.step->actions) {
             std::visit(

@@ -66,7 +66,7 @@ void record_subject(const ChartScope& scope, const tree::Accept& written, const 
         if (const auto found = subjects.find(key); found != subjects.end())
             scope.record.refer(occurrence, found->second);
     };
-    if (!subjects.contains(subject)) return;
+    if (!subjects.contains(subject) || !where.source.valid()) return;
     refer(subject, last_name(where, subject.substr(name)));
     if (name != 0)
         refer(subject.substr(0, name), {where.source, where.begin, where.begin + static_cast<std::uint32_t>(name - 1)});
@@ -93,6 +93,7 @@ void resolve_items(ChartScope& scope, const tree::Chart& written) {
     for (const tree::ChartItem& item : written.items)
         if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_variables(scope, *variables);
     const WrittenChart all = declare_steps(scope, written);
+    check_ports(scope, written.items);
     if (all.steps.empty()) scope.diagnostics.add(messages::empty_chart(written.name.where, scope.chart.name));
     check_step_like(scope);
     resolve_owners(scope, all);
@@ -101,7 +102,7 @@ void resolve_items(ChartScope& scope, const tree::Chart& written) {
     for (const tree::ChartItem& item : written.items) {
         const auto* constraint = std::get_if<tree::Constraint>(&item);
         if (constraint == nullptr) continue;
-        const InCopy copy(scope.diagnostics, scope.file, constraint->copy);
+        const InChartCopy copy(scope, constraint->copy);
         const Id<Expr> condition = resolve_condition(scope, constraint->condition, {}, "a constraint");
         if (condition.valid() && reads_inputs_only(scope, condition, constraint->where))
             scope.chart.constraints.push_back({condition, constraint->where});
@@ -124,21 +125,48 @@ std::optional<Span> declared_name(const ChartScope& scope, std::string_view name
     return scope.chart.steps[steps->second.front()].origin;
 }
 
+/// Reports constants with the name of another declaration.
+void check_constants(ChartScope& scope, const tree::File& file, const tree::Chart& written) {
+    for (const tree::Variables& group : written.parameters)
+        for (const tree::Variable& each : group.variables)
+            if (const auto other = declared_name(scope, file.text(each.name));
+                group.kind == tree::VariableKind::Constant && other)
+                scope.diagnostics.add(messages::duplicate_name(each.name.where, "name", file.text(each.name), *other));
+}
+
 }  // namespace
 
+bool has_instances(const std::vector<tree::ChartItem>& items) {
+    return std::ranges::any_of(items, [](const tree::ChartItem& item) {
+        if (const auto* copies = std::get_if<tree::ReplicatedChartItems>(&item)) return has_instances(copies->items);
+        const auto* partial = std::get_if<tree::Partial>(&item);
+        return partial != nullptr && partial->chart.valid();
+    });
+}
+
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
-                                   Recorder record, std::uint64_t* copied) {
+                                   Recorder record, std::uint64_t* copied, const WrittenCharts* charts,
+                                   ChartInstance* instance) {
     const std::size_t errors = diagnostics.errors();
     tree::File copies;
-    ChartScope scope{written.replicated ? copies : file, diagnostics, record};
-    scope.chart.name = file.text(written.name);
-    scope.chart.origin = written.name.where;
-    record.declare(DeclarationKind::Chart, scope.chart.name, written.name.where, written.where);
+    ChartScope scope{written.replicated || instance != nullptr ? copies : file, diagnostics, record};
+    scope.chart.name = instance == nullptr ? file.text(written.name) : instance->name;
+    scope.chart.origin = instance == nullptr ? written.name.where : instance->where;
+    if (instance == nullptr)
+        record.declare(DeclarationKind::Chart, scope.chart.name, written.name.where, written.where);
+    else scope.chart.instance_of = file.text(written.name);
+    scope.chart.has_parameters = !written.parameters.empty();
     Expansion expansion{file, copies, diagnostics, record, scope.chart.origin};
     expansion.copied = copied;
+    expansion.charts = charts;
+    expansion.instance = instance;
     expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
     resolve_expanded(expansion, written, [&](const tree::Chart& all) { resolve_items(scope, all); });
-    check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });
+    if (instance == nullptr) {
+        check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });
+        check_constants(scope, file, written);
+    } else scope.chart.has_defaults = instance->has_defaults;
+    if (expansion.incomplete && !record.beyond_errors()) return {};
     if (record.beyond_errors()) return std::move(scope.chart);
     if (diagnostics.errors() != errors) return {};
     check_reachability(scope.chart, diagnostics);

@@ -12,6 +12,7 @@
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/references.hpp"
 #include "syntax/resolve/terms.hpp"
 
@@ -38,6 +39,24 @@ struct ChartScope {
     std::string_view text(tree::Name name) const { return file.text(name); }
 };
 
+/// As InCopy. In an instance of a chart, nothing is recorded, because the chart itself records its names.
+class InChartCopy {
+public:
+    InChartCopy(ChartScope& scope, std::uint32_t copy)
+        : copy_(scope.diagnostics, scope.file, copy), scope_(&scope), outer_(scope.record) {
+        if (copy > 0 && scope.file.copies[copy - 1].in_instance) scope.record = scope.record.silent();
+    }
+    InChartCopy(ChartScope& scope, tree::Name name) : InChartCopy(scope, name.copy) {}
+    InChartCopy(const InChartCopy&) = delete;
+    InChartCopy& operator=(const InChartCopy&) = delete;
+    ~InChartCopy() { scope_->record = outer_; }
+
+private:
+    InCopy copy_;
+    ChartScope* scope_;
+    Recorder outer_;
+};
+
 /// A step of the tree, together with its id.
 struct WrittenStep {
     const tree::Step* step = nullptr;
@@ -57,6 +76,8 @@ struct WrittenChart {
 /// Returns a resolver of terms that may contain only constants: each name is an error, which names `user`.
 Terms constant_terms(ChartScope& scope, std::string_view user);
 void resolve_variables(ChartScope& scope, const tree::Variables& written);
+/// Checks the variables that are bound to the ports of partial charts.
+void check_ports(ChartScope& scope, const std::vector<tree::ChartItem>& items);
 /// Reports variables whose name is that of a step variable, or begins with `X` and a digit.
 void check_step_like(ChartScope& scope);
 

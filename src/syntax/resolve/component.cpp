@@ -24,26 +24,6 @@ std::string first_line(std::string_view comment) {
     return std::string(comment);
 }
 
-/// Returns the first line of the comment directly above the component, if no blank line separates them.
-std::string summary(const tree::File& file, const tree::Component& written) {
-    const auto after = std::ranges::lower_bound(file.comments, written.where.begin, {},
-                                                [](const tree::Comment& comment) { return comment.where.begin; });
-    const auto gap_at = [&](std::uint32_t position) { return std::ranges::binary_search(file.gaps, position); };
-    if (after == file.comments.begin() || gap_at(written.where.begin)) return {};
-    const auto here = std::ranges::partition_point(file.declarations, [&](const tree::Declaration& declaration) {
-        return where(declaration).begin < written.where.begin;
-    });
-    const std::uint32_t before = here == file.declarations.begin() ? 0 : where(*std::prev(here)).end;
-    auto first = after;
-    while (first != file.comments.begin()) {
-        const tree::Comment& comment = *std::prev(first);
-        if (!comment.own_line || comment.where.begin < before) break;
-        --first;
-        if (gap_at(comment.where.begin)) break;
-    }
-    return first == after ? std::string() : first_line(first->text);
-}
-
 /// Resolves a constraint, which states a guarantee about the outputs of the component. A constraint reads only outputs,
 /// so that it can be assumed in a model in which the outputs are free.
 void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
@@ -108,6 +88,25 @@ std::optional<Span> declared_name(const ComponentScope& scope, std::string_view 
 
 }  // namespace
 
+std::string summary(const tree::File& file, Span written) {
+    const auto after = std::ranges::lower_bound(file.comments, written.begin, {},
+                                                [](const tree::Comment& comment) { return comment.where.begin; });
+    const auto gap_at = [&](std::uint32_t position) { return std::ranges::binary_search(file.gaps, position); };
+    if (after == file.comments.begin() || gap_at(written.begin)) return {};
+    const auto here = std::ranges::partition_point(file.declarations, [&](const tree::Declaration& declaration) {
+        return where(declaration).begin < written.begin;
+    });
+    const std::uint32_t before = here == file.declarations.begin() ? 0 : where(*std::prev(here)).end;
+    auto first = after;
+    while (first != file.comments.begin()) {
+        const tree::Comment& comment = *std::prev(first);
+        if (!comment.own_line || comment.where.begin < before) break;
+        --first;
+        if (gap_at(comment.where.begin)) break;
+    }
+    return first == after ? std::string() : first_line(first->text);
+}
+
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
                                            Diagnostics& diagnostics, Recorder record, std::uint64_t* copied) {
     const std::size_t errors = diagnostics.errors();
@@ -116,7 +115,7 @@ std::optional<Component> resolve_component(const tree::File& file, const tree::C
     scope.component.name = file.text(written.name);
     scope.component.origin = written.name.where;
     record.declare(DeclarationKind::Component, scope.component.name, written.name.where, written.where);
-    scope.component.summary = summary(file, written);
+    scope.component.summary = summary(file, written.where);
     Expansion expansion{file, copies, diagnostics, record, scope.component.origin};
     expansion.copied = copied;
     expansion.constant_terms = [&](std::string_view user) {

@@ -7,6 +7,7 @@
 
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/resolve/chart_instance.hpp"
 #include "syntax/resolve/expand.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 
@@ -15,6 +16,12 @@ namespace grafverif {
 namespace {
 
 using Named = NamedConstant;
+
+Named::Kind kind_of(TermKind kind) {
+    return kind == TermKind::Boolean   ? Named::Kind::Boolean
+           : kind == TermKind::Integer ? Named::Kind::Integer
+                                       : Named::Kind::Duration;
+}
 
 TermKind kind_of(Named::Kind kind) {
     switch (kind) {
@@ -25,39 +32,8 @@ TermKind kind_of(Named::Kind kind) {
     unreachable();
 }
 
-/// Returns the declared type, or the type of the value if none is declared, or nothing after an error.
-std::optional<Named::Kind> written_kind(const tree::Variable& written, TermKind value) {
-    switch (written.type) {
-    case tree::TypeWord::Bool: return Named::Kind::Boolean;
-    case tree::TypeWord::Int: return Named::Kind::Integer;
-    case tree::TypeWord::Duration: return Named::Kind::Duration;
-    case tree::TypeWord::None: break;
-    }
-    if (value == TermKind::Boolean) return Named::Kind::Boolean;
-    if (value == TermKind::Integer) return Named::Kind::Integer;
-    if (value == TermKind::Duration) return Named::Kind::Duration;
-    return {};
-}
-
-struct Bounds {
-    std::int64_t low = 0, high = 0;
-    bool contain(std::int64_t value) const { return low <= value && value <= high; }
-};
-
-/// Returns the declared range, or nothing if there is none or after an error.
-std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written) {
-    if (!written.range) return {};
-    Terms terms = constant_terms(scope, "a range");
-    const auto low = terms.constant(written.range->low, TermKind::Integer, "a range");
-    const auto high = terms.constant(written.range->high, TermKind::Integer, "a range");
-    if (!low || !high) return {};
-    if (*low <= *high) return Bounds{*low, *high};
-    scope.diagnostics.add(messages::bad_range(written.where, scope.text(written.name), *low, *high));
-    return {};
-}
-
 /// Replaces the declared value by the value that the user has set.
-void set_from_outside(LoopScope& scope, const std::optional<Bounds>& bounds, Named& constant) {
+void set_from_outside(LoopScope& scope, const DeclaredConstant& declared, Named& constant) {
     const auto given = scope.context.constants.find(constant.name);
     if (given == scope.context.constants.end()) return;
     constant.set = true;
@@ -68,35 +44,19 @@ void set_from_outside(LoopScope& scope, const std::optional<Bounds>& bounds, Nam
         return;
     }
     constant.value = *value;
-    if (bounds && !bounds->contain(*value))
+    if (!declared.contains(*value))
         scope.diagnostics.add(
-            messages::setting_out_of_range(constant.origin, constant.name, given->second, bounds->low, bounds->high));
+            messages::setting_out_of_range(constant.origin, constant.name, given->second, declared.low, declared.high));
 }
 
 void declare_constant(LoopScope& scope, const tree::Variable& written) {
+    const auto declared = declared_constant(scope.file, written, scope.diagnostics,
+                                            [&](std::string_view user) { return constant_terms(scope, user); });
+    if (!declared) return;
     Named constant{.name = std::string(scope.text(written.name)), .origin = written.name.where};
-    if (!written.value.valid()) {
-        scope.diagnostics.add(messages::constant_without_value(written.where, constant.name));
-        return;
-    }
-    const std::size_t errors = scope.diagnostics.errors();
-    const std::string user = '`' + constant.name + '`';
-    const Term term = constant_terms(scope, user).resolve(written.value);
-    const auto kind = written_kind(written, term.kind);
-    auto bounds = bounds_of(scope, written);
-    if (!kind || scope.diagnostics.errors() != errors) return;
-    constant.kind = *kind;
-    if (*kind == Named::Kind::Integer) {  // the limits of variables also apply to constants
-        if (!bounds) bounds = {least_integer, greatest_integer};
-        bounds = {std::max(bounds->low, least_integer), std::min(bounds->high, greatest_integer)};
-    }
-    const auto value = constant_terms(scope, user).constant(written.value, kind_of(*kind), user);
-    if (!value) return;
-    constant.value = *value;
-    if (bounds && !bounds->contain(*value))
-        scope.diagnostics.add(messages::initial_out_of_range(scope.file.exprs[written.value].where, constant.name,
-                                                             *value, bounds->low, bounds->high));
-    set_from_outside(scope, bounds, constant);
+    constant.kind = kind_of(declared->kind);
+    constant.value = declared->value;
+    set_from_outside(scope, *declared, constant);
     std::optional<std::size_t>& known = scope.constants[constant.name].number;
     if (known)
         scope.diagnostics.add(duplicate(written.name, "constant", constant.name, scope.loop.constants[*known].origin));

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <ranges>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "support/messages.hpp"
+#include "syntax/resolve/name_copier.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif {
 
@@ -15,14 +18,7 @@ namespace {
 
 class Copier {
 public:
-    explicit Copier(Expansion& expansion)
-        : expansion_(expansion),
-          file_(expansion.file),
-          copy_(expansion.copy),
-          words_(copy_.words),
-          size_(expansion.copied == nullptr ? own_size_ : *expansion.copied) {
-        copy_.source = file_.source;
-    }
+    explicit Copier(Expansion& expansion) : expansion_(expansion), copy_(expansion.copy), terms_(expansion) {}
 
     template <class Declaration>
     Declaration expanded(Declaration written) {
@@ -32,167 +28,20 @@ public:
         return written;
     }
 
+    tree::Chart expanded(tree::Chart written) {
+        ChartInstance* const instance = expansion_.instance;
+        const std::string_view name = expansion_.file.text(written.name);
+        const auto copy = [&] { written.items = chart_items(written); };
+        if (instance == nullptr) copy();
+        else in_instance({&expansion_.file, {}, expansion_.record.silent(), instance, name}, copy);
+        written.name = {terms_.words.intern(instance == nullptr ? name : instance->name), written.name.where};
+        written.parameters.clear();
+        if (instance != nullptr) instance->too_large = terms_.too_large;
+        return written;
+    }
+
 private:
     using Op = tree::Op;
-
-    struct Index {
-        tree::Name name = {};
-        Span where = {};  ///< position of the replication
-        std::int64_t value = 0;
-    };
-    struct Bounds {
-        std::int64_t low = 0, high = 0;
-    };
-
-    // -- replications -------------------------------------------------------------------------------------------------
-
-    /// Counts elements of the copies. Returns false if the result is too large, which is reported once.
-    bool count(Span where, std::uint64_t elements) {
-        if (too_large_) return false;
-        if (elements <= largest_expansion - size_) return size_ += elements, true;
-        too_large_ = true;
-        const InCopy outside(expansion_.diagnostics, copy_, 0);
-        expansion_.diagnostics.add(messages::expansion_too_large(where, largest_expansion));
-        return false;
-    }
-
-    void count_in_copy(std::uint64_t elements = 1) {
-        if (!indices_.empty()) count(indices_.front().where, elements);
-    }
-    void count_text(std::size_t bytes) { count_in_copy(bytes / 64); }
-
-    /// What follows from a range whose upper bound is one less than the lower bound.
-    enum class Empty { IsError, IsAllowed };
-
-    /// Calls `body` for each value of the index variable.
-    template <class Body>
-    void repeat(const tree::Replication& written, Empty empty, const Body& body) {
-        declare(written.index, written.where);
-        const auto bounds = bounds_of(written, empty);
-        if (!bounds) return;
-        for (std::int64_t value = bounds->low;; ++value) {
-            indices_.push_back({written.index, written.where, value});
-            body();
-            indices_.pop_back();
-            if (value == bounds->high || too_large_) return;
-        }
-    }
-
-    void declare(tree::Name index, Span where) {
-        const std::string_view name = file_.text(index);
-        expansion_.record.declare(DeclarationKind::Constant, name, index.where, where, expansion_.owner);
-        const InCopy outside(expansion_.diagnostics, copy_, 0);
-        for (const Index& outer : indices_)
-            if (outer.name.word == index.word)
-                expansion_.diagnostics.add(
-                    messages::duplicate_name(index.where, "index variable", name, outer.name.where));
-        expansion_.indices.try_emplace(std::string(name), index.where);
-    }
-
-    /// Returns the range; nothing if it is empty or after an error. Beyond errors, there is one copy instead, whose
-    /// names are recorded.
-    std::optional<Bounds> bounds_of(const tree::Replication& written, Empty empty) {
-        const std::string user = "the range of `" + std::string(file_.text(written.index)) + '`';
-        const auto low = value_of(written.range.low, user), high = value_of(written.range.high, user);
-        if (low && high && *low <= *high) {
-            const std::uint64_t steps = static_cast<std::uint64_t>(*high) - static_cast<std::uint64_t>(*low);
-            const Span where = indices_.empty() ? written.where : indices_.front().where;
-            if (count(where, std::min(steps, largest_expansion) + 1)) return Bounds{*low, *high};
-        } else if (low && high && (empty == Empty::IsError || *high != *low - 1)) {
-            expansion_.diagnostics.add(
-                messages::empty_replication(written.where, file_.text(written.index), *low, *high));
-        }
-        if (!expansion_.record.beyond_errors()) return {};
-        return Bounds{low.value_or(1), low.value_or(1)};
-    }
-
-    /// Returns the value of a range bound or an index; empty after an error.
-    std::optional<std::int64_t> value_of(Id<tree::Expr> written, std::string_view user) {
-        const Id<tree::Expr> term = copied(written);
-        if (copy_.exprs[term].op == Op::Number) return copy_.exprs[term].value;
-        return expansion_.constant_terms(user).constant(term, TermKind::Integer, user);
-    }
-
-    /// Returns the value of an index variable; empty if `node` is not the name of one.
-    std::optional<std::int64_t> value_of_index(const tree::Expr& node) {
-        if (node.op != Op::Name || node.first.valid()) return {};
-        for (const Index& index : indices_) {
-            if (index.name.word != node.word) continue;
-            expansion_.record.refer(node.where, index.name.where);
-            return index.value;
-        }
-        return {};
-    }
-
-    /// Copies the owner in `owner.name` or `owner in name`. An index variable is an integer, which owns nothing.
-    Id<tree::Expr> owner_of(Id<tree::Expr> written, Op op) {
-        tree::Expr node = file_.exprs[written];
-        if (!value_of_index(node)) return copied(written);
-        expansion_.diagnostics.add(messages::type_mismatch(node.where, op == Op::In ? "`in`" : "`.`",
-                                                           "the name of an instance, an observer or a chart",
-                                                           "an integer"));
-        count_in_copy();
-        count_text(file_.text(node.word).size());
-        node.word = words_.intern(file_.text(node.word));
-        node.first = node.last = node.next = {};
-        return copy_.exprs.add(node);
-    }
-
-    // -- names and terms ----------------------------------------------------------------------------------------------
-
-    /// Returns the word of a name with its indices: `B[3]`.
-    Id<tree::Word> indexed(Id<tree::Word> word, Id<tree::Expr> index) {
-        count_text(file_.text(word).size());
-        if (!index.valid()) return words_.intern(file_.text(word));
-        std::string text(file_.text(word));
-        for (; index.valid(); index = file_.exprs[index].next) {
-            const auto value = value_of(index, "the index of `" + std::string(file_.text(word)) + '`');
-            text += '[' + (value ? std::to_string(*value) : "?") + ']';
-        }
-        return words_.intern(text);
-    }
-
-    Id<tree::Expr> copied(Id<tree::Expr> written) {
-        tree::Expr node = file_.exprs[written];
-        count_in_copy();
-        Id<tree::Expr> operand = std::exchange(node.first, {});
-        node.last = node.next = {};
-        if (node.op == Op::All || node.op == Op::Any) {
-            node.op = node.op == Op::All ? Op::And : Op::Or;
-            return junction(node, written);
-        }
-        if (const auto value = value_of_index(file_.exprs[written])) {
-            node.op = Op::Number;
-            node.value = *value;
-            return copy_.exprs.add(node);
-        }
-        const bool owned = node.op == Op::Member || node.op == Op::In;
-        const Id<tree::Expr> owner = owned ? owner_of(operand, node.op) : Id<tree::Expr>{};
-        if (owned || node.op == Op::Name) {
-            node.word = indexed(node.word, owned ? file_.exprs[operand].next : operand);
-            operand = {};
-        }
-        const Id<tree::Expr> id = copy_.exprs.add(node);
-        if (owned) append(copy_.exprs, id, owner);
-        for (; operand.valid(); operand = file_.exprs[operand].next) append(copy_.exprs, id, copied(operand));
-        return id;
-    }
-
-    /// Returns the conjunction or disjunction `node` of the terms of `all` or `any`. Without terms, it is a constant.
-    Id<tree::Expr> junction(tree::Expr node, Id<tree::Expr> written) {
-        std::vector<Id<tree::Expr>> operands;
-        repeat_term(written, Empty::IsAllowed, operands);
-        if (operands.size() == 1) return operands.front();
-        if (operands.empty()) node.op = node.op == Op::And ? Op::True : Op::False;
-        const Id<tree::Expr> id = copy_.exprs.add(node);
-        for (const Id<tree::Expr> operand : operands) append(copy_.exprs, id, operand);
-        return id;
-    }
-
-    void repeat_term(Id<tree::Expr> written, Empty empty, std::vector<Id<tree::Expr>>& operands) {
-        const tree::Expr& node = file_.exprs[written];
-        repeat(replication(file_, node), empty, [&] { operands.push_back(copied(node.last)); });
-    }
 
     // -- declarations -------------------------------------------------------------------------------------------------
 
@@ -209,16 +58,193 @@ private:
             std::visit([&](const auto& declaration) { add_one(declaration, result); }, item);
     }
 
+    /// In an instance, ports are bound instead of declared, except that the inputs and outputs of a controller are
+    /// declared with the names of their variables.
+    void add_one(const tree::Variables& written, std::vector<tree::ChartItem>& result) {
+        terms_.count_in_copy();
+        tree::Variables declaration = written;
+        const bool ports = terms_.frame.instance != nullptr && written.kind != tree::VariableKind::Internal;
+        for (tree::Variable& each : declaration.variables) {
+            part(each);
+            if (ports) bind(each);
+            else each.name.word = terms_.variable_for(each.name.word);
+        }
+        if (ports && terms_.frame.partial) terms_.frame.ports.push_back(std::move(declaration));
+        else result.emplace_back(std::move(declaration));
+    }
+
+    /// Replaces the name of a port by its variable. A step variable becomes the value of the port.
+    void bind(tree::Variable& declaration) {
+        tree::Name& port = declaration.name;
+        ChartInstance& instance = *terms_.frame.instance;
+        const std::string& name = terms_.frame.parameters.emplace_back(copy_.text(port));
+        const auto given = instance.arguments.find(name);
+        if (given == instance.arguments.end()) {
+            terms_.frame.errors.push_back(
+                messages::missing_argument(instance.chart_where, terms_.frame.chart, name, "NAME"));
+            return;
+        }
+        given->second.used = true;
+        instance.record.refer(given->second.parameter, port.where);
+        port.where = given->second.where;
+        port.word = terms_.words.intern(given->second.variable);
+        if (given->second.term.valid()) declaration.value = given->second.term;
+    }
+
+    /// Resolves the constants of a chart, which replace their names in the following declarations.
+    void constants(const std::vector<tree::Variables>& parameters) {
+        for (const tree::Variables& group : parameters) {
+            if (group.kind != tree::VariableKind::Constant) continue;
+            for (tree::Variable variable : group.variables) {
+                part(variable);
+                constant(variable);
+            }
+        }
+    }
+
+    void constant(const tree::Variable& written) {
+        const std::string name(copy_.text(written.name));
+        terms_.frame.record.declare(DeclarationKind::Constant, name, written.name.where, written.where,
+                                    expansion_.owner);
+        const auto declared = declared_constant(copy_, written, expansion_.diagnostics, expansion_.constant_terms);
+        if (const auto known = terms_.frame.values.find(name);
+            known != terms_.frame.values.end() && known->second.op != Op::Name)
+            expansion_.diagnostics.add(
+                messages::duplicate_name(written.name.where, "constant", name, known->second.where));
+        std::int64_t value = declared ? declared->value : 1;
+        const TermKind kind = declared ? declared->kind : TermKind::Integer;
+        if (terms_.frame.instance != nullptr && declared) value = value_given(name, written, *declared);
+        const Op truth = value != 0 ? Op::True : Op::False;
+        const Op op = kind == TermKind::Boolean ? truth : kind == TermKind::Integer ? Op::Number : Op::Duration;
+        terms_.frame.values.insert_or_assign(name, NameCopier::Value{op, value, {}, written.name.where});
+    }
+
+    /// Returns the value that an instance gives to a constant, or the declared value.
+    std::int64_t value_given(const std::string& name, const tree::Variable& written, const DeclaredConstant& declared) {
+        ChartInstance& instance = *terms_.frame.instance;
+        terms_.frame.parameters.push_back(name);
+        const auto given = instance.arguments.find(name);
+        if (given == instance.arguments.end()) return declared.value;
+        ChartInstance::Argument& argument = given->second;
+        argument.used = true;
+        instance.record.refer(argument.parameter, written.name.where);
+        if (argument.kind != declared.kind) {
+            terms_.frame.errors.push_back(messages::type_mismatch(argument.where, '`' + name + '`',
+                                                                  described(declared.kind), described(argument.kind)));
+            return declared.value;
+        }
+        if (!declared.contains(argument.value))
+            terms_.frame.errors.push_back(
+                messages::out_of_range(argument.where, name, argument.value, declared.low, declared.high));
+        instance.has_defaults = instance.has_defaults && argument.value == declared.value;
+        return argument.value;
+    }
+
+    /// Returns the declarations of a chart, with its ports.
+    std::vector<tree::ChartItem> chart_items(const tree::Chart& written) {
+        constants(written.parameters);
+        std::vector<tree::ChartItem> result;
+        for (const tree::Variables& group : written.parameters)
+            if (group.kind != tree::VariableKind::Constant) add_one(group, result);
+        add(written.items, result);
+        return result;
+    }
+
+    /// Calls `copy` with `frame`, and reports the errors in the arguments.
+    template <class Copy>
+    void in_instance(NameCopier::Frame frame, const Copy& copy) {
+        const ChartInstance& instance = *frame.instance;
+        const std::uint32_t outer = copy_number_;
+        copy_.copies.push_back({terms_.words.intern(instance.name), 0, instance.where, outer, true, true});
+        copy_number_ = static_cast<std::uint32_t>(copy_.copies.size());
+        for (const auto& [port, argument] : instance.arguments)
+            if (argument.kind == TermKind::Wrong)
+                frame.values.emplace(port, NameCopier::Value{Op::Name, 0, terms_.words.intern(argument.variable),
+                                                             argument.where, argument.term});
+        std::swap(terms_.frame, frame);
+        {
+            const InCopy context(expansion_.diagnostics, copy_, copy_number_);
+            copy();
+        }
+        copy_number_ = outer;
+        std::swap(terms_.frame, frame);
+        for (Diagnostic& error : frame.errors) expansion_.diagnostics.add(std::move(error));
+        for (const auto& [name, argument] : instance.arguments)
+            if (!argument.used && !terms_.too_large)
+                expansion_.diagnostics.add(
+                    messages::unknown(argument.parameter, "parameter", name, nearest_of(name, frame.parameters)));
+    }
+
+    void add_one(const tree::Partial& written, std::vector<tree::ChartItem>& result) {
+        terms_.count_in_copy();
+        if (terms_.too_large) return;
+        if (terms_.frame.partial) {
+            expansion_.diagnostics.add(
+                messages::partial_in_partial(terms_.frame.instance->chart_where, terms_.frame.chart));
+            return;
+        }
+        tree::Partial partial = written;
+        part(partial);
+        if (partial.chart.valid()) instantiate(written.chart, partial, result);
+        else result.emplace_back(std::move(partial));
+    }
+
+    /// Copies the declarations of a chart to a partial chart.
+    void instantiate(tree::Name chart_name, tree::Partial& partial, std::vector<tree::ChartItem>& result) {
+        const WrittenCharts none;
+        const WrittenCharts& charts = expansion_.charts == nullptr ? none : *expansion_.charts;
+        const WrittenCharts::Entry* const chart = charts.find(*terms_.frame.file, chart_name, expansion_.diagnostics);
+        std::optional<ChartInstance> instance;
+        if (chart != nullptr) {
+            terms_.frame.record.refer(chart_name.where, chart->chart->name.where);
+            instance =
+                read_arguments({copy_, expansion_.diagnostics, expansion_.constant_terms}, partial.arguments, *chart);
+        }
+        expansion_.incomplete = expansion_.incomplete || !instance;
+        if (!instance) return;
+        instance->name = copy_.text(partial.name);
+        instance->where = partial.name.where;
+        instance->chart_where = chart_name.where;
+        instance->record = terms_.frame.record;
+        NameCopier::Frame frame{
+            chart->file, {}, terms_.frame.record.silent(), &*instance, chart->file->text(chart->chart->name), true};
+        internals(*chart->file, chart->chart->items, frame.own);
+        std::vector<tree::ChartItem> copies;
+        in_instance(std::move(frame), [&] {
+            copies = chart_items(*chart->chart);
+            partial.ports = std::move(terms_.frame.ports);
+        });
+        for (tree::ChartItem& item : copies) {
+            const bool inside =
+                std::holds_alternative<tree::Step>(item) || std::holds_alternative<tree::Transition>(item);
+            (inside ? partial.items : result).push_back(std::move(item));
+        }
+        result.emplace_back(std::move(partial));
+    }
+
+    /// Adds the names of the internal variables, without indices.
+    static void internals(const tree::File& file, const std::vector<tree::ChartItem>& items,
+                          std::set<std::string, std::less<>>& names) {
+        for (const tree::ChartItem& item : items) {
+            if (const auto* copies = std::get_if<tree::ReplicatedChartItems>(&item))
+                internals(file, copies->items, names);
+            const auto* group = std::get_if<tree::Variables>(&item);
+            if (group == nullptr || group->kind != tree::VariableKind::Internal) continue;
+            for (const tree::Variable& each : group->variables) names.emplace(file.text(each.name));
+        }
+    }
+
     template <class Declaration, class Item>
     void add_one(const Declaration& written, std::vector<Item>& result) {
         if constexpr (requires { written.replication; }) {
             const std::uint32_t outer = copy_number_;
             const std::size_t outer_bytes = index_bytes_;
-            index_bytes_ += file_.text(written.replication.index).size();
-            repeat(written.replication, Empty::IsError, [&] {
-                count_text(index_bytes_);
-                copy_.copies.push_back({words_.intern(file_.text(written.replication.index)), indices_.back().value,
-                                        written.replication.where, outer});
+            index_bytes_ += terms_.frame.file->text(written.replication.index).size();
+            terms_.repeat(written.replication, NameCopier::Empty::IsError, [&] {
+                terms_.count_text(index_bytes_);
+                copy_.copies.push_back({terms_.words.intern(terms_.frame.file->text(written.replication.index)),
+                                        terms_.frame.indices.back().value, written.replication.where, outer, false,
+                                        terms_.frame.instance != nullptr});
                 copy_number_ = static_cast<std::uint32_t>(copy_.copies.size());
                 const InCopy copy(expansion_.diagnostics, copy_, copy_number_);
                 add(written.items, result);
@@ -226,7 +252,7 @@ private:
             copy_number_ = outer;
             index_bytes_ = outer_bytes;
         } else {
-            count_in_copy();
+            terms_.count_in_copy();
             Declaration declaration = written;
             part(declaration);
             if constexpr (std::is_same_v<Declaration, tree::Variables>)
@@ -244,17 +270,18 @@ private:
 
     void part(tree::Name& name) {
         if (!name.valid()) return;
-        count_in_copy();
-        name = {indexed(name.word, name.index), name.where, {}, copy_number_};
+        terms_.count_in_copy();
+        name = {terms_.indexed(name.word, name.index), name.where, {}, copy_number_};
     }
     void part(Id<tree::Expr>& term) {
-        if (term.valid()) term = copied(term);
+        if (term.valid()) term = terms_.copied(term);
     }
     void part(std::vector<Id<tree::Expr>>& terms) {
         std::vector<Id<tree::Expr>> result;
         for (const Id<tree::Expr> term : terms)
-            if (file_.exprs[term].op == Op::Each) repeat_term(term, Empty::IsError, result);
-            else result.push_back(copied(term));
+            if (terms_.frame.file->exprs[term].op == Op::Each)
+                terms_.repeat_term(term, NameCopier::Empty::IsError, result);
+            else result.push_back(terms_.copied(term));
         terms = std::move(result);
     }
     template <class Part>
@@ -275,22 +302,39 @@ private:
         part(written.condition);
         written.copy = copy_number_;
     }
-    void part(tree::Assignment& written) { parts(written.target, written.value); }
+    void part_of_variable(tree::Name& name) {
+        part(name);
+        if (name.valid()) name.word = terms_.variable_for(name.word);
+    }
+    void part(tree::Assignment& written) {
+        part_of_variable(written.target);
+        part(written.value);
+    }
     void part(tree::Accept& written) {
-        count_text(written.code.size() + written.subject.size() + written.reason.size());
+        terms_.count_text(written.code.size() + written.subject.size() + written.reason.size());
+        if (terms_.frame.instance == nullptr || written.subject.empty()) return;
+        written.subject_where = {};  // only the chart itself records its names
+        const auto bound = terms_.frame.values.find(written.subject);
+        if (bound != terms_.frame.values.end() && bound->second.op == Op::Name)
+            written.subject = copy_.words[bound->second.word].text;
+        else if (terms_.frame.partial) written.subject = terms_.frame.instance->name + '.' + written.subject;
     }
 
     void part(tree::ContinuousAction& written) {
-        parts(written.output, written.condition, written.delay, written.limit);
+        part_of_variable(written.output);
+        parts(written.condition, written.delay, written.limit);
     }
     void part(tree::StoredAction& written) { parts(written.assignment, written.event); }
     void part(tree::ForcingOrder& written) { parts(written.chart, written.steps); }
     void part(tree::Step& written) { parts(written.name, written.contents, written.actions); }
     void part(tree::Transition& written) {
         parts(written.name, written.from, written.to, written.condition, written.assignments);
+        if (terms_.frame.partial && written.name.valid())
+            written.name.word =
+                terms_.words.intern(terms_.frame.instance->name + '.' + std::string(copy_.text(written.name)));
     }
     void part(tree::Partial& written) {
-        part(written.name);
+        parts(written.name, written.chart, written.arguments);
         written.items = items(written.items);
     }
 
@@ -299,7 +343,8 @@ private:
     void part(tree::Edge& written) { parts(written.from, written.to, written.condition, written.assignments); }
 
     void part(tree::Controller& written) {
-        parts(written.chart, written.cycle.least, written.cycle.most, written.options);
+        parts(written.chart, written.instance, written.arguments, written.cycle.least, written.cycle.most);
+        part(written.options);
     }
     void part(tree::Grain& written) { part(written.name); }
     void part(tree::TimeUnit& written) { part(written.duration); }
@@ -308,22 +353,17 @@ private:
     void part(tree::Instance& written) { parts(written.name, written.component, written.arguments, written.initial); }
     void part(tree::Fault& written) { parts(written.of, written.behaviour); }
     void part(tree::Property& written) {
-        count_text(written.text.size() + written.raw.size());
+        terms_.count_text(written.text.size() + written.raw.size());
         parts(written.name, written.operands, written.bound);
     }
     void part(tree::ObserverEdge& written) { parts(written.from, written.to, written.condition, written.assignments); }
     void part(tree::Observer& written) { parts(written.name, written.items); }
 
     Expansion& expansion_;
-    const tree::File& file_;
     tree::File& copy_;
-    tree::Words words_;
-    std::vector<Index> indices_ = {};  ///< index variables of the enclosing replications
-    std::uint32_t copy_number_ = 0;    ///< number of the current copy; 0 outside of replications
-    std::size_t index_bytes_ = 0;      ///< length of the names in `indices_`, which the note on a copy lists
-    std::uint64_t own_size_ = 0;
-    std::uint64_t& size_;  ///< number of elements of the copies
-    bool too_large_ = false;
+    NameCopier terms_;
+    std::uint32_t copy_number_ = 0;  ///< number of the current copy; 0 outside of replications
+    std::size_t index_bytes_ = 0;    ///< length of the names of the index variables, which the note on a copy lists
 };
 
 }  // namespace
@@ -345,10 +385,11 @@ void check_indices(const Expansion& expansion, const std::function<std::optional
 
 namespace {
 
-/// Returns the values of the index variables of a copy, from the outermost to the innermost: `i = 1, k = 3`.
-std::string values_of(const tree::File& file, std::uint32_t copy) {
+/// Returns the values of the index variables of a copy, from the outermost to the innermost: `i = 1, k = 3`. `outer` is
+/// the number of a copy that contains the copy, or 0.
+std::string values_of(const tree::File& file, std::uint32_t copy, std::uint32_t outer) {
     std::vector<const tree::Copy*> chain;
-    for (; copy > 0; copy = chain.back()->outer) chain.push_back(&file.copies[copy - 1]);
+    for (; copy > outer; copy = chain.back()->outer) chain.push_back(&file.copies[copy - 1]);
     std::string values;
     for (const tree::Copy* each : chain | std::views::reverse) {
         if (!values.empty()) values += ", ";
@@ -371,7 +412,14 @@ InCopy::InCopy(Diagnostics& diagnostics, const tree::File& file, tree::Name name
 InCopy::InCopy(Diagnostics& diagnostics, const tree::File& file, std::uint32_t copy) : diagnostics_(&diagnostics) {
     Diagnostics::Context note;
     if (copy > 0)
-        note = [&file, copy] { return messages::in_copy(file.copies[copy - 1].where, values_of(file, copy)); };
+        note = [&file, copy] {
+            std::uint32_t instance = copy;
+            while (instance > 0 && !file.copies[instance - 1].is_instance) instance = file.copies[instance - 1].outer;
+            const std::string values = values_of(file, copy, instance);
+            if (instance == 0) return messages::in_copy(file.copies[copy - 1].where, values);
+            const tree::Copy& of = file.copies[instance - 1];
+            return messages::in_instance(of.where, file.text(of.index), values);
+        };
     outer_ = diagnostics.set_context(std::move(note));
 }
 

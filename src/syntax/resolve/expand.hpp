@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Expansion: replaces replicated declarations and terms by their copies. The result
 // contains neither index variables nor indices: `plant B[i] = ...` in `for i in 1..2` becomes two instances with the
-// names `B[1]` and `B[2]`. Name resolution continues with the result, so that copies obey the same rules as
+// names `B[1]` and `B[2]`. Instances of charts are replaced by their declarations. Name resolution continues with the result, so that copies obey the same rules as
 // declarations that are written out.
 //
 // Copies keep the positions of the original text. Declarations are expanded in the order of the text; a range or an
@@ -18,6 +18,7 @@
 
 #include "grafverif/support/diagnostic.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/chart_instance.hpp"
 #include "syntax/resolve/references.hpp"
 #include "syntax/resolve/terms.hpp"
 
@@ -39,11 +40,15 @@ struct Expansion {
     std::function<void(const tree::Variables&)> constants = {};
     /// If set, the number of elements in earlier expansions of the model, to which the elements of this one are added.
     std::uint64_t* copied = nullptr;
+    const WrittenCharts* charts = nullptr;  ///< the charts of instances; null if there are none
+    ChartInstance* instance = nullptr;      ///< if not null, the chart is copied to this instance
+    /// Result: true if an instance is missing because its chart has an error, which has been reported.
+    bool incomplete = false;
     /// Result: the first position of each index variable.
     std::map<std::string, Span, std::less<>> indices = {};
 };
 
-/// Return the declaration without replications. After an error, parts may be missing.
+/// Return the declaration without replications, parameters and instances. After an error, parts may be missing.
 tree::Chart expanded(Expansion& expansion, const tree::Chart& written);
 tree::Component expanded(Expansion& expansion, const tree::Component& written);
 tree::ClosedLoop expanded(Expansion& expansion, const tree::ClosedLoop& written);
@@ -52,10 +57,11 @@ tree::ClosedLoop expanded(Expansion& expansion, const tree::ClosedLoop& written)
 /// is an error in a range or an index, unless the names beyond errors are recorded.
 template <class Written, class Resolve>
 void resolve_expanded(Expansion& expansion, const Written& written, const Resolve& resolve) {
-    if (!written.replicated) return resolve(written);
+    if (!written.replicated && expansion.instance == nullptr) return resolve(written);
     const std::size_t errors = expansion.diagnostics.errors();
     const Written all = expanded(expansion, written);
-    if (expansion.diagnostics.errors() == errors || expansion.record.beyond_errors()) resolve(all);
+    const bool complete = expansion.diagnostics.errors() == errors && !expansion.incomplete;
+    if (complete || expansion.record.beyond_errors()) resolve(all);
 }
 
 /// Reports each index variable with the name of another declaration. `declared` returns the position of a name.
@@ -64,7 +70,8 @@ void check_indices(const Expansion& expansion, const std::function<std::optional
 /// Reports that the declaration `name` has the name of an earlier one at `first`, which may be another copy of it.
 Diagnostic duplicate(tree::Name name, std::string_view kind, std::string_view text, Span first);
 
-/// While it exists, diagnostics state the index values of the copy in which `name` is declared, if it is in a copy.
+/// While it exists, diagnostics state the index values and the instance of the copy in which `name` is declared, if it
+/// is in a copy.
 class InCopy {
 public:
     InCopy(Diagnostics& diagnostics, const tree::File& file, tree::Name name);

@@ -70,7 +70,7 @@ void resolve_transitions(ChartScope& scope, const WrittenChart& written) {
     TransitionNames names(scope, written);
     for (std::size_t i = 0; i < written.transitions.size(); ++i) {
         const auto& [transition, partial] = written.transitions[i];
-        const InCopy copy(scope.diagnostics, scope.file, name_in_copy(*transition));
+        const InChartCopy copy(scope, name_in_copy(*transition));
         Chart::Transition resolved;
         resolved.name = names.name(*transition, i + 1);
         resolved.chart = partial;

@@ -48,7 +48,7 @@ Id<Chart> chart_named(LoopScope& scope, tree::Name name) {
     if (found != scope.charts.end())
         return scope.record.refer(name.where, scope.context.model.charts[found->second].origin), found->second;
     scope.incomplete = !scope.record.beyond_errors();
-    if (scope.context.charts_in_error.contains(std::string(scope.text(name)))) return {};
+    if (scope.context.charts.in_error.contains(std::string(scope.text(name)))) return {};
     Nearest nearest(scope.text(name));
     for (const Chart& chart : scope.context.model.charts) nearest.offer(chart.name);
     scope.diagnostics.add(messages::unknown(name.where, "chart or program", scope.text(name), nearest.best()));
@@ -56,11 +56,11 @@ Id<Chart> chart_named(LoopScope& scope, tree::Name name) {
 }
 
 void resolve_controller(LoopScope& scope, const tree::Controller& written) {
-    const InCopy copy(scope.diagnostics, scope.file, written.chart);
+    const InCopy copy(scope.diagnostics, scope.file, written.name());
     ClosedLoop::Controller controller;
-    controller.name = scope.text(written.chart);
-    controller.chart = chart_named(scope, written.chart);
-    controller.origin = written.chart.where;
+    controller.name = scope.text(written.name());
+    controller.chart = written.instance.valid() ? instantiate(scope, written) : chart_named(scope, written.chart);
+    controller.origin = written.name().where;
     for (const tree::Name& option : written.options) {
         const auto mode = choice<ExecutionMode>(
             scope, option, "option",
@@ -76,10 +76,10 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
                                                                 "only charts have the mode `stability_search`",
                                                                 "remove the option"));
     }
-    const auto [known, fresh] = scope.controllers.try_emplace(scope.text(written.chart));
+    const auto [known, fresh] = scope.controllers.try_emplace(scope.text(written.name()));
     if (!fresh) {
         scope.diagnostics.add(
-            duplicate(written.chart, "controller", controller.name, scope.loop.controllers[known->second].origin));
+            duplicate(written.name(), "controller", controller.name, scope.loop.controllers[known->second].origin));
         return;
     }
     known->second = scope.loop.controllers.add(std::move(controller));
@@ -87,7 +87,7 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
 
 /// Sets the cycle of a program without `every` to the interval of its task, if it has one.
 void take_interval(LoopScope& scope, const tree::Controller& written) {
-    const auto known = scope.controllers.find(scope.text(written.chart));
+    const auto known = scope.controllers.find(scope.text(written.name()));
     if (known == scope.controllers.end() || !scope.chart(known->second).program) return;
     ClosedLoop::Controller& controller = scope.loop.controllers[known->second];
     if (const auto interval = (*scope.chart(known->second).program).interval_ms)
@@ -97,7 +97,7 @@ void take_interval(LoopScope& scope, const tree::Controller& written) {
 /// Resolves `every LEAST..MOST`. The controller does not exist if its declaration has an error.
 void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
     if (!written.cycle.least.valid()) return take_interval(scope, written);
-    const InCopy copy(scope.diagnostics, scope.file, written.chart);
+    const InCopy copy(scope.diagnostics, scope.file, written.name());
     constexpr std::string_view user = "a task cycle";
     const auto bound = [&](Id<tree::Expr> term) {
         return constant_terms(scope, user).constant(term, TermKind::Duration, user);
@@ -107,17 +107,30 @@ void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
     if (!least || !most) return;
     if (*least <= 0 || *most < *least)
         return scope.diagnostics.add(messages::bad_task_cycle(written.cycle.where, *least, *most));
-    const auto controller = scope.controllers.find(scope.text(written.chart));
+    const auto controller = scope.controllers.find(scope.text(written.name()));
     if (controller != scope.controllers.end())
         scope.loop.controllers[controller->second].cycle = TaskCycle{*least, *most, written.cycle.where};
+}
+
+/// Records that a variable of a controller is a shared variable. An instance of a chart has no names of its own: the
+/// position of its variable is that of the argument.
+void record_shared(const LoopScope& scope, const Chart& chart, const Chart::Variable& variable,
+                   const ClosedLoop::Shared& known) {
+    if (chart.instance_of.empty()) return scope.record.share(variable.origin, known.origin);
+    const bool writes = variable.kind == Chart::VariableKind::Output;
+    if (known.origin.source == variable.origin.source && known.origin.begin == variable.origin.begin)
+        scope.record.declare(DeclarationKind::PlantVariable, variable.name, variable.origin, variable.origin,
+                             scope.loop.origin);
+    scope.record.refer(variable.origin, known.origin, writes);
 }
 
 void share_input(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Chart::Variable> id) {
     const Chart::Variable& variable = scope.chart(controller).variables[id];
     const Id<ClosedLoop::Shared> shared = shared_named(scope, variable.name, variable.type, variable.origin);
     ClosedLoop::Shared& known = scope.loop.shared[shared];
-    scope.record.share(variable.origin, known.origin);
-    const Span where = scope.loop.controllers[controller].origin;
+    record_shared(scope, scope.chart(controller), variable, known);
+    const Span where =
+        scope.chart(controller).instance_of.empty() ? scope.loop.controllers[controller].origin : variable.origin;
     if (known.type.boolean != variable.type.boolean) {
         scope.diagnostics.add(
             messages::argument_type(where, variable.name, described(variable.type), described(known.type)));
@@ -138,7 +151,7 @@ void share_output(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Ch
     const Chart::Variable& variable = scope.chart(controller).variables[id];
     const Id<ClosedLoop::Shared> shared = shared_named(scope, variable.name, variable.type, variable.origin);
     ClosedLoop::Shared& known = scope.loop.shared[shared];
-    scope.record.share(variable.origin, known.origin);
+    record_shared(scope, scope.chart(controller), variable, known);
     if (known.writer.valid()) {
         scope.diagnostics.add(messages::second_writer(scope.loop.controllers[controller].origin, variable.name,
                                                       scope.loop.controllers[known.writer].name,
@@ -303,9 +316,27 @@ void check_driven(LoopScope& scope, Span loop) {
     }
 }
 
+/// Reports instances of charts with the name of another element whose parts properties can name.
+void check_controller_names(LoopScope& scope) {
+    for (const ClosedLoop::Controller& controller : scope.loop.controllers) {
+        if (scope.context.model.charts[controller.chart].instance_of.empty()) continue;
+        const auto instance = scope.written_instances.find(controller.name);
+        const auto observer = scope.observers.find(controller.name);
+        if (instance != scope.written_instances.end())
+            scope.diagnostics.add(
+                messages::duplicate_name(controller.origin, "instance", controller.name, instance->second->name.where));
+        else if (observer != scope.observers.end())
+            scope.diagnostics.add(messages::duplicate_name(controller.origin, "instance", controller.name,
+                                                           scope.loop.observers[observer->second].origin));
+    }
+}
+
 /// Resolves all declarations except constants, which precede them.
 void resolve_items(LoopScope& scope, const tree::ClosedLoop& written) {
     bool controlled = false;
+    for (const tree::LoopItem& item : written.items)
+        if (const auto* instance = std::get_if<tree::Instance>(&item))
+            scope.written_instances.emplace(scope.text(instance->name), instance);
     for (const tree::LoopItem& item : written.items) {
         const auto* controller = std::get_if<tree::Controller>(&item);
         if (controller == nullptr) continue;
@@ -318,6 +349,7 @@ void resolve_items(LoopScope& scope, const tree::ClosedLoop& written) {
     resolve_instances(scope, written);
     check_constant_names(scope);
     resolve_queries(scope, written);
+    check_controller_names(scope);
     if (!scope.incomplete) check_driven(scope, written.where);
 }
 
@@ -348,6 +380,7 @@ std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::Close
     const std::size_t errors = diagnostics.errors();
     tree::File copies;
     LoopScope scope{written.replicated ? copies : file, context, diagnostics, record};
+    scope.copied = copied;
     scope.loop.name = file.text(written.name);
     scope.loop.origin = written.name.where;
     record.declare(DeclarationKind::Loop, scope.loop.name, written.name.where, written.where);

@@ -112,9 +112,11 @@ std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::str
                            std::optional<Id<Chart::PartialChart>> partial, Span where) {
     const LoopScope::Inside& known = scope.inside[controller.index];
     const Chart& chart = scope.chart(controller);
-    const bool direct = !partial || chart.partial_charts[*partial].name.empty();
-    const auto internal = internal_named(scope, controller, name);
-    if (direct && internal) {
+    // The internal variable `N` of the partial chart `Head[1]`, an instance of a chart, has the name `Head[1].N`.
+    const std::string owner = partial ? chart.partial_charts[*partial].name : "";
+    const auto internal =
+        internal_named(scope, controller, owner.empty() ? std::string(name) : owner + '.' + std::string(name));
+    if (internal) {
         if (report_step_or_variable(scope, controller, name, where)) return Term{};
         scope.record.refer(last_name(where, name), chart.variables[*internal].origin);
         return internal_term(scope, controller, *internal);

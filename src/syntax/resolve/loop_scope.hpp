@@ -34,7 +34,7 @@ struct LoopScope {
     Recorder record = {};
     ClosedLoop loop = {};
 
-    std::unordered_map<std::string_view, Id<Chart>> charts = {};
+    std::map<std::string, Id<Chart>, std::less<>> charts = {};
     std::unordered_map<std::string_view, Id<Component>> components = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Controller>> controllers = {};
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
@@ -51,6 +51,10 @@ struct LoopScope {
     };
     std::unordered_map<std::string_view, LastDeclaration> last_declarations = {};
     std::map<std::string, Declared, std::less<>> constants = {};
+    /// The instances of components, as written, by name.
+    std::unordered_map<std::string_view, const tree::Instance*> written_instances = {};
+    std::uint64_t* copied = nullptr;  ///< as in Expansion
+    bool too_large = false;           ///< true if the instances of charts are too large
     /// True if an element to which the loop refers contains an error; never true beyond errors.
     bool incomplete = false;
 
@@ -87,6 +91,9 @@ std::optional<Span> variable_named(const LoopScope& scope, std::string_view name
 std::optional<Term> constant_named(LoopScope& scope, std::string_view name, Span where);
 /// Returns the resolver of terms that read only constants. `user` is named in errors.
 Terms constant_terms(LoopScope& scope, std::string_view user);
+// -- chart_instance.cpp
+/// Adds the chart of a controller that is an instance to the model; invalid after an error.
+Id<Chart> instantiate(LoopScope& scope, const tree::Controller& written);
 // -- instances.cpp
 void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written);
 // -- observers.cpp

@@ -75,6 +75,8 @@ public:
         : references_(references), beyond_errors_(beyond_errors) {}
 
     bool beyond_errors() const { return beyond_errors_; }
+    /// Returns a recorder without a record.
+    Recorder silent() const { return Recorder(nullptr, beyond_errors_); }
 
     void declare(DeclarationKind kind, std::string_view name, Span where, Span whole, Span owner = {}) const {
         if (references_ != nullptr && where.source.valid())  // some variables of PLC programs have no position

@@ -19,6 +19,7 @@
 #include "grafverif/ir/component.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/chart_instance.hpp"
 #include "syntax/resolve/references.hpp"
 
 namespace grafverif {
@@ -28,20 +29,28 @@ namespace grafverif {
 // components lack their parts with errors instead of being empty.
 
 /// Resolves a chart; empty after at least one error. The result also represents constructs that a later stage rejects.
+/// The chart can contain instances of `charts`, which must have been resolved before. If `instance` is not null, the
+/// result is this instance of the chart.
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics,
-                                   Recorder record = {}, std::uint64_t* copied = nullptr);
+                                   Recorder record = {}, std::uint64_t* copied = nullptr,
+                                   const WrittenCharts* charts = nullptr, ChartInstance* instance = nullptr);
+/// True if the chart contains instances of charts.
+bool has_instances(const std::vector<tree::ChartItem>& items);
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
                                            Diagnostics& diagnostics, Recorder record = {},
                                            std::uint64_t* copied = nullptr);
 
+/// Returns the first line of the comment directly above a declaration, if no blank line separates them.
+std::string summary(const tree::File& file, Span declaration);
+
 DeclarationKind declaration_kind(Chart::VariableKind kind);
 
-/// Charts and components to which a closed loop can refer. Charts and components with errors are known by name, so that
+/// Charts and components to which a closed loop can refer. Instances of charts are added to the model. Charts and components with errors are known by name, so that
 /// references to them cause no further errors.
 struct LoopContext {
-    const Model& model;
-    std::unordered_set<std::string> charts_in_error = {};
+    Model& model;
+    const WrittenCharts& charts;
     std::unordered_set<std::string> components_in_error = {};
     std::vector<std::string> component_names = {};  ///< all available names; used for suggestions
     /// Values of constants that the user has set. They override the values in the loop.

@@ -27,7 +27,7 @@ Id<Chart::PartialChart> add_partial(ChartScope& scope, std::string_view name, Ch
 }
 
 void declare_step(ChartScope& scope, const tree::Step& written, Id<Chart::PartialChart> partial, WrittenChart& all) {
-    const InCopy copy(scope.diagnostics, scope.file, written.name);
+    const InChartCopy copy(scope, written.name);
     scope.record.declare(DeclarationKind::Step, scope.text(written.name), written.name.where, written.where,
                          scope.chart.partial_charts[partial].origin);
     const auto [known, fresh] = scope.steps[partial.index].try_emplace(written.name.word);
@@ -55,7 +55,7 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
                    WrittenChart& all);
 
 void declare_partial(ChartScope& scope, const tree::Partial& written, WrittenChart& all) {
-    const InCopy copy(scope.diagnostics, scope.file, written.name);
+    const InChartCopy copy(scope, written.name);
     const bool expansion = written.kind == tree::PartialKind::Expansion;
     scope.record.declare(DeclarationKind::Partial, scope.text(written.name), written.name.where, written.where,
                          scope.chart.origin);
@@ -102,7 +102,7 @@ void own(ChartScope& scope, Id<Chart::PartialChart> partial, Id<Chart::Step> ste
 }
 
 void resolve_contents(ChartScope& scope, const WrittenStep& written) {
-    const InCopy copy(scope.diagnostics, scope.file, written.step->name);
+    const InChartCopy copy(scope, written.step->name);
     for (const tree::Name& name : written.step->contents) {
         const Id<Chart::PartialChart> partial = partial_named(scope, name);
         if (!partial.valid()) continue;

@@ -4,6 +4,7 @@
 #include "support/overloaded.hpp"
 #include "syntax/resolve/chart_scope.hpp"
 #include "syntax/resolve/expand.hpp"
+#include "syntax/resolve/nearest.hpp"
 #include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
@@ -97,7 +98,7 @@ Terms constant_terms(ChartScope& scope, std::string_view user) {
 
 void resolve_variables(ChartScope& scope, const tree::Variables& written) {
     for (const tree::Variable& variable : written.variables) {
-        const InCopy copy(scope.diagnostics, scope.file, variable.name);
+        const InChartCopy copy(scope, variable.name);
         const std::size_t errors = scope.diagnostics.errors();
         Chart::Variable resolved;
         resolved.name = scope.text(variable.name);
@@ -118,6 +119,52 @@ void resolve_variables(ChartScope& scope, const tree::Variables& written) {
     }
     scope.continuous.resize(scope.chart.variables.size());
     scope.stored.resize(scope.chart.variables.size());
+}
+
+namespace {
+
+void check_port(ChartScope& scope, tree::VariableKind kind, const tree::Variable& port) {
+    const Span where = port.name.where;
+    const bool writes = kind == tree::VariableKind::Output;
+    if (port.value.valid()) {  // a step variable
+        if (writes) return scope.diagnostics.add(messages::output_not_a_name(where, scope.text(port.name)));
+        terms_of(scope).resolve(port.value, TermKind::Boolean, "a port");
+        if (port.type == tree::TypeWord::Int)
+            scope.diagnostics.add(messages::argument_type(where, scope.text(port.name), "Boolean", "an integer"));
+        return;
+    }
+    const auto found = scope.variables.find(port.name.word);
+    if (found == scope.variables.end()) {
+        Nearest nearest(scope.text(port.name));
+        for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
+        return scope.diagnostics.add(messages::unknown(where, "variable", scope.text(port.name), nearest.best()));
+    }
+    const Chart::Variable& variable = scope.chart.variables[found->second];
+    scope.record.refer(where, variable.origin, writes);
+    Type type;
+    {
+        const InChartCopy copy(scope, port.name);
+        type = type_of(scope, port);
+    }
+    const auto described = [](bool boolean) { return boolean ? "Boolean" : "an integer"; };
+    if (writes && variable.kind == Chart::VariableKind::Input)
+        return scope.diagnostics.add(messages::assigned_input(where, variable.name));
+    if (type.boolean != variable.type.boolean)
+        return scope.diagnostics.add(
+            messages::argument_type(where, variable.name, described(variable.type.boolean), described(type.boolean)));
+    const Type& from = writes ? type : variable.type;
+    const Type& to = writes ? variable.type : type;
+    if (from.low < to.low || from.high > to.high)
+        scope.diagnostics.add(messages::range_mismatch(where, variable.name, from.low, from.high, to.low, to.high));
+}
+
+}  // namespace
+
+void check_ports(ChartScope& scope, const std::vector<tree::ChartItem>& items) {
+    for (const tree::ChartItem& item : items)
+        if (const auto* partial = std::get_if<tree::Partial>(&item))
+            for (const tree::Variables& group : partial->ports)
+                for (const tree::Variable& port : group.variables) check_port(scope, group.kind, port);
 }
 
 void check_step_like(ChartScope& scope) {

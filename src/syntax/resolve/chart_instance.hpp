@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// ChartInstance: the arguments of an instance of a chart. An instance is a copy of the chart as written, in which
+// variables of the instance replace the ports (the inputs and outputs of the chart), and values replace the constants
+// (see expand). The copy is resolved as any other chart.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "syntax/language/tree.hpp"
+#include "syntax/resolve/references.hpp"
+#include "syntax/resolve/terms.hpp"
+
+namespace grafverif {
+
+/// The charts of a model as written, by name.
+struct WrittenCharts {
+    struct Entry {
+        const tree::File* file = nullptr;
+        const tree::Chart* chart = nullptr;
+    };
+    std::unordered_map<std::string, Entry> charts = {};
+    std::unordered_set<std::string> in_error = {};  ///< names of charts with errors, which have no instances
+
+    /// Returns the chart to instantiate; null after an error, which is reported unless the chart has errors.
+    const Entry* find(const tree::File& file, tree::Name name, Diagnostics& diagnostics) const;
+};
+
+struct ChartInstance {
+    struct Argument {
+        Span parameter = {}, where = {};  ///< positions of the name and of the value
+        std::string variable = {};        ///< bound to a port
+        Id<tree::Expr> term = {};         ///< for a step variable that is bound to a port, such as `line.X1`
+        TermKind kind = TermKind::Wrong;  ///< type of a value; Wrong for a variable
+        std::int64_t value = 0;
+        bool used = false;
+    };
+    std::string name = {};
+    Span where = {};        ///< position of the name of the instance
+    Span chart_where = {};  ///< position of the name of the chart in the instance
+    std::map<std::string, Argument, std::less<>> arguments = {};
+    Recorder record = {};      ///< for the names in the arguments
+    bool has_defaults = true;  ///< result of the expansion: true if all constants have their declared values
+    bool too_large = false;    ///< result of the expansion: true if the copies are too large
+};
+
+/// Resolves the values of arguments.
+struct ArgumentReader {
+    const tree::File& file;
+    Diagnostics& diagnostics;
+    std::function<Terms(std::string_view)> constant_terms = {};
+    /// Returns the variable that `OWNER.NAME` denotes, such as `B[1].HERE`; empty after an error. Without this function,
+    /// such a term is a step variable.
+    std::function<std::optional<std::string>(const tree::Expr&)> variable = {};
+};
+
+/// Resolves the arguments of an instance of `chart`, without indices; empty after an error. Unknown and missing
+/// arguments are reported by the expansion.
+std::optional<ChartInstance> read_arguments(const ArgumentReader& reader, const std::vector<tree::Argument>& arguments,
+                                            const WrittenCharts::Entry& chart);
+
+/// The declared type, range and value of a constant.
+struct DeclaredConstant {
+    TermKind kind = TermKind::Wrong;  ///< Boolean, Integer or Duration
+    std::int64_t value = 0;
+    std::int64_t low = 0, high = 0;  ///< limits of an integer
+    bool contains(std::int64_t other) const { return kind != TermKind::Integer || (low <= other && other <= high); }
+};
+/// Resolves the declaration of a constant with a value. Empty after an error, unless the value is out of range.
+std::optional<DeclaredConstant> declared_constant(const tree::File& file, const tree::Variable& written,
+                                                  Diagnostics& diagnostics,
+                                                  const std::function<Terms(std::string_view)>& constant_terms);
+
+}  // namespace grafverif
