@@ -20,9 +20,9 @@ namespace {
 enum class As { Controllers, PartialCharts };
 
 /// Writes a random loop with instances, or with the charts written out. The random choices are the same.
-class Writer {
+class InstanceWriter {
 public:
-    Writer(Random random, As as, bool instances) : random_(random), as_(as), instances_(instances) {}
+    InstanceWriter(Random random, As as, bool instances) : random_(random), as_(as), instances_(instances) {}
 
     std::string loop() {
         for (int& each : choices_) each = pick(0, 99);
@@ -161,7 +161,8 @@ TEST(ChartInstances, EqualChartsThatAreWrittenByHand) {
     for (int seed = 0; seed < runs; ++seed) {
         const As as = seed % 2 == 0 ? As::Controllers : As::PartialCharts;
         const Random random(static_cast<unsigned>(seed));
-        const std::string text = Writer(random, as, true).loop(), by_hand = Writer(random, as, false).loop();
+        const std::string text = InstanceWriter(random, as, true).loop(),
+                          by_hand = InstanceWriter(random, as, false).loop();
         SCOPED_TRACE(fmt::format("seed {}\n{}\n{}", seed, text, by_hand));
         const Network instances = read_loop(text).network, written = read_loop(by_hand).network;
         ASSERT_EQ(normalized(network_text(instances), as), network_text(written));

@@ -166,17 +166,18 @@ ExitCode components(CommandContext& job, const Streams& streams) {
 }
 
 CliCommand components_usage() {
-    return {"components",
-            "[NAME|FILE]",
-            0,
-            1,
-            "list the component library, or show one component, or list the charts and components of a file",
-            "Without NAME, lists the components of the library, one per line. With NAME, shows the interface of this "
-            "component\n"
-            "with units, its behaviour and its source. With FILE, a name with a dot or a slash, lists the charts and\n"
-            "components of the file and of the files that it includes.",
-            {"grafverif components", "grafverif components cylinder_5_3", "grafverif components line.grafcet"},
-            {OptionGroup::Within, OptionGroup::Output, OptionGroup::Format}};
+    return {
+        "components",
+        "[NAME]",
+        0,
+        1,
+        "list the component library, or show one component, or list the charts and components of a file",
+        "Without NAME, lists the components of the library, one per line. With NAME, shows the interface of this "
+        "component\n"
+        "with units, its behaviour and its source. With a file as NAME (with a dot or a slash), lists the charts and\n"
+        "components of the file and of the files that it includes.",
+        {"grafverif components", "grafverif components cylinder_5_3", "grafverif components line.grafcet"},
+        {OptionGroup::Within, OptionGroup::Output, OptionGroup::Format}};
 }
 
 }  // namespace grafverif::app

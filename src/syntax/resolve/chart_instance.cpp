@@ -47,60 +47,60 @@ bool read_value(const ArgumentReader& reader, Id<tree::Expr> written, std::strin
     const TermKind kind = terms.resolve(written).kind;
     if (kind == TermKind::Wrong) return false;
     const auto value = terms.constant(written, kind, user);
+    if (!value) return false;
     argument.kind = kind;
-    argument.value = value.value_or(0);
-    return value.has_value();
+    argument.value = *value;
+    return true;
 }
 
 /// Resolves the variable that is bound to a port. Returns false after an error.
-bool read_variable(const ArgumentReader& reader, Id<tree::Expr> written, std::string_view port,
-                   ChartInstance::Argument& argument) {
+bool read_variable(const ArgumentReader& reader, Id<tree::Expr> written, ChartInstance::Argument& argument) {
     const tree::Expr& value = reader.file.exprs[written];
     if (value.op == tree::Op::Name) return argument.variable = reader.file.text(value.word), true;
     const bool is_member = value.op == tree::Op::Member && reader.file.exprs[value.first].op == tree::Op::Name;
-    if (is_member && !reader.variable) {
-        argument.term = written;
-        argument.variable = std::string(reader.file.text(reader.file.exprs[value.first].word)) + '.' +
-                            std::string(reader.file.text(value.word));
-        return true;
-    }
-    if (value.op == tree::Op::Member && reader.variable) {
+    argument.is_term = !is_member;
+    if (!is_member) return true;
+    if (reader.variable) {
         const auto variable = reader.variable(value);
         argument.variable = variable.value_or("");
         return variable.has_value();
     }
-    return reader.diagnostics.add(messages::port_not_a_variable(value.where, port)), false;
+    argument.term = written;
+    argument.variable = std::string(reader.file.text(reader.file.exprs[value.first].word)) + '.' +
+                        std::string(reader.file.text(value.word));
+    return true;
 }
 
 }  // namespace
 
-std::optional<ChartInstance> read_arguments(const ArgumentReader& reader, const std::vector<tree::Argument>& arguments,
-                                            const WrittenCharts::Entry& chart) {
+ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tree::Argument>& arguments,
+                             const WrittenCharts::Entry& chart) {
     ChartInstance instance;
-    bool wrong = false;
     std::unordered_map<std::string, std::string> ports;  // port by variable
     for (const tree::Argument& written : arguments) {
         const std::string name(reader.file.text(written.parameter));
         const auto [known, fresh] = instance.arguments.try_emplace(name);
+        ChartInstance::Argument& argument = known->second;
         if (!fresh) {
             reader.diagnostics.add(
-                messages::duplicate_name(written.parameter.where, "argument", name, known->second.parameter));
-            wrong = true;
+                messages::duplicate_name(written.parameter.where, "argument", name, argument.parameter));
+            instance.wrong = true;
             continue;
         }
-        ChartInstance::Argument& argument = known->second;
         argument.parameter = written.parameter.where;
         argument.where = reader.file.exprs[written.value].where;
         if (is_constant(chart, name)) {
-            wrong = !read_value(reader, written.value, name, argument) || wrong;
-        } else if (!read_variable(reader, written.value, name, argument)) {
-            wrong = true;
-        } else if (const auto [port, first] = ports.try_emplace(argument.variable, name); !first) {
-            reader.diagnostics.add(messages::bound_twice(argument.where, argument.variable, port->second, name));
-            wrong = true;
+            instance.wrong = !read_value(reader, written.value, name, argument) || instance.wrong;
+            continue;
         }
+        instance.wrong = !read_variable(reader, written.value, argument) || instance.wrong;
+        if (argument.variable.empty()) continue;
+        const auto [port, first] = ports.try_emplace(argument.variable, name);
+        if (first) continue;
+        reader.diagnostics.add(messages::bound_twice(argument.where, argument.variable, port->second, name));
+        instance.wrong = true;
     }
-    return wrong ? std::nullopt : std::optional(std::move(instance));
+    return instance;
 }
 
 // -- constants --------------------------------------------------------------------------------------------------------

@@ -41,6 +41,7 @@ struct ChartInstance {
         Id<tree::Expr> term = {};         ///< for a step variable that is bound to a port, such as `line.X1`
         TermKind kind = TermKind::Wrong;  ///< type of a value; Wrong for a variable
         std::int64_t value = 0;
+        bool is_term = false;  ///< true if the value is neither a constant nor a variable, which is an error for ports
         bool used = false;
     };
     std::string name = {};
@@ -48,6 +49,7 @@ struct ChartInstance {
     Span chart_where = {};  ///< position of the name of the chart in the instance
     std::map<std::string, Argument, std::less<>> arguments = {};
     Recorder record = {};      ///< for the names in the arguments
+    bool wrong = false;        ///< true if an error in an argument has been reported
     bool has_defaults = true;  ///< result of the expansion: true if all constants have their declared values
     bool too_large = false;    ///< result of the expansion: true if the copies are too large
 };
@@ -62,10 +64,10 @@ struct ArgumentReader {
     std::function<std::optional<std::string>(const tree::Expr&)> variable = {};
 };
 
-/// Resolves the arguments of an instance of `chart`, without indices; empty after an error. Unknown and missing
-/// arguments are reported by the expansion.
-std::optional<ChartInstance> read_arguments(const ArgumentReader& reader, const std::vector<tree::Argument>& arguments,
-                                            const WrittenCharts::Entry& chart);
+/// Resolves the arguments of an instance of `chart`, without indices. The expansion reports unknown and missing
+/// arguments, and terms that are bound to ports.
+ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tree::Argument>& arguments,
+                             const WrittenCharts::Entry& chart);
 
 /// The declared type, range and value of a constant.
 struct DeclaredConstant {

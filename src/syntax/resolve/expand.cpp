@@ -36,7 +36,10 @@ public:
         else in_instance({&expansion_.file, {}, expansion_.record.silent(), instance, name}, copy);
         written.name = {terms_.words.intern(instance == nullptr ? name : instance->name), written.name.where};
         written.parameters.clear();
-        if (instance != nullptr) instance->too_large = terms_.too_large;
+        if (instance != nullptr) {
+            instance->too_large = terms_.too_large;
+            expansion_.incomplete = expansion_.incomplete || instance->wrong;
+        }
         return written;
     }
 
@@ -87,6 +90,8 @@ private:
         given->second.used = true;
         instance.record.refer(given->second.parameter, port.where);
         port.where = given->second.where;
+        if (given->second.is_term)
+            terms_.frame.errors.push_back(messages::port_not_a_variable(given->second.where, name));
         port.word = terms_.words.intern(given->second.variable);
         if (given->second.term.valid()) declaration.value = given->second.term;
     }
@@ -128,6 +133,7 @@ private:
         ChartInstance::Argument& argument = given->second;
         argument.used = true;
         instance.record.refer(argument.parameter, written.name.where);
+        if (argument.kind == TermKind::Wrong) return declared.value;  // has an error
         if (argument.kind != declared.kind) {
             terms_.frame.errors.push_back(messages::type_mismatch(argument.where, '`' + name + '`',
                                                                   described(declared.kind), described(argument.kind)));
@@ -158,7 +164,7 @@ private:
         copy_.copies.push_back({terms_.words.intern(instance.name), 0, instance.where, outer, true, true});
         copy_number_ = static_cast<std::uint32_t>(copy_.copies.size());
         for (const auto& [port, argument] : instance.arguments)
-            if (argument.kind == TermKind::Wrong)
+            if (!argument.variable.empty())
                 frame.values.emplace(port, NameCopier::Value{Op::Name, 0, terms_.words.intern(argument.variable),
                                                              argument.where, argument.term});
         std::swap(terms_.frame, frame);
@@ -179,7 +185,7 @@ private:
         terms_.count_in_copy();
         if (terms_.too_large) return;
         if (terms_.frame.partial) {
-            expansion_.diagnostics.add(
+            terms_.frame.errors.push_back(
                 messages::partial_in_partial(terms_.frame.instance->chart_where, terms_.frame.chart));
             return;
         }
@@ -200,7 +206,7 @@ private:
             instance =
                 read_arguments({copy_, expansion_.diagnostics, expansion_.constant_terms}, partial.arguments, *chart);
         }
-        expansion_.incomplete = expansion_.incomplete || !instance;
+        expansion_.incomplete = expansion_.incomplete || !instance || instance->wrong;
         if (!instance) return;
         instance->name = copy_.text(partial.name);
         instance->where = partial.name.where;
