@@ -19,7 +19,8 @@ const WrittenCharts::Entry* WrittenCharts::find(const tree::File& file, tree::Na
     if (in_error.contains(text)) return nullptr;
     if (found != charts.end()) return &found->second;
     std::vector<std::string_view> names;
-    for (const auto& [known, chart] : charts) names.push_back(known);
+    if (!diagnostics.full())
+        for (const auto& [known, chart] : charts) names.push_back(known);
     std::ranges::sort(names);
     Nearest nearest(text);
     for (const std::string_view known : names) nearest.offer(known);
@@ -161,7 +162,8 @@ std::optional<std::string> variable_of_port(LoopScope& scope, const tree::Expr& 
     if (found == scope.written_instances.end()) {
         Nearest nearest(owner.op == tree::Op::Name ? scope.file.text(owner.word) : "");
         std::vector<std::string_view> names;
-        for (const auto& [name, instance] : scope.written_instances) names.push_back(name);
+        if (!scope.diagnostics.full())
+            for (const auto& [name, instance] : scope.written_instances) names.push_back(name);
         std::ranges::sort(names);
         for (const std::string_view name : names) nearest.offer(name);
         scope.diagnostics.add(messages::unknown(owner.where, "instance", scope.file.text(owner.word), nearest.best()));

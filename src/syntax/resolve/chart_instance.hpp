@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ChartInstance: the arguments of an instance of a chart. An instance is a copy of the chart as written, in which
-// variables of the instance replace the ports (the inputs and outputs of the chart), and values replace the constants
-// (see expand). The copy is resolved as any other chart.
+// ChartInstance: the arguments of an instance of a chart. An instance is a copy of the chart as written. In the copy,
+// variables replace the ports (the inputs and outputs of the chart), and values replace the constants; see expand. The
+// copy is resolved as any other chart.
 #pragma once
 
 #include <cstdint>

@@ -112,8 +112,8 @@ void resolve_cycle(LoopScope& scope, const tree::Controller& written) {
         scope.loop.controllers[controller->second].cycle = TaskCycle{*least, *most, written.cycle.where};
 }
 
-/// Records that a variable of a controller is a shared variable. An instance of a chart has no names of its own: the
-/// position of its variable is that of the argument.
+/// Records that a variable of a controller is a shared variable. In an instance of a chart, the position of the
+/// variable is that of the argument.
 void record_shared(const LoopScope& scope, const Chart& chart, const Chart::Variable& variable,
                    const ClosedLoop::Shared& known) {
     if (chart.instance_of.empty()) return scope.record.share(variable.origin, known.origin);

@@ -386,6 +386,61 @@ TEST(LspNames, OfReplicatedDeclarationsAreThoseOfTheDeclaration) {
     ASSERT_EQ(symbols.size(), 1U);
 }
 
+const std::string heads =
+    "grafcet head(input HERE; output VALVE; DRIP = 1s) {\n"
+    "    internal N: int 0..3;\n"
+    "    initial step 0;\n"
+    "    step 1 { VALVE; }\n"
+    "    transition 0 -> 1 when HERE;\n"
+    "    transition 1 -> 0 when DRIP / X1;\n"
+    "}\n"
+    "grafcet plc {\n"
+    "    input GO[1];\n"
+    "    output OPEN;\n"
+    "    partial Head = head(HERE = GO[1], VALVE = OPEN);\n"
+    "}\n"
+    "closed_loop line {\n"
+    "    controller First = head(HERE = Go.OUT, VALVE = MOVE, DRIP = 2s);\n"
+    "    environment Go = free(OUT = GO);\n"
+    "    plant Lamp = lamp(ON = MOVE);\n"
+    "    property p: never First.X1 && First.N == 1;\n"
+    "}\n";
+
+TEST(LspNames, OfChartInstancesAreThoseOfTheChart) {
+    Editor editor;
+    const auto renamed = [&](const std::string& what, const std::string& cursor, const std::string& name) {
+        const Json edit =
+            editor.at("textDocument/rename", "heads.grafcet", with(heads, what, cursor), {{"newName", name}});
+        return edited(heads, edit["changes"][editor.folder.uri("heads.grafcet")]);
+    };
+    EXPECT_EQ(
+        renamed("step 1", "step @1", "2"),
+        with(with(with(with(with(heads, "step 1", "step 2"), "0 -> 1", "0 -> 2"), "1 -> 0", "2 -> 0"), "/ X1", "/ X2"),
+             "First.X1", "First.X2"));
+    EXPECT_EQ(renamed("Head = head(HERE", "Head = head(H@ERE", "AT"),
+              with(with(with(with(heads, "input HERE", "input AT"), "when HERE", "when AT"), "head(HERE", "head(AT"),
+                   "head(HERE = Go", "head(AT = Go"));
+    EXPECT_EQ(renamed("DRIP = 2s", "DR@IP = 2s", "T"),
+              with(with(with(heads, "DRIP = 1s", "T = 1s"), "DRIP / X1", "T / X1"), "DRIP = 2s", "T = 2s"));
+    EXPECT_EQ(renamed("VALVE = MOVE", "VALVE = MO@VE", "M"),
+              with(with(heads, "VALVE = MOVE", "VALVE = M"), "ON = MOVE", "ON = M"));
+    EXPECT_EQ(renamed("First.N", "First.@N", "COUNT"),
+              with(with(heads, "internal N", "internal COUNT"), "First.N", "First.COUNT"));
+}
+
+TEST(LspCompletion, KnowsChartInstances) {
+    Editor editor;
+    const auto at = [&](const std::string& before, const std::string& half) {
+        return editor.labels("heads.grafcet", with(heads, before, half));
+    };
+    EXPECT_TRUE(holds(at("Head = head(HERE = GO[1], VALVE = OPEN);", "Head = @"), "head"));
+    EXPECT_EQ(at("Head = head(HERE = GO[1], VALVE = OPEN);", "Head = head(VALVE = OPEN, @"),
+              (std::vector<std::string>{"HERE", "DRIP"}));
+    EXPECT_TRUE(holds(at("Head = head(HERE = GO[1], VALVE = OPEN);", "Head = head(VALVE = @"), "OPEN"));
+    EXPECT_TRUE(holds(at("First = head(HERE = Go.OUT, VALVE = MOVE, DRIP = 2s);", "First = @"), "plc"));
+    EXPECT_TRUE(holds(at("never First.X1", "never First.@"), "X1"));
+}
+
 TEST(LspCompletion, KnowsReplicatedDeclarations) {
     Editor editor;
     const auto at = [&](const std::string& before, const std::string& half) {
