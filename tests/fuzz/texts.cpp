@@ -2,6 +2,7 @@
 // Reads texts: the language of grafverif, other chart formats, and Structured Text. An accepted text must be well
 // formed, and its printed form must be read back as the same model. A rejected text must have an error that can be
 // displayed.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -71,6 +72,15 @@ std::string reading_back(const Model& model, const std::string& text, Sources& s
     return {};
 }
 
+/// True if a chart has names that only instances of charts have, such as `Head[1].N`. The language cannot declare them.
+bool has_names_of_instances(const Model& model) {
+    const auto has_dot = [](const auto& each) { return each.name.find('.') != std::string::npos; };
+    return std::ranges::any_of(model.charts, [&](const Chart& chart) {
+        return !chart.instance_of.empty() || std::ranges::any_of(chart.variables, has_dot) ||
+               std::ranges::any_of(chart.transitions, has_dot);
+    });
+}
+
 /// Checks that formatting does not change the formatted `text`.
 std::string form_complaint(const std::string& text, Sources& sources) {
     Diagnostics diagnostics;
@@ -107,6 +117,7 @@ std::string text_complaint(std::string_view bytes) {
     if (std::string error_text = form_complaint(text, sources); !error_text.empty() || !reading.model)
         return error_text;
     if (std::string error_text = reading_back(*reading.model, text, sources); !error_text.empty()) return error_text;
+    if (has_names_of_instances(*reading.model)) return {};
     return reading_back(*reading.model, printed(*reading.model), sources);
 }
 

@@ -397,7 +397,7 @@ std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id
         else if (controller.cycle)
             diagnostics.add(messages::not_yet(controller.cycle->origin, "a task cycle in `supervise`"));
         else if (const auto copies = replicated_element(model.charts[controller.chart], sources))
-            diagnostics.add(messages::not_yet(*copies, "a replicated declaration in `supervise`"));
+            diagnostics.add(messages::not_yet(*copies, "a replicated declaration or a chart instance in `supervise`"));
     if (diagnostics.errors() != errors) return {};
     return Supervising(model, loop, main, sources, request, diagnostics).run();
 }

@@ -435,7 +435,7 @@ TEST(LspCompletion, KnowsChartInstances) {
     };
     EXPECT_TRUE(holds(at("Head = head(HERE = GO[1], VALVE = OPEN);", "Head = @"), "head"));
     EXPECT_EQ(at("Head = head(HERE = GO[1], VALVE = OPEN);", "Head = head(VALVE = OPEN, @"),
-              (std::vector<std::string>{"HERE", "DRIP"}));
+              (std::vector<std::string>{"DRIP", "HERE"}));
     EXPECT_TRUE(holds(at("Head = head(HERE = GO[1], VALVE = OPEN);", "Head = head(VALVE = @"), "OPEN"));
     EXPECT_TRUE(holds(at("First = head(HERE = Go.OUT, VALVE = MOVE, DRIP = 2s);", "First = @"), "plc"));
     EXPECT_TRUE(holds(at("never First.X1", "never First.@"), "X1"));
