@@ -230,7 +230,9 @@ TEST(Supervise, RejectsTransitionsAndActionsInsideFor) {
                                      "property p: never LAMP[1]; }\n";
             const Result refused = grafverif({"supervise", folder.write(name + ".grafcet", text)});
             EXPECT_EQ(refused.code, ExitCode::Input) << refused.out << refused.err;
-            EXPECT_TRUE(says(refused.err, "a replicated declaration or a chart instance in `supervise` is not supported")) << refused.err;
+            EXPECT_TRUE(
+                says(refused.err, "a replicated declaration or a chart instance in `supervise` is not supported"))
+                << refused.err;
         }
     }
 }
