@@ -54,13 +54,14 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 }
 
 StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Network&)> system_of) {
-    struct Faults {
-        std::vector<std::string> excluded = {};  // names of implicit properties that are proved
-        bool none = false;                       // true if no model error is possible
-        std::chrono::steady_clock::duration time = std::chrono::seconds(2);  // for the next proof
+    struct Known {
+        std::vector<std::string> excluded_faults = {};  // names of implicit properties that are proved
+        bool no_fault = false;                          // true if no model error is possible
+        std::chrono::steady_clock::duration time = std::chrono::seconds(4);  // for the next proof
+        std::vector<pdr::NamedCube> pairs = {};                              // invariants of the coarsest abstraction
     };
-    return [system_of = std::move(system_of), faults = std::make_shared<Faults>()](const ProofTask& task) -> Proof {
-        if (faults->none && std::ranges::find(faults->excluded, task.property) != faults->excluded.end())
+    return [system_of = std::move(system_of), known = std::make_shared<Known>()](const ProofTask& task) -> Proof {
+        if (known->no_fault && std::ranges::find(known->excluded_faults, task.property) != known->excluded_faults.end())
             return {Outcome::Holds};
         const std::optional<TransitionSystem> system = system_of(task.abstraction);
         if (!system) return {};
@@ -68,6 +69,7 @@ StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Ne
         pdr.max_memory = task.memory;
         pdr.deadline = task.share;
         pdr.stop = task.stop;
+        pdr.pairs = &known->pairs;
         pdr.shorten_for = std::chrono::milliseconds(100);
         const auto check = [&](std::vector<std::string> names) {
             pdr.properties = std::move(names);
@@ -82,15 +84,15 @@ StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Ne
             std::optional<Moves> moves = moves_of(task.abstraction, *system, first.runs.front().value());
             return {Outcome::Violated, moves ? std::optional(std::move(moves->run)) : std::nullopt};
         }
-        if (faults->none) return {Outcome::Holds};
+        if (known->no_fault) return {Outcome::Holds};
         if (std::vector<std::string> names = unproven_faults(*system, found); !names.empty()) {
-            const auto end = std::chrono::steady_clock::now() + std::exchange(faults->time, faults->time * 2);
-            pdr.deadline = task.end ? std::min(end, *share_of(task.end, 4)) : end;
+            const auto end = std::chrono::steady_clock::now() + std::exchange(known->time, known->time * 2);
+            pdr.deadline = task.end ? std::min(end, *task.end) : end;
             std::ranges::move(check(names).verdicts, std::back_inserter(found));
-            faults->excluded = std::move(names);
+            known->excluded_faults = std::move(names);
         }
-        faults->none = unproven_faults(*system, found).empty();
-        return {faults->none ? Outcome::Holds : Outcome::Unknown};
+        known->no_fault = unproven_faults(*system, found).empty();
+        return {known->no_fault ? Outcome::Holds : Outcome::Unknown};
     };
 }
 

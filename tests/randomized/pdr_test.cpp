@@ -221,6 +221,11 @@ TEST(RandomizedPdr, PairsOfLatchesAreInvariantsAndChangeNoVerdict) {
         const std::vector<pdr::Cube>& cubes = search.cubes();
         ASSERT_EQ(pdr::flaw(circuit, Gates::no, cubes, watch), "");
         pairs += cubes.size();
+        const std::vector<pdr::NamedCube> named = search.named_cubes();
+        pdr::LatchPairs again(circuit, watch, &named);
+        if (!named.empty()) {
+            ASSERT_EQ(again.cubes(), cubes) << "the pairs are candidates that the search confirms";
+        }
         for (const Circuit::Target& target : circuit.targets) {
             if (!target.justice.empty()) continue;
             const pdr::PdrAnswer plain = pdr::reach(circuit, target.bad, watch);

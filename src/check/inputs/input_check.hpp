@@ -124,7 +124,7 @@ private:
     bool each_part_is_lively() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
                          const Task& task);
-    bool decide_symbolically(std::size_t verdict, const Task& task, double seconds);
+    bool decide_symbolically(std::size_t verdict, const Task& task);
     void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     Run in_units(Run run) const;
@@ -154,6 +154,7 @@ private:
     bool time_diverges_ = false;
     // Per verdict: the levels with which the symbolic engine continues; empty if it cannot continue.
     std::map<std::size_t, Levels> symbolic_levels_ = {};
+    std::map<std::size_t, unsigned> symbolic_calls_ = {};
     std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;              // bound of the searches of the current round
     Deadline deadline_ = {};

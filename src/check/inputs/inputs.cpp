@@ -284,7 +284,7 @@ void InputAbstractionCheck::search(const Task& task) {
                                 seconds_text(network.time_unit_ms)));
             conclude(k, verdict, task.levels);
         } else if (ends || stopped()) {
-            if (!decide_symbolically(k, task, found.seconds)) open.push_back(k);
+            if (!decide_symbolically(k, task)) open.push_back(k);
         } else {
             refine(k, task, End::Limit, task.levels, next);
         }
@@ -296,15 +296,15 @@ void InputAbstractionCheck::search(const Task& task) {
     std::ranges::move(next, std::back_inserter(tasks_));
 }
 
-/// Decides a property by the symbolic engine, with refinement, in at most `seconds`, or one second if this is longer.
-/// Returns false if the property remains undecided. The next call begins with the levels that this call has reached.
-bool InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task, double seconds) {
+/// Decides a property by the symbolic engine, with refinement. The first call for a property may take one second, and
+/// each further call four times as long, but at most a third of the remaining time. Returns false if the property
+/// remains undecided. The next call begins with the levels that this call has reached.
+bool InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task) {
     const Property& property = observed_.properties[result_.verdicts[k].about];
     if (!prove_ || !is_about_all_states(property.pattern)) return false;
     const auto share =
-        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                               std::chrono::duration<double>(std::max(seconds, 1.0)));
-    const Deadline end = deadline_ ? std::min(*deadline_, share) : share;
+        std::chrono::steady_clock::now() + std::chrono::seconds(1U << 2 * std::min(symbolic_calls_[k]++, 8U));
+    const Deadline end = deadline_ ? std::min(*share_of(deadline_, 3), share) : share;
     Task symbolic{.levels = task.levels, .coarse = true};
     for (InputLevel& level : symbolic.levels) level = std::max(level, InputLevel::Untimed);
     Levels& levels = symbolic_levels_.try_emplace(k, symbolic.levels).first->second;

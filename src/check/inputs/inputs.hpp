@@ -15,7 +15,7 @@
 //
 // If a search reaches the bound of its round, a symbolic engine decides the property in the same abstraction, in which
 // `Chosen` processes become `Untimed`. A run of the symbolic engine is treated like a run of a search, and the symbolic
-// engine continues with the next levels. It takes about as much time as the search.
+// engine continues with the next levels. Its time is bounded.
 //
 // An abstraction with a model error yields no verdict, because the states after the error are not explored.
 #pragma once

@@ -8,7 +8,6 @@
 
 #include "check/evidence.hpp"
 #include "check/pdr/equal_latches.hpp"
-#include "check/pdr/latch_pairs.hpp"
 #include "check/pdr/pdr.hpp"
 #include "check/pdr/unrolling.hpp"
 #include "check/unsupported.hpp"
@@ -118,8 +117,11 @@ private:
         if (options_.reach) search = [&] { return options_.reach(circuit_, bad, watch_); };
         else if (!search)
             search = search_for(circuit_, bad, watch_, report_frames, {[this]() -> const std::vector<Cube>& {
-                                    if (!pairs_) pairs_.emplace(circuit_, watch_);
-                                    return pairs_->cubes();
+                                    if (!pairs_) pairs_.emplace(circuit_, watch_, options_.pairs);
+                                    const std::vector<Cube>& cubes = pairs_->cubes();
+                                    if (options_.pairs != nullptr && options_.pairs->empty())
+                                        *options_.pairs = pairs_->named_cubes();
+                                    return cubes;
                                 }});
         if (interrupted != nullptr) *interrupted = search;
         PdrAnswer answer = search();

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "check/pdr/latch_pairs.hpp"
 #include "check/pdr/pdr.hpp"
 #include "grafverif/ir/verdict.hpp"
 #include "ir/flat_system.hpp"
@@ -59,6 +60,9 @@ struct PdrOptions {
     std::function<void(const std::string& property, const Circuit& circuit, pdr::Literal bad,
                        const std::vector<pdr::Cube>& cubes)>
         proved = {};
+    /// Candidates for invariants of two literals (see LatchPairs). If the vector is empty and the check has computed the
+    /// pairs, the check stores them in the vector.
+    std::vector<pdr::NamedCube>* pairs = nullptr;
     std::vector<std::string> properties = {};            ///< names of the properties to check; all if empty
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< memory limit in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string_view>
 #include <utility>
 
 namespace grafverif::pdr {
@@ -15,25 +17,58 @@ bool bit(const std::vector<std::uint64_t>& bits, std::size_t k) {
     return (bits[k / word_bits] >> (k % word_bits) & 1U) != 0;
 }
 
+void set(std::vector<std::uint64_t>& bits, std::size_t k) { bits[k / word_bits] |= std::uint64_t{1} << k % word_bits; }
+
+void reset(std::vector<std::uint64_t>& bits, std::size_t k) {
+    bits[k / word_bits] &= ~(std::uint64_t{1} << k % word_bits);
+}
+
 }  // namespace
 
-LatchPairs::LatchPairs(const Circuit& circuit, LimitMonitor& watch) : circuit_(circuit), watch_(watch) {}
+LatchPairs::LatchPairs(const Circuit& circuit, LimitMonitor& watch, const std::vector<NamedCube>* candidates)
+    : circuit_(circuit), watch_(watch), candidates_(candidates) {}
+
+/// Creates the rows with all pairs that do not contain the first state and the latch `broken`.
+void LatchPairs::set_candidates() {
+    const std::size_t count = circuit_.latches.size();
+    Bits all(count / word_bits + 1, 0);
+    for (std::size_t k = 0; k < count; ++k)
+        if (2 * circuit_.latches[k].node != circuit_.broken) set(all, k);
+    rows_.assign(count, {.both = all, .without = all});
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!bit(all, k)) rows_[k] = {.both = Bits(all.size(), 0), .without = Bits(all.size(), 0), .never = false};
+        reset(rows_[k].both, k);
+        reset(rows_[k].without, k);
+    }
+}
+
+/// Creates the rows with the pairs of `candidates_`.
+void LatchPairs::select_candidates() {
+    const std::size_t count = circuit_.latches.size();
+    const Bits none(count / word_bits + 1, 0);
+    rows_.assign(count, {.both = none, .without = none, .never = false});
+    std::map<std::string_view, std::size_t> index;
+    for (std::size_t k = 0; k < count; ++k) index.emplace(circuit_.latches[k].name, k);
+    for (const NamedCube& cube : *candidates_) {
+        std::vector<std::size_t> active, inactive;
+        for (const auto& [latch, value] : cube)
+            if (const auto found = index.find(latch); found != index.end() && latch != "broken")
+                (value ? active : inactive).push_back(found->second);
+        const std::size_t known = active.size() + inactive.size();
+        if (active.empty() || known > 2 || known != cube.size() - (circuit_.broken != Gates::no ? 1U : 0U)) continue;
+        Row& row = rows_[active[0]];
+        if (known == 1) row.never = true;
+        else if (inactive.empty()) {
+            set(row.both, active[1]);
+            set(rows_[active[1]].both, active[0]);
+        } else set(row.without, inactive[0]);
+    }
+}
 
 /// Creates a solver for the candidates. If an exception interrupts a solver, its state is unknown.
 void LatchPairs::begin() {
     const std::size_t count = circuit_.latches.size();
-    if (rows_.empty()) {
-        Bits all(count / word_bits + 1, 0);
-        for (std::size_t k = 0; k < count; ++k)
-            if (2 * circuit_.latches[k].node != circuit_.broken)
-                all[k / word_bits] |= std::uint64_t{1} << k % word_bits;
-        rows_.assign(count, {.both = all, .without = all});
-        for (std::size_t k = 0; k < count; ++k) {
-            if (!bit(all, k)) rows_[k] = {.both = Bits(all.size(), 0), .without = Bits(all.size(), 0), .never = false};
-            rows_[k].both[k / word_bits] &= ~(std::uint64_t{1} << k % word_bits);
-            rows_[k].without[k / word_bits] &= ~(std::uint64_t{1} << k % word_bits);
-        }
-    }
+    if (rows_.empty()) candidates_ != nullptr && !candidates_->empty() ? select_candidates() : set_candidates();
     solver_.emplace(circuit_, watch_);
     now_.clear();
     next_.clear();
@@ -79,7 +114,7 @@ void LatchPairs::require_violation(std::size_t latch) {
 void LatchPairs::drop(const std::vector<bool>& state) {
     Bits values(rows_.size() / word_bits + 1, 0);
     for (std::size_t k = 0; k < state.size(); ++k)
-        if (state[k]) values[k / word_bits] |= std::uint64_t{1} << k % word_bits;
+        if (state[k]) set(values, k);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         if (!state[k]) continue;
         Row& row = rows_[k];
@@ -137,6 +172,18 @@ const std::vector<Cube>& LatchPairs::cubes() {
         }
     }
     return cubes_.emplace(std::move(made));
+}
+
+std::vector<NamedCube> LatchPairs::named_cubes() {
+    std::vector<std::string_view> names(circuit_.gates.size());
+    for (const Circuit::Latch& latch : circuit_.latches) names[latch.node] = latch.name;
+    std::vector<NamedCube> made;
+    for (const Cube& cube : cubes()) {
+        NamedCube& named = made.emplace_back();
+        for (const Literal literal : cube)
+            named.push_back({std::string(names[node_of(literal)]), !is_inverted(literal)});
+    }
+    return made;
 }
 
 }  // namespace grafverif::pdr

@@ -11,24 +11,35 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "check/pdr/certificate.hpp"
 
 namespace grafverif::pdr {
 
+/// A value of a latch, by its name. A vector of such values contains the states that have all these values.
+struct NamedValue {
+    std::string latch = {};
+    bool value = false;
+};
+using NamedCube = std::vector<NamedValue>;
+
 class LatchPairs {
 public:
     /// Circuits with more latches have too many candidates; the result is then empty.
     static constexpr std::size_t most_latches = 1024;
 
-    /// Both arguments must outlive the object.
-    LatchPairs(const Circuit& circuit, LimitMonitor& watch);
+    /// All arguments must outlive the object. If `candidates` is not null and not empty, the candidates are its cubes
+    /// whose latches the circuit contains; these are usually the result for an abstraction of the circuit.
+    LatchPairs(const Circuit& circuit, LimitMonitor& watch, const std::vector<NamedCube>* candidates = nullptr);
 
     /// Returns cubes that contain no reachable state. The complement of the cubes is an inductive invariant (see
     /// `flaw`). A cube contains one or two literals, and the literal that Circuit::broken is false. Throws Exhausted if
     /// a limit is exceeded; the next call continues the search.
     const std::vector<Cube>& cubes();
+    /// Returns the result of `cubes` with the names of the latches.
+    std::vector<NamedCube> named_cubes();
 
 private:
     using Bits = std::vector<std::uint64_t>;
@@ -42,6 +53,8 @@ private:
         int violation = 0;  // implies that the next state contains a candidate of the row
     };
 
+    void set_candidates();
+    void select_candidates();
     void begin();
     void assume(std::size_t latch);
     void require_violation(std::size_t latch);
@@ -50,6 +63,7 @@ private:
 
     const Circuit& circuit_;
     LimitMonitor& watch_;
+    const std::vector<NamedCube>* candidates_;
     std::optional<Solver> solver_ = {};
     std::vector<Row> rows_ = {};
     std::vector<int> now_ = {}, next_ = {};  // the solver's literals of each latch, before and after a step
