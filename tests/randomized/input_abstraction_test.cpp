@@ -248,8 +248,8 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
         // The complete search provides the result that a longer first search would find.
         inputs.time_passes = complete.time_passes;
         options.max_states = complete_limit;
-        InputSearch search(loop, observe, options, inputs, {.followed = 20'000, .explored = explored}, ablations,
-                           prove);
+        InputSearch search(loop, observe, options, inputs,
+                           {.followed = 20'000, .explored = explored, .symbolic_from = 0}, ablations, prove);
         for (const std::uint64_t states : {std::uint64_t{30}, options.max_states})
             if (!search.run(states, {})) break;
         compared.compare(network, complete, inputs, expected);

@@ -62,6 +62,9 @@ public:
             case Kind::Response: search_progress(task); break;
             }
         }
+        if (round_ >= limits_.symbolic_from)
+            for (const Task& task : postponed_)
+                for (const std::size_t k : task.verdicts) decide_symbolically(k, task);
         std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
         return !tasks_.empty() || explores;
     }
@@ -124,7 +127,7 @@ private:
     bool each_part_is_lively() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
                          const Task& task);
-    bool decide_symbolically(std::size_t verdict, const Task& task);
+    void decide_symbolically(std::size_t verdict, const Task& task);
     void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     Run in_units(Run run) const;

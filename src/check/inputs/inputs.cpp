@@ -284,7 +284,7 @@ void InputAbstractionCheck::search(const Task& task) {
                                 seconds_text(network.time_unit_ms)));
             conclude(k, verdict, task.levels);
         } else if (ends || stopped()) {
-            if (!decide_symbolically(k, task)) open.push_back(k);
+            open.push_back(k);
         } else {
             refine(k, task, End::Limit, task.levels, next);
         }
@@ -297,11 +297,11 @@ void InputAbstractionCheck::search(const Task& task) {
 }
 
 /// Decides a property by the symbolic engine, with refinement. The first call for a property may take one second, and
-/// each further call four times as long, but at most a third of the remaining time. Returns false if the property
-/// remains undecided. The next call begins with the levels that this call has reached.
-bool InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task) {
+/// each further call four times as long, but at most a third of the remaining time. The next call begins with the levels
+/// that this call has reached.
+void InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task) {
     const Property& property = observed_.properties[result_.verdicts[k].about];
-    if (!prove_ || !is_about_all_states(property.pattern)) return false;
+    if (!prove_ || !is_open(k) || !is_about_all_states(property.pattern) || stopped()) return;
     const auto share =
         std::chrono::steady_clock::now() + std::chrono::seconds(1U << 2 * std::min(symbolic_calls_[k]++, 8U));
     const Deadline end = deadline_ ? std::min(*share_of(deadline_, 3), share) : share;
@@ -312,30 +312,25 @@ bool InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task)
         const InputAbstraction abstraction = abstract_inputs(loop_, instances_, levels, ablations_);
         const Network network =
             in_longest_unit(expand(observe_(abstraction.network)), abstraction.paced, {}, ablations_);
-        if (timed::inexact_place(network)) return false;
+        if (timed::inexact_place(network)) return;
         const Proof proof = prove_({network, property.name, end, deadline_, options_.max_memory / 2, options_.stop});
         Verdict found;
         found.outcome = proof.outcome;
         if (proof.outcome == Outcome::Holds) {
             found.notes.emplace_back("proved by an inductive invariant of the abstraction");
-            conclude(k, found, levels);
-            return true;
+            return conclude(k, found, levels);
         }
-        if (proof.outcome == Outcome::Unknown) return false;
+        if (proof.outcome == Outcome::Unknown) return;
         Levels raised = levels;
         if (const auto path = proof.run ? path_of(network, *proof.run) : std::nullopt) {
             const AbstractRun abstract{network, instances_, levels, abstraction.choices, *path};
             found.run = real_run(k, abstract, symbolic, raised);
-            if (found.run) {
-                conclude(k, found, levels);
-                return true;
-            }
-            if (stopped()) return false;
+            if (found.run) return conclude(k, found, levels);
+            if (stopped()) return;
         }
         if (raised == levels) raised.clear();  // no further levels are known
         levels = std::move(raised);
     }
-    return false;
 }
 
 void InputAbstractionCheck::conclude(std::size_t k, const Verdict& found, const Levels& levels) {

@@ -13,9 +13,9 @@
 // the next round. Therefore a property that requires a small search does not wait for a property that requires a large
 // search. Each round begins with a search for runs of the complete loop (novelty.hpp).
 //
-// If a search reaches the bound of its round, a symbolic engine decides the property in the same abstraction, in which
-// `Chosen` processes become `Untimed`. A run of the symbolic engine is treated like a run of a search, and the symbolic
-// engine continues with the next levels. Its time is bounded.
+// After a round, a symbolic engine examines properties whose searches reached the bound. The abstraction is the same,
+// except that `Chosen` processes become `Untimed`. A run of the symbolic engine is treated like a run of a search, and
+// the symbolic engine continues with the next levels. Its time is bounded.
 //
 // An abstraction with a model error yields no verdict, because the states after the error are not explored.
 #pragma once
@@ -76,6 +76,8 @@ struct InputLimits {
     std::size_t searches_per_round = 8;
     /// Maximum number of preceding searches for one property in which instances that read the loop are also abstracted.
     std::size_t coarse_rounds = 32;
+    /// The symbolic engine is used after rounds with at least this bound on states.
+    std::uint64_t symbolic_from = std::uint64_t{1} << 17U;
     /// Per property: an abstraction that decided the property in a similar loop. The search begins with this
     /// abstraction instead of the coarsest abstraction. Processes that are not named are complete.
     std::map<std::string, InputsAbstracted> known = {};
