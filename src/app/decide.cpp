@@ -43,14 +43,17 @@ Report certified_by_pdr(const SystemToCheck& system, const CommandContext& job, 
     if (!job.options.certificate) return check_states(system, options, search);
     certificate.emplace();
     search.proved = [&](const auto&... invariant) { add_witness(invariant..., *certificate); };
-    Report report = check_states(system, options, search);
+    return check_states(system, options, search);
+}
+
+/// Adds the verdicts that no invariant of PDR proves to the omitted verdicts of the certificate.
+void note_omitted(const Report& report, Certificate& certificate) {
     for (const PropertyResult& answer : report.answers)
         if (const std::string& name = answer.verdict.property;
-            std::ranges::find(certificate->certified, name) == certificate->certified.end())
-            certificate->omitted.push_back({name, answer.verdict.outcome == Outcome::Unknown
-                                                      ? "the verdict is unknown"
-                                                      : "a run shows the verdict; it is not part of the certificate"});
-    return report;
+            std::ranges::find(certificate.certified, name) == certificate.certified.end())
+            certificate.omitted.push_back({name, answer.verdict.outcome == Outcome::Unknown
+                                                     ? "the verdict is unknown"
+                                                     : "no invariant of PDR proves the verdict"});
 }
 
 /// Decides the properties of a transition system with the selected engine; the default is the portfolio. `certificate`
@@ -207,6 +210,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     if (!found) return {};
     if (!keep_requested(job.options.properties, *found, job.diagnostics)) return {};
     decided.report = std::move(*found);
+    if (decided.certificate) note_omitted(decided.report, *decided.certificate);
     const auto used = std::chrono::steady_clock::now() - begin;
     try_remedies(model, job, bounds, options, end_of_trials(deadline, reserved, used), decided);
     options.limits.deadline = deadline;

@@ -43,8 +43,9 @@ public:
     FolderWriter(Network flat, std::string folder, Certificate& certificate)
         : flat_(std::move(flat)), folder_(std::move(folder)), certificate_(certificate) {}
 
-    /// Adds the claims about `reported`, and the lines `more` to the index. Returns true if there is a claim.
-    bool write(const std::vector<const Verdict*>& reported, TimedOptions options, const std::string& more = {}) {
+    /// Adds the claims about `reported`, and the lines `more` to the index. A subfolder without claims is not written.
+    /// Returns the lines for the index of the folder that contains this folder.
+    std::string write(const std::vector<const Verdict*>& reported, TimedOptions options, const std::string& more = {}) {
         std::string states;
         options.covering = false;
         options.profile = ProfileFor::None;
@@ -76,23 +77,28 @@ public:
         std::string index = fmt::format("grafverif-certificate 1\nnetwork {}\n{}", certificate::checksum(network),
                                         certificate::caps_text(flat_));
         if (needs_states) index += fmt::format("states {}\n", certificate::checksum(states));
-        index += claims_;
+        std::string omitted;
         for (const Certificate::Omitted& one : omitted_)
-            index += fmt::format("omitted {} {}\n", certificate::word_of(one.property), one.reason);
-        index += more;
+            omitted += fmt::format("omitted {} {}\n", certificate::word_of(one.property), one.reason);
+        index += claims_ + omitted + more;
         index += fmt::format("checksum {}\n", certificate::checksum(index));
         certificate_.omitted.insert(certificate_.omitted.end(), omitted_.begin(), omitted_.end());
-        if (claims_.empty() && !folder_.empty()) return false;
-        certificate_.files.push_back({folder_ + "network.txt", std::move(network)});
-        if (needs_states) certificate_.files.push_back({folder_ + "states.txt", std::move(states)});
-        certificate_.files.push_back({folder_ + "certificate.txt", std::move(index)});
-        return true;
+        if (claims_.empty() && !folder_.empty()) return omitted;
+        certificate_.files.push_back({path("network.txt"), std::move(network)});
+        if (needs_states) certificate_.files.push_back({path("states.txt"), std::move(states)});
+        certificate_.files.push_back({path("certificate.txt"), std::move(index)});
+        return "also " + folder_ + '\n';
     }
 
 private:
+    std::string path(const std::string& file) const { return folder_.empty() ? file : folder_ + '/' + file; }
+
     /// Returns the reason why the verdict has no certificate, or an empty string.
     std::string obstacle(const Verdict& reported, const Verdict& found, const TimedResult& result) {
         if (reported.outcome == Outcome::Unknown) return "the verdict is unknown";
+        const SearchScope& scope = reported.scope;
+        if (reported.pattern == Pattern::NoDeadlock && !(scope.searched.empty() && scope.left_out.empty()))
+            return "the verdict applies to each subsystem; pass `--monolithic` to certify it for the complete loop";
         if (certificate::is_too_deep(flat_)) return "a term of the model is too deep";
         if (found.outcome == Outcome::Unknown) return "the complete search does not decide it: " + found.reason;
         if (found.outcome != reported.outcome) {
@@ -147,11 +153,11 @@ Certificate certificate_of(const LoopToCheck& loop, const Report& report, const 
             others.push_back(&verdict);
             continue;
         }
-        const std::string folder = certificate::word_of(verdict.property);
         search.properties = {verdict.property};
         search.timelock = false;
-        FolderWriter writer(expand(observed(loop.network, {*observed_one})), folder + "/", certificate);
-        if (writer.write({&verdict}, search)) more += "also " + folder + '\n';
+        more += FolderWriter(expand(observed(loop.network, {*observed_one})), certificate::word_of(verdict.property),
+                             certificate)
+                    .write({&verdict}, search);
     }
     search.properties = {};
     search.timelock = true;

@@ -81,6 +81,64 @@ TEST(Certificate, StatesTheReasonForAVerdictWithoutCertificate) {
     EXPECT_NE(certified.out.find("P15: not certified: the verdict is unknown"), std::string::npos) << certified.out;
 }
 
+/// Two subsystems: the right one blocks, the left one moves forever.
+constexpr const char* half_blocked = R"(
+grafcet left { input A; output L; initial step 0; step 1 { L; }
+    transition on: 0 -> 1 when A; transition off: 1 -> 0 when 2s/X1; }
+grafcet right { input B; output R; initial step 0; step 1 { R; } transition on: 0 -> 1 when B; }
+component once(output OUT) {
+    clock t;
+    initial location up invariant t <= 2s;
+    location down;
+    timed up -> down when t >= 1s do OUT := true;
+}
+closed_loop lamps {
+    controller left;
+    controller right;
+    environment PA = push_button(OUT = A);
+    environment PB = once(OUT = B);
+    property moves: no deadlock;
+    property lit: L leads to !L within 3s;
+}
+)";
+
+TEST(Certificate, OmitsDeadlocksOfSubsystems) {
+    const Folder folder;
+    const std::string loop = folder.write("loop.grafcet", half_blocked);
+    const Result separate = grafverif({"check", loop, "--certificate", folder.file("separate")});
+    EXPECT_EQ(separate.code, ExitCode::Verdict) << separate.err;
+    EXPECT_NE(separate.out.find("moves is not certified: the verdict applies to each subsystem; pass `--monolithic`"),
+              std::string::npos)
+        << separate.out;
+    const Result together = grafverif({"check", loop, "--monolithic", "--certificate", folder.file("together")});
+    EXPECT_EQ(together.code, ExitCode::Verdict) << together.err;
+    const Certified certified = certify(folder.file("together"));
+    EXPECT_EQ(certified.code, 0);
+    EXPECT_NE(certified.out.find("moves: holds, proved by the states\n"), std::string::npos) << certified.out;
+    EXPECT_NE(certified.out.find("lit: violated, shown by a run\n"), std::string::npos) << certified.out;
+}
+
+TEST(Certificate, NamesAnUnknownVerdictOfAnObserver) {
+    const Folder folder;
+    const std::string loop = folder.write("loop.grafcet", half_blocked);
+    grafverif({"check", loop, "--max-states", "5", "--certificate", folder.file("few")});
+    EXPECT_FALSE(fs::exists(folder.file("few/lit")));
+    const Certified certified = certify(folder.file("few"));
+    EXPECT_NE(certified.out.find("lit: not certified: the verdict is unknown\n"), std::string::npos) << certified.out;
+}
+
+TEST(Certificate, NamesAllOmittedVerdictsOfAChart) {
+    const Folder folder;
+    const std::string chart = folder.write("chart.grafcet",
+                                           "grafcet c { input A; initial step 0; step 1; transition t: 0 -> 1 when A; "
+                                           "transition u: 1 -> 0 when !A; }\n");
+    const Result result = grafverif({"check", chart, "--engine", "pdr", "--certificate", folder.file("chart")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_NE(result.out.find("certificate: 0 of 3 verdicts"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("stabilises is not certified: no invariant of PDR proves the verdict"),
+              std::string::npos);
+}
+
 TEST(Certificate, RequiresPdrForUntimedChecks) {
     const Folder folder;
     const Result result = grafverif({"check", station, "--untimed", "--certificate", folder.file("station")});
