@@ -18,7 +18,7 @@
 
 namespace certify {
 
-constexpr std::size_t most_explored = 10'000'000;
+constexpr std::size_t most_values = 500'000'000;  // of the states that a run contains, or that follow it
 
 /// The text of a state in states.txt: all its values, each followed by a blank.
 std::string text_of(const State& state) {
@@ -78,14 +78,25 @@ public:
             if (pattern == Pattern::Inevitable) starts[i] = i == initial_;
         }
         if (pattern <= Pattern::ExactlyOne) return;
-        for (bool changed = true; changed;) {
-            changed = false;
-            for (std::size_t i = size(); i-- > 0;) {
-                const auto from = pattern == Pattern::NoDeadlock ? edges_end_[i] : starts_[i], to = starts_[i + 1];
-                std::size_t reached = 0;  // number of successors from which a goal is reached
-                for (std::size_t k = from; k < to && !goal[i]; ++k) reached += goal[targets_[k]] ? 1U : 0U;
-                if (goal[i] || reached == 0 || (all && reached < to - from)) continue;
-                goal[i] = changed = true;
+        const auto first = [&](std::size_t i) { return pattern == Pattern::NoDeadlock ? edges_end_[i] : starts_[i]; };
+        std::vector<std::size_t> ends(size() + 1), sources(targets_.size()), missing(size()), open;
+        for (std::size_t i = 0; i < size(); ++i) {
+            missing[i] = all ? starts_[i + 1] - first(i) : 1;  // number of successors that must reach a goal
+            for (std::size_t k = first(i); k < starts_[i + 1]; ++k) ++ends[targets_[k] + 1];
+            if (goal[i]) open.push_back(i);
+        }
+        for (std::size_t i = 0; i < size(); ++i) ends[i + 1] += ends[i];
+        std::vector<std::size_t> at = ends;  // the predecessors of i are sources[ends[i]] to sources[ends[i + 1] - 1]
+        for (std::size_t i = 0; i < size(); ++i)
+            for (std::size_t k = first(i); k < starts_[i + 1]; ++k) sources[at[targets_[k]]++] = i;
+        while (!open.empty()) {
+            const std::size_t i = open.back();
+            open.pop_back();
+            for (std::size_t k = ends[i]; k < ends[i + 1]; ++k) {
+                const std::size_t source = sources[k];
+                if (goal[source] || --missing[source] > 0) continue;
+                goal[source] = true;
+                open.push_back(source);
             }
         }
         for (std::size_t i = 0; i < size(); ++i)
@@ -128,8 +139,13 @@ Run read_run(Words& words, Semantics& semantics) {
     Run run{{semantics.network.initial}};
     Int longest = 10'000'000;  // units of time in the remaining run
     for (State next; words.next_line() && !words.skip("end");) {
-        if (words.skip("loop")) run.loop = run.states.size() - 1;
-        else if (words.skip("take")) {
+        if (run.states.size() * next.size() > most_values) reject("a run is too long");
+        if (words.skip("loop")) {
+            run.loop = run.states.size() - 1;
+            continue;
+        }
+        if (semantics.races(run.states.back())) reject("a run continues after a race");
+        if (words.skip("take")) {
             const std::size_t p = words.choice(semantics.network.names);
             const Int i = words.number(0, std::ssize(processes[p].edges) - 1);
             semantics.error.clear();
@@ -168,7 +184,7 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
         if (waits) found.push_back(next);
         for (State& state : found)
             if (seen.insert(state).second) open.push_back(std::move(state));
-        if (seen.size() > most_explored) reject("too many states follow a run");
+        if (seen.size() * from.size() > most_values) reject("too many states follow a run");
     }
     return true;
 }
@@ -177,11 +193,13 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
 bool shows(const Run& run, const Property& property, Semantics& semantics) {
     const std::vector<State>& states = run.states;
     if (property.pattern <= Pattern::ExactlyOne) return semantics.decides(property, states.back());
-    if (property.pattern != Pattern::Inevitable && property.pattern != Pattern::LeadsTo)
-        return std::ranges::any_of(states | std::views::reverse, [&](const State& state) {
-            const bool concerned = property.pattern == Pattern::Possible || semantics.concerns(property, state);
-            return concerned && is_trap(property, state, semantics);
+    if (property.pattern != Pattern::Inevitable && property.pattern != Pattern::LeadsTo) {
+        // If an earlier state is a trap, this state is one, because it follows the earlier state.
+        const auto last = std::ranges::find_if(states | std::views::reverse, [&](const State& state) {
+            return property.pattern == Pattern::Possible || semantics.concerns(property, state);
         });
+        return last != states.rend() && is_trap(property, *last, semantics);
+    }
     const bool repeats = run.loop && *run.loop + 1 < states.size() && states[*run.loop] == states.back();
     if (!repeats && !is_trap(property, states.back(), semantics)) return false;
     std::size_t since = states.size();  // no state from this state on satisfies the last operand
@@ -194,7 +212,8 @@ bool shows(const Run& run, const Property& property, Semantics& semantics) {
 }
 
 /// Checks the certificate in `folder`. Returns a line for each property. Throws Rejected or std::runtime_error.
-std::string check(const std::filesystem::path& folder, bool is_inner = false) {
+/// If `inner` is not empty, the folder contains the certificate of only the property `inner`.
+std::string check(const std::filesystem::path& folder, const std::string& inner = {}) {
     const std::string text = content_of(folder / "certificate.txt"), model = content_of(folder / "network.txt");
     const std::size_t end = text.rfind("checksum ");
     if (end == std::string::npos || text.substr(end) != "checksum " + checksum(text.substr(0, end)) + '\n')
@@ -206,6 +225,9 @@ std::string check(const std::filesystem::path& folder, bool is_inner = false) {
         words.fail("this is not a certificate of version 1");
     if (!words.next_line() || !words.skip("network") || words.word() != checksum(model))
         words.fail("the certificate belongs to another network, or network.txt is damaged");
+    if (!inner.empty() && network.names_of_properties != std::vector{inner})
+        words.fail("the network of the folder `" + inner + "` must have only the property `" + inner + "`");
+    std::set<std::string> folders(network.names_of_properties.begin(), network.names_of_properties.end());
     std::string states, result, others;
     std::optional<Graph> graph;
     std::vector<bool> claimed(network.properties.size());
@@ -228,8 +250,9 @@ std::string check(const std::filesystem::path& folder, bool is_inner = false) {
             others += name + ": not certified:" + words.remainder() + '\n';
         } else if (kind == "also") {
             const std::string name(words.word());
-            if (is_inner || name[0] == '.' || name.find('/') != std::string::npos) words.fail("invalid folder");
-            others += check(folder / name, true);
+            if (!inner.empty() || name[0] == '.' || name.find('/') != std::string::npos) words.fail("invalid folder");
+            if (!folders.insert(name).second) words.fail("two claims about `" + name + "`");
+            others += check(folder / name, name);
         } else if (kind == "holds" || kind == "violated") {
             const std::size_t i = words.choice(network.names_of_properties);
             const Property& property = network.properties[i];

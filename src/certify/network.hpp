@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -60,6 +61,8 @@ public:
         line_ = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
         ++number_;
+        for (std::size_t i = 0; i < line_.size(); ++i)
+            if (is_control(line_[i], i == 0 ? ' ' : line_[i - 1])) fail("the line contains a control character");
         return true;
     }
     bool at_end() {
@@ -102,6 +105,12 @@ public:
     }
 
 private:
+    /// True for a control character of ASCII or UTF-8 (after 0xc2): a terminal executes it when a name is printed.
+    static bool is_control(char c, char previous) {
+        const auto byte = static_cast<unsigned char>(c), before = static_cast<unsigned char>(previous);
+        return byte < 0x20 || byte == 0x7f || (byte >= 0x80 && byte < 0xa0 && (before < 0x80 || before == 0xc2));
+    }
+
     std::string name_;
     std::string_view rest_, line_ = {};
     std::size_t number_ = 0;
@@ -173,6 +182,7 @@ public:
             for (Location& location : process.locations) location.caps.resize(process.clocks.size());
             initial.resize(initial.size() + process.clocks.size());
             if (process.locations.empty()) words_.fail("a process has no location");
+            if (!declared_.contains("initial " + process.name)) words_.fail("a process has no initial location");
         }
         low.resize(initial.size());
         high.resize(initial.size(), greatest_clock);
@@ -193,30 +203,38 @@ private:
         else if (kind == "variable" || kind == "scratch" || kind == "define") {
             const std::string name(words_.word());
             const std::size_t meaning = kind == "define" ? term() : add({Op::Value, 0, initial.size()});
-            if (!terms_.emplace(name, meaning).second) words_.fail("a name is declared twice");
+            declare("term " + name);
+            terms_.emplace(name, meaning);
             if (kind == "define") return;
             if (kind == "scratch") scratch.push_back(initial.size());
             low.push_back(words_.number());
             high.push_back(words_.number(low.back()));
             initial.push_back(words_.number(low.back(), high.back()));
-        } else if (kind == "race") race = term();
-        else if (kind == "settled") settled = term();
-        else if (kind == "property") read_property();
+        } else if (kind == "race" || kind == "settled") {
+            declare(std::string(kind));
+            (kind == "race" ? race : settled) = term();
+        } else if (kind == "property") read_property();
         else if (kind == "process") {
             processes.push_back({std::string(words_.word())});
             names.push_back(processes.back().name);
+            declare("process " + names.back());
         } else if (processes.empty()) words_.fail("unexpected `" + std::string(kind) + "`");
         else read_part(kind, processes.back());
     }
 
     void read_part(std::string_view kind, Process& process) {
-        if (kind == "clock") process.clocks.emplace_back(words_.word());
-        else if (kind == "location") {
+        if (kind == "clock") {
+            process.clocks.emplace_back(words_.word());
+            declare("clock " + process.name + ' ' + process.clocks.back());
+        } else if (kind == "location") {
             process.names.emplace_back(words_.word());
+            declare("location " + process.name + ' ' + process.names.back());
             process.locations.emplace_back();
             high[processes.size() - 1] = std::ssize(process.names) - 1;
-        } else if (kind == "initial") initial[processes.size() - 1] = static_cast<Int>(words_.choice(process.names));
-        else if (kind == "invariant" && !process.locations.empty())
+        } else if (kind == "initial") {
+            declare("initial " + process.name);
+            initial[processes.size() - 1] = static_cast<Int>(words_.choice(process.names));
+        } else if (kind == "invariant" && !process.locations.empty())
             process.locations.back().invariant.push_back(constraint(process));
         else if (kind == "edge") {
             const std::size_t from = words_.choice(process.names), to = words_.choice(process.names);
@@ -240,8 +258,13 @@ private:
         const std::size_t count = one.pattern >= Pattern::NoDeadlock ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
         if (one.pattern != Pattern::ExactlyOne && one.operands.size() != count) words_.fail("wrong number of operands");
         if (one.stable && settled == 0) words_.fail("`settled` is not defined");
+        declare("property " + one.name);
         names_of_properties.push_back(one.name);
         properties.push_back(std::move(one));
+    }
+
+    void declare(const std::string& what) {
+        if (!declared_.insert(what).second) words_.fail("`" + what + "` is declared twice");
     }
 
     Constraint constraint(const Process& process) {
@@ -283,6 +306,7 @@ private:
 
     Words words_;
     std::map<std::string, std::size_t, std::less<>> terms_ = {};
+    std::set<std::string> declared_ = {};  // a second declaration is ambiguous
 };
 
 }  // namespace certify

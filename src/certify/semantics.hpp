@@ -14,8 +14,10 @@ public:
     std::string error = {};  // the model error that `take` or `moves` has found, or empty
 
     bool truth(std::size_t term, const State& state) try { return value(term, state) != 0; } catch (const NoValue&) {
-        reject("a term of a property has no value in some state");
+        reject("a term of a property, `settled` or `race` has no value in some state");
     }
+    /// True if the state has a race, which ends a run.
+    bool races(const State& state) { return network.race != 0 && truth(network.race, state); }
     /// True if `property` concerns the state.
     bool concerns(const Property& property, const State& state) {
         return !property.stable || truth(network.settled, state);
@@ -57,7 +59,7 @@ public:
     template <class Visit>
     bool moves(const State& now, State& next, const Visit& visit) {
         bool urgent = false;
-        error = network.race != 0 && truth(network.race, now) ? "a race of stored actions" : "";
+        error = races(now) ? "a race of stored actions" : "";
         for (std::size_t p = 0; p < network.processes.size(); ++p)
             for (const Edge& edge : network.processes[p].edges) {
                 if (!take(p, edge, now, next)) continue;
