@@ -18,7 +18,11 @@
 
 namespace certify {
 
-constexpr std::size_t most_values = 500'000'000;  // of the states that a run contains, or that follow it
+/// True if so many states of a run, or after a run, need too much memory.
+bool are_too_many(std::size_t states, const State& one) {
+    constexpr std::size_t most_values = 200'000'000, overhead = 16;  // overhead of a state, in values
+    return states * (one.size() + overhead) > most_values;
+}
 
 /// The text of a state in states.txt: all its values, each followed by a blank.
 std::string text_of(const State& state) {
@@ -139,7 +143,7 @@ Run read_run(Words& words, Semantics& semantics) {
     Run run{{semantics.network.initial}};
     Int longest = 10'000'000;  // units of time in the remaining run
     for (State next; words.next_line() && !words.skip("end");) {
-        if (run.states.size() * next.size() > most_values) reject("a run is too long");
+        if (are_too_many(run.states.size(), run.states[0])) reject("a run is too long");
         if (words.skip("loop")) {
             run.loop = run.states.size() - 1;
             continue;
@@ -184,7 +188,7 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
         if (waits) found.push_back(next);
         for (State& state : found)
             if (seen.insert(state).second) open.push_back(std::move(state));
-        if (seen.size() * from.size() > most_values) reject("too many states follow a run");
+        if (are_too_many(seen.size(), from)) reject("too many states follow a run");
     }
     return true;
 }
