@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Expansion: replaces replicated declarations and terms by their copies. The result
-// contains neither index variables nor indices: `plant B[i] = ...` in `for i in 1..2` becomes two instances with the
-// names `B[1]` and `B[2]`. Instances of charts are replaced by their declarations. Name resolution continues with the result, so that copies obey the same rules as
-// declarations that are written out.
+// Expansion: replaces replicated declarations and terms by their copies, and instances of charts by the declarations of
+// their charts. The result contains neither index variables nor indices: `plant B[i] = ...` in `for i in 1..2` becomes
+// two instances with the names `B[1]` and `B[2]`. Name resolution continues with the result, so that copies obey the
+// same rules as declarations that are written out.
 //
 // Copies keep the positions of the original text. Declarations are expanded in the order of the text; a range or an
 // index may read the constants that are declared before it. The cost is linear in the size of the result, which is

@@ -46,8 +46,8 @@ std::string summary(const tree::File& file, Span declaration);
 
 DeclarationKind declaration_kind(Chart::VariableKind kind);
 
-/// Charts and components to which a closed loop can refer. Instances of charts are added to the model. Charts and components with errors are known by name, so that
-/// references to them cause no further errors.
+/// Charts and components to which a closed loop can refer. Instances of charts are added to the model. Charts and
+/// components with errors are known by name, so that references to them cause no further errors.
 struct LoopContext {
     Model& model;
     const WrittenCharts& charts;
