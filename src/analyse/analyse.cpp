@@ -275,18 +275,33 @@ private:
     bool stopped_ = false, contradictory_ = false;
 };
 
+/// True if an acceptance with `subject` accepts a finding about `found`. The subject `H.` is that of an acceptance
+/// without subject in the partial chart `H`, which is an instance of a chart: it accepts findings about elements of `H`.
+bool accepts(const Chart& chart, std::string_view subject, std::string_view found) {
+    if (subject.empty() || subject == found) return true;
+    if (!subject.ends_with('.')) return false;
+    return found.starts_with(subject) || std::ranges::any_of(chart.transitions, [&](const Chart::Transition& each) {
+               return each.name == found && chart.partial_charts[each.chart].name + '.' == subject;
+           });
+}
+
+std::string text_of(const Chart::Acceptance& acceptance) {
+    const std::string& subject = acceptance.subject;
+    if (subject.ends_with('.'))
+        return "`accept " + acceptance.code + "` in `" + subject.substr(0, subject.size() - 1) + '`';
+    return "`accept " + acceptance.code + (subject.empty() ? "" : " " + subject) + '`';
+}
+
 void accept(const Chart& chart, Analysis& result) {
     for (const Chart::Acceptance& acceptance : chart.accepted) {
         bool any = false;
         for (Finding& finding : result.findings) {
             if (finding.code != acceptance.code) continue;
-            if (!acceptance.subject.empty() && acceptance.subject != finding.subject) continue;
+            if (!accepts(chart, acceptance.subject, finding.subject)) continue;
             finding.accepted = acceptance.reason;
             any = true;
         }
-        if (!any && result.obstacle.empty())
-            result.notes.push_back("no finding matches `accept " + acceptance.code +
-                                   (acceptance.subject.empty() ? "" : " " + acceptance.subject) + "`");
+        if (!any && result.obstacle.empty()) result.notes.push_back("no finding matches " + text_of(acceptance));
     }
 }
 

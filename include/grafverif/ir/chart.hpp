@@ -137,7 +137,8 @@ struct Chart {
     /// `accept CODE SUBJECT "reason"` accepts a finding about the chart.
     struct Acceptance {
         std::string code = {};  ///< see ir/finding.hpp
-        /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted.
+        /// Subject of the finding, such as `X4`, `t3` or `LOCK`; if empty, findings about any subject are accepted. With
+        /// the subject `H.`, findings about the elements of the partial chart `H` are accepted.
         std::string subject = {};
         std::string reason = {};
         Span origin = {};

@@ -19,8 +19,9 @@ Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
         return scope.diagnostics.add(messages::unknown(name.where, "variable", scope.text(name), "")),
                Id<Chart::Variable>{};
     Nearest nearest(scope.text(name));
+    const bool in_instance = scope.text(name).find('.') != std::string_view::npos;  // see unknown_name
     for (const Chart::Variable& variable : scope.chart.variables)
-        if (variable.kind != Chart::VariableKind::Input) nearest.offer(variable.name);
+        if (variable.kind != Chart::VariableKind::Input && !in_instance) nearest.offer(variable.name);
     scope.diagnostics.add(messages::unknown(name.where, "variable", scope.text(name), nearest.best()));
     return {};
 }

@@ -23,7 +23,8 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     if (scope.diagnostics.full())
         return scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, "")), Term{};
     Nearest nearest(name);
-    if (!step_like)
+    const bool in_instance = name.find('.') != std::string_view::npos;  // the variables around it are not meant
+    if (!step_like && !in_instance)
         for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
     if (name[0] == 'X' || name[0] == 'x')
         for (const Chart::Step& step : scope.chart.steps) nearest.offer('X', step.name);
@@ -85,7 +86,8 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
     Id<Chart::PartialChart> partial;
     if (scope.partials.contains(owner.word)) partial = partial_named(scope, {owner.word, owner.where});
     else if (report_step_member(scope, node)) return {};
-    else if (scope.file.text(owner.word) == scope.chart.name) {
+    else if (scope.file.text(owner.word) ==
+             (scope.chart.instance_of.empty() ? scope.chart.name : scope.chart.instance_of)) {
         partial = Id<Chart::PartialChart>{0};
         scope.record.refer(owner.where, scope.chart.origin);
     } else partial = partial_named(scope, {owner.word, owner.where});

@@ -32,8 +32,14 @@ public:
         ChartInstance* const instance = expansion_.instance;
         const std::string_view name = expansion_.file.text(written.name);
         const auto copy = [&] { written.items = chart_items(written); };
-        if (instance == nullptr) copy();
-        else in_instance({&expansion_.file, {}, expansion_.record.silent(), instance, name}, copy);
+        if (instance == nullptr) {
+            copy();
+        } else {
+            NameCopier::Frame frame{&expansion_.file, {}, expansion_.record.silent(), instance, name};
+            internals(expansion_.file, written.items, frame.own);
+            check_internals(frame);
+            in_instance(std::move(frame), copy);
+        }
         written.name = {terms_.words.intern(instance == nullptr ? name : instance->name), written.name.where};
         written.parameters.clear();
         if (instance != nullptr) {
@@ -70,7 +76,7 @@ private:
         for (tree::Variable& each : declaration.variables) {
             part(each);
             if (ports) bind(each);
-            else each.name.word = terms_.variable_for(each.name.word);
+            else if (terms_.frame.partial) each.name.word = terms_.own_variable(each.name.word);
         }
         if (ports && terms_.frame.partial) terms_.frame.ports.push_back(std::move(declaration));
         else result.emplace_back(std::move(declaration));
@@ -164,9 +170,11 @@ private:
         copy_.copies.push_back({terms_.words.intern(instance.name), 0, instance.where, outer, true, true});
         copy_number_ = static_cast<std::uint32_t>(copy_.copies.size());
         for (const auto& [port, argument] : instance.arguments)
-            if (!argument.variable.empty())
+            if (!argument.variable.empty()) {
                 frame.values.emplace(port, NameCopier::Value{Op::Name, 0, terms_.words.intern(argument.variable),
                                                              argument.where, argument.term});
+                frame.bound.insert(argument.variable);
+            }
         std::swap(terms_.frame, frame);
         {
             const InCopy context(expansion_.diagnostics, copy_, copy_number_);
@@ -177,8 +185,9 @@ private:
         for (Diagnostic& error : frame.errors) expansion_.diagnostics.add(std::move(error));
         for (const auto& [name, argument] : instance.arguments)
             if (!argument.used && !terms_.too_large)
-                expansion_.diagnostics.add(
-                    messages::unknown(argument.parameter, "parameter", name, nearest_of(name, frame.parameters)));
+                expansion_.diagnostics.add(messages::unknown(
+                    argument.parameter, "parameter", name,
+                    expansion_.diagnostics.full() ? std::string() : nearest_of(name, frame.parameters)));
     }
 
     void add_one(const tree::Partial& written, std::vector<tree::ChartItem>& result) {
@@ -228,16 +237,27 @@ private:
         result.emplace_back(std::move(partial));
     }
 
-    /// Adds the names of the internal variables, without indices.
+    /// Adds the names of the internal variables.
     static void internals(const tree::File& file, const std::vector<tree::ChartItem>& items,
-                          std::set<std::string, std::less<>>& names) {
+                          std::map<std::string, Span, std::less<>>& names) {
         for (const tree::ChartItem& item : items) {
             if (const auto* copies = std::get_if<tree::ReplicatedChartItems>(&item))
                 internals(file, copies->items, names);
             const auto* group = std::get_if<tree::Variables>(&item);
             if (group == nullptr || group->kind != tree::VariableKind::Internal) continue;
-            for (const tree::Variable& each : group->variables) names.emplace(file.text(each.name));
+            for (const tree::Variable& each : group->variables)
+                names.emplace(file.text(each.name), each.name.index.valid() ? Span{} : each.name.where);
         }
+    }
+
+    /// Reports variables of a closed loop with the name of an internal variable of the controller to which they are
+    /// bound. Without an error here, name resolution would report the declaration and each use of the variable.
+    void check_internals(const NameCopier::Frame& frame) {
+        for (const auto& [port, argument] : frame.instance->arguments)
+            if (const auto own = frame.own.find(argument.variable);
+                own != frame.own.end() && own->second.source.valid())
+                expansion_.diagnostics.add(
+                    messages::duplicate_name(argument.where, "variable", argument.variable, own->second));
     }
 
     template <class Declaration, class Item>
@@ -318,10 +338,12 @@ private:
     }
     void part(tree::Accept& written) {
         terms_.count_text(written.code.size() + written.subject.size() + written.reason.size());
-        if (terms_.frame.instance == nullptr || written.subject.empty()) return;
+        if (terms_.frame.instance == nullptr || (written.subject.empty() && !terms_.frame.partial)) return;
         written.subject_where = {};  // only the chart itself records its names
         const auto bound = terms_.frame.values.find(written.subject);
-        if (bound != terms_.frame.values.end() && bound->second.op == Op::Name)
+        const bool variable = !written.code.starts_with("transition-") && written.code != "comes-once" &&
+                              written.code != "branches-together";  // a transition may have the name of a port
+        if (variable && bound != terms_.frame.values.end() && bound->second.op == Op::Name)
             written.subject = copy_.words[bound->second.word].text;
         else if (terms_.frame.partial) written.subject = terms_.frame.instance->name + '.' + written.subject;
     }

@@ -55,10 +55,12 @@ public:
         std::string_view chart = {};        ///< in an instance: the name of its chart
         bool partial = false;               ///< true if the instance is a partial chart
         std::map<std::string, Value, std::less<>> values = {};
-        std::set<std::string, std::less<>> own = {};  ///< internal variables of a chart that is a partial chart
-        std::vector<tree::Variables> ports = {};      ///< result for a partial chart
-        std::vector<std::string> parameters = {};     ///< the names of ports and constants
-        std::vector<Diagnostic> errors = {};          ///< errors in the arguments
+        std::set<std::string, std::less<>> bound = {};  ///< the variables that are bound to ports
+        /// The internal variables, without indices. The position is empty if a variable has an index.
+        std::map<std::string, Span, std::less<>> own = {};
+        std::vector<tree::Variables> ports = {};   ///< result for a partial chart
+        std::vector<std::string> parameters = {};  ///< the names of ports and constants
+        std::vector<Diagnostic> errors = {};       ///< errors in the arguments
     };
     void count_in_copy(std::uint64_t elements = 1) {
         if (!frame.indices.empty() || frame.instance != nullptr) count(counted_at({}), elements);
@@ -117,6 +119,7 @@ public:
         if (node.op == Op::Name) {
             const auto bound = frame.values.find(copy_.words[node.word].text);
             if (bound != frame.values.end() && bound->second.term.valid()) return copy_of(bound->second.term);
+            if (bound == frame.values.end() && is_step_of_partial(node)) return step_of_partial(node);
             substitute(node);
         }
         const Id<tree::Expr> id = copy_.exprs.add(node);
@@ -125,13 +128,18 @@ public:
         return id;
     }
 
-    /// Returns the word of the variable that replaces `word`, or `word`.
+    /// Returns the word of the variable that replaces `word`, or `word`. A name in an instance never denotes a variable
+    /// around the instance: `A[LAST]` is unknown if the chart does not declare it, even if an `A[3]` is bound to a port.
     Id<tree::Word> variable_for(Id<tree::Word> word) {
         const std::string_view name = copy_.words[word].text;
         const auto known = frame.values.find(name);
         if (known != frame.values.end()) return known->second.op == Op::Name ? known->second.word : word;
-        if (!frame.own.contains(without_indices(name))) return word;
-        return words.intern(frame.instance->name + '.' + std::string(name));
+        return frame.partial || frame.bound.contains(name) ? own_variable(word) : word;
+    }
+
+    /// Returns the word of an internal variable of the instance.
+    Id<tree::Word> own_variable(Id<tree::Word> word) {
+        return words.intern(frame.instance->name + '.' + std::string(copy_.words[word].text));
     }
 
     void repeat_term(Id<tree::Expr> written, Empty empty, std::vector<Id<tree::Expr>>& operands) {
@@ -215,7 +223,7 @@ private:
         tree::Expr node = frame.file->exprs[written];
         if (!value_of_index(node) && node.op == Op::Name && frame.instance != nullptr) {
             count_in_copy();
-            const bool is_chart = frame.file->text(node.word) == frame.chart;
+            const bool is_chart = frame.partial && frame.file->text(node.word) == frame.chart;
             node.word = is_chart ? words.intern(frame.instance->name) : indexed(node.word, node.first);
             node.first = node.last = node.next = {};
             return copy_.exprs.add(node);
@@ -241,6 +249,23 @@ private:
         node.first = node.last = first;
         count_in_copy();
         return copy_.exprs.add(node);
+    }
+
+    /// True for a step variable in a chart that is a partial chart.
+    bool is_step_of_partial(const tree::Expr& node) const {
+        const std::string_view name = copy_.words[node.word].text;
+        return frame.partial && name.size() > 1 && name[0] == 'X' && !frame.own.contains(without_indices(name));
+    }
+
+    /// Returns the step variable of the instance, `Head.X1`, because `X1` could be a step of another partial chart.
+    Id<tree::Expr> step_of_partial(tree::Expr node) {
+        tree::Expr owner = node;
+        owner.word = words.intern(frame.instance->name);
+        node.op = Op::Member;
+        const Id<tree::Expr> id = copy_.exprs.add(node);
+        append(copy_.exprs, id, copy_.exprs.add(owner));
+        count_in_copy();
+        return id;
     }
 
     /// Replaces the name of a port, a constant or an internal variable.

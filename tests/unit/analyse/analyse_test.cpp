@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <tuple>
 
 #include "grafverif/grafverif.hpp"
 #include "report/findings.hpp"
@@ -366,6 +367,27 @@ TEST(Analyse, AnAcceptedFindingIsNotOpen) {
     EXPECT_FALSE(is_open(*both));
     EXPECT_TRUE(std::ranges::any_of(
         found.notes, [](const std::string& note) { return note == "no finding matches `accept total-instability`"; }));
+}
+
+// An acceptance without subject in a chart of which `H` is an instance has the subject `H.`.
+TEST(Analyse, AnAcceptanceOfAnInstanceConcernsOnlyTheInstance) {
+    const std::string_view text =
+        "input a; partial H { initial step 0; step 1; transition 0 -> 1 when a && !a; transition 1 -> 0 when a; }"
+        "partial K { initial step 0; step 1; transition 0 -> 1 when a && !a; transition 1 -> 0 when a; }";
+    Chart subject = chart(text);
+    subject.accepted = {
+        {"transition-never-fired", "H.", "spare"}, {"step-never-active", "H.", "spare"}, {"action-race", "H.", "none"}};
+    const Analysis found = analyse(subject, equations(text), {});
+    for (const auto& [code, mine, other] :
+         {std::tuple("transition-never-fired", "t1", "t3"), std::tuple("step-never-active", "H.X1", "K.X1")}) {
+        const Finding* const of_instance = find(found, code, mine);
+        const Finding* const elsewhere = find(found, code, other);
+        ASSERT_TRUE(of_instance != nullptr && elsewhere != nullptr) << code;
+        EXPECT_EQ(of_instance->accepted, "spare");
+        EXPECT_EQ(elsewhere->accepted, std::nullopt);
+    }
+    EXPECT_TRUE(std::ranges::any_of(
+        found.notes, [](const std::string& note) { return note == "no finding matches `accept action-race` in `H`"; }));
 }
 
 // -- time -------------------------------------------------------------------------------------------------------------
