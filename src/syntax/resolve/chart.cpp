@@ -93,9 +93,9 @@ void resolve_items(ChartScope& scope, const tree::Chart& written) {
     for (const tree::ChartItem& item : written.items)
         if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_variables(scope, *variables);
     const WrittenChart all = declare_steps(scope, written);
+    check_step_like(scope);
     check_ports(scope, written.items);
     if (all.steps.empty()) scope.diagnostics.add(messages::empty_chart(written.name.where, scope.chart.name));
-    check_step_like(scope);
     resolve_owners(scope, all);
     resolve_actions(scope, all);
     resolve_transitions(scope, all);
@@ -123,6 +123,14 @@ std::optional<Span> declared_name(const ChartScope& scope, std::string_view name
     if (steps == scope.steps_by_name.end())
         return name == scope.chart.name ? std::optional(scope.chart.origin) : std::nullopt;
     return scope.chart.steps[steps->second.front()].origin;
+}
+
+/// Returns the position of the constant `name` of a chart; empty if there is none.
+std::optional<Span> constant_named(const tree::File& file, const tree::Chart& written, std::string_view name) {
+    for (const tree::Variables& group : written.parameters)
+        for (const tree::Variable& each : group.variables)
+            if (group.kind == tree::VariableKind::Constant && file.text(each.name) == name) return each.name.where;
+    return {};
 }
 
 /// Reports constants with the name of another declaration.
@@ -163,7 +171,10 @@ std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& wr
     expansion.constant_terms = [&](std::string_view user) { return constant_terms(scope, user); };
     resolve_expanded(expansion, written, [&](const tree::Chart& all) { resolve_items(scope, all); });
     if (instance == nullptr) {
-        check_indices(expansion, [&](std::string_view name) { return declared_name(scope, name); });
+        check_indices(expansion, [&](std::string_view name) {
+            const auto constant = constant_named(file, written, name);
+            return constant ? constant : declared_name(scope, name);
+        });
         check_constants(scope, file, written);
     } else scope.chart.has_defaults = instance->has_defaults;
     if (expansion.incomplete && !record.beyond_errors()) return {};

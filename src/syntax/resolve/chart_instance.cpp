@@ -32,12 +32,13 @@ const WrittenCharts::Entry* WrittenCharts::find(const tree::File& file, tree::Na
 
 namespace {
 
-bool is_constant(const WrittenCharts::Entry& chart, std::string_view name) {
-    return std::ranges::any_of(chart.chart->parameters, [&](const tree::Variables& group) {
-        return group.kind == tree::VariableKind::Constant &&
-               std::ranges::any_of(group.variables,
-                                   [&](const tree::Variable& each) { return chart.file->text(each.name) == name; });
-    });
+/// Returns the names of the constants, without indices.
+std::unordered_set<std::string_view> constants_of(const WrittenCharts::Entry& chart) {
+    std::unordered_set<std::string_view> constants;
+    for (const tree::Variables& group : chart.chart->parameters)
+        if (group.kind == tree::VariableKind::Constant)
+            for (const tree::Variable& each : group.variables) constants.insert(chart.file->text(each.name));
+    return constants;
 }
 
 /// Resolves the value of a constant. Returns false after an error.
@@ -77,6 +78,7 @@ bool read_variable(const ArgumentReader& reader, Id<tree::Expr> written, ChartIn
 ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tree::Argument>& arguments,
                              const WrittenCharts::Entry& chart) {
     ChartInstance instance;
+    const std::unordered_set<std::string_view> constants = constants_of(chart);
     std::unordered_map<std::string, std::string> ports;  // port by variable
     for (const tree::Argument& written : arguments) {
         const std::string name(reader.file.text(written.parameter));
@@ -90,7 +92,7 @@ ChartInstance read_arguments(const ArgumentReader& reader, const std::vector<tre
         }
         argument.parameter = written.parameter.where;
         argument.where = reader.file.exprs[written.value].where;
-        if (is_constant(chart, name)) {
+        if (constants.contains(without_indices(name))) {
             instance.wrong = !read_value(reader, written.value, name, argument) || instance.wrong;
             continue;
         }
@@ -171,15 +173,17 @@ std::optional<std::string> variable_of_port(LoopScope& scope, const tree::Expr& 
     }
     const tree::Instance& instance = *found->second;
     scope.record.refer(owner.where, instance.name.where);
-    Nearest nearest(port);
-    for (const tree::Argument& argument : instance.arguments) {
-        nearest.offer(scope.text(argument.parameter));
-        const tree::Expr& value = scope.file.exprs[argument.value];
-        if (scope.text(argument.parameter) != port) continue;
+    const auto argument = std::ranges::find(instance.arguments, port,
+                                            [&](const tree::Argument& each) { return scope.text(each.parameter); });
+    if (argument != instance.arguments.end()) {
+        const tree::Expr& value = scope.file.exprs[argument->value];
         if (value.op == tree::Op::Name) return std::string(scope.file.text(value.word));
         scope.diagnostics.add(messages::port_not_a_variable(node.where, port));
         return {};
     }
+    Nearest nearest(port);
+    if (!scope.diagnostics.full())
+        for (const tree::Argument& each : instance.arguments) nearest.offer(scope.text(each.parameter));
     scope.diagnostics.add(messages::unknown(last_name(node.where, port), "parameter", port, nearest.best()));
     return {};
 }

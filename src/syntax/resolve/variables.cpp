@@ -123,6 +123,31 @@ void resolve_variables(ChartScope& scope, const tree::Variables& written) {
 
 namespace {
 
+/// Reports that the variable of a port is unknown, and declares it, so that terms with it are not further errors.
+void report_unknown(ChartScope& scope, tree::VariableKind kind, const tree::Variable& port) {
+    const std::string_view name = scope.text(port.name);
+    const auto steps = name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
+    std::string meant;
+    if (steps != scope.steps_by_name.end()) {
+        const Id<Chart::PartialChart> partial = scope.chart.steps[steps->second.front()].chart;
+        const std::string& owner = scope.chart.partial_charts[partial].name;
+        meant = (owner.empty() ? scope.chart.name : owner) + '.' + std::string(name);
+    } else if (!scope.diagnostics.full()) {
+        Nearest nearest(name);
+        for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
+        meant = nearest.best();
+    }
+    scope.diagnostics.add(messages::unknown(port.name.where, "variable", name, meant));
+    Chart::Variable missing;
+    missing.name = name;
+    missing.kind = kind_of(kind);
+    missing.type = type_of(scope, port);
+    missing.origin = port.name.where;
+    scope.variables.emplace(port.name.word, scope.chart.variables.add(std::move(missing)));
+    scope.continuous.resize(scope.chart.variables.size());
+    scope.stored.resize(scope.chart.variables.size());
+}
+
 void check_port(ChartScope& scope, tree::VariableKind kind, const tree::Variable& port) {
     const Span where = port.name.where;
     const bool writes = kind == tree::VariableKind::Output;
@@ -134,11 +159,7 @@ void check_port(ChartScope& scope, tree::VariableKind kind, const tree::Variable
         return;
     }
     const auto found = scope.variables.find(port.name.word);
-    if (found == scope.variables.end()) {
-        Nearest nearest(scope.text(port.name));
-        for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
-        return scope.diagnostics.add(messages::unknown(where, "variable", scope.text(port.name), nearest.best()));
-    }
+    if (found == scope.variables.end()) return report_unknown(scope, kind, port);
     const Chart::Variable& variable = scope.chart.variables[found->second];
     scope.record.refer(where, variable.origin, writes);
     Type type;

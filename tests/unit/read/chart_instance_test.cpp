@@ -144,6 +144,22 @@ TEST(ChartInstances, ConstantsDetermineRangesReplicationsAndOtherConstants) {
     EXPECT_EQ(std::next(instance.variables.begin(), 4)->initial, 0);
 }
 
+TEST(ChartInstances, ConstantsMayHaveIndices) {
+    const std::string chart =
+        "grafcet g(input IN; T[1] = 1s, T[2] = 2s) {\n"
+        "    initial step 0;\n"
+        "    transition 0 -> 0 when T[1]/IN && T[2]/X0;\n"
+        "}\n" +
+        source;
+    const Reading reading =
+        read(chart + "closed_loop l { controller G = g(IN = A, T[2] = 4s); plant s = source(OUT = A, OTHER = B); }\n");
+    ASSERT_TRUE(reading.model) << reading.rendered;
+    const Chart& instance = *std::next(reading.model->charts.begin());
+    EXPECT_EQ(instance.time_conditions.begin()->rise_ms, 1000);
+    EXPECT_EQ(std::next(instance.time_conditions.begin())->rise_ms, 4000);
+    EXPECT_FALSE(instance.has_defaults);
+}
+
 TEST(ChartInstances, FormatKeepsThem) {
     const std::string text =
         "grafcet head(input HERE; output VALVE; DRIP = 500ms, N: int 1..3 = 2) {\n"
@@ -259,6 +275,116 @@ TEST(ChartInstances, RejectsWrongConstantsOfCharts) {
             read("grafcet g(" + parameters + ") { input B; initial step 0; transition 0 -> 0 when B; }");
         EXPECT_FALSE(reading.model) << parameters;
         EXPECT_NE(reading.rendered.find(message), std::string::npos) << reading.rendered << "\nexpected: " << message;
+    }
+}
+
+// `A[COUNT]` and `XS[COUNT]` are declared for the declared value of COUNT only. In an instance with another value, they
+// must not denote a variable or a step around the instance.
+TEST(ChartInstances, NeverReadVariablesAndStepsAroundThem) {
+    const std::string chart =
+        "grafcet g(input IN; output OUT; COUNT = 2) {\n"
+        "    input A[1], A[2];\n"
+        "    internal M[1], M[2];\n"
+        "    initial step 0;\n"
+        "    step S[2] { OUT; }\n"
+        "    transition 0 -> S[2] when READ do WRITTEN := true;\n"
+        "    transition S[2] -> 0 when !IN;\n"
+        "}\n";
+    const auto with = [&](std::string read, std::string written) {
+        std::string text = chart;
+        text.replace(text.find("READ"), 4, read);
+        return text.replace(text.find("WRITTEN"), 7, written);
+    };
+    const std::string partial =
+        "grafcet plc { input A[3], B, C, D; output O; internal M[3];\n"
+        "    partial m { initial step S[3]; transition S[3] -> S[3] when A[3] && M[3]; }\n"
+        "    partial H = g(IN = B, OUT = O, A[1] = C, A[2] = D, COUNT = 3); }\n";
+    const auto controller = [](const std::string& in, const std::string& out) {
+        return source + "closed_loop l { controller H = g(IN = " + in + ", OUT = " + out +
+               ", A[1] = C, A[2] = D, COUNT = 3);\n plant s = source(OUT = C, OTHER = D);\n environment e = free(OUT "
+               "= " +
+               in + "); }\n";
+    };
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {with("A[COUNT]", "M[1]") + partial, "unknown variable `H.A[3]`; declare it"},
+        {with("M[COUNT]", "M[1]") + partial, "unknown variable `H.M[3]`; declare it"},
+        {with("IN", "M[COUNT]") + partial, "unknown variable `H.M[3]`; declare it"},
+        {with("XS[COUNT]", "M[1]") + partial, "unknown step `XS[3]`"},
+        {with("A[COUNT]", "M[1]") + controller("A[3]", "O"), "unknown variable `H.A[3]`; declare it"},
+        {with("IN", "M[COUNT]") + controller("B", "M[3]"), "unknown variable `H.M[3]`; declare it"},
+    };
+    for (const auto& [text, message] : cases) {
+        const Reading reading = read(text);
+        EXPECT_FALSE(reading.model) << text;
+        EXPECT_NE(reading.rendered.find(message), std::string::npos) << reading.rendered << "\nexpected: " << message;
+    }
+    EXPECT_TRUE(read(with("A[2] && XS[2]", "M[2]") + partial).model);
+}
+
+// The name of the chart denotes the chart in each instance, also if a partial chart has the name of the instance.
+TEST(ChartInstances, NamesOfPartialChartsAreNotThoseOfInstances) {
+    const std::string text =
+        "grafcet g(input IN) {\n"
+        "    initial step 0;\n"
+        "    step 1;\n"
+        "    transition 0 -> 1 when IN;\n"
+        "    transition 1 -> 0 when P.X1;\n"
+        "    partial P { initial step 0; step 1; transition 0 -> 1 when g.X1; transition 1 -> 0 when !g.X1; }\n"
+        "}\n" +
+        source + "closed_loop l { controller P = g(IN = A); plant s = source(OUT = A, OTHER = B); }\n";
+    const Reading reading = read(text);
+    ASSERT_TRUE(reading.model) << reading.rendered;
+    const Chart& chart = *reading.model->charts.begin();
+    const Chart& instance = *std::next(reading.model->charts.begin());
+    const auto read_step = [](const Chart& of) {
+        const Expr& condition = of.exprs[std::next(of.transitions.begin(), 2)->condition];
+        EXPECT_EQ(condition.op, Op::Step);
+        return step_variable(of, {static_cast<std::uint32_t>(condition.value)});
+    };
+    EXPECT_EQ(read_step(chart), "X1");
+    EXPECT_EQ(read_step(instance), "X1");
+}
+
+TEST(ChartInstances, AcceptFindingsAboutTheirOwnElements) {
+    const Reading reading = read(
+        "grafcet g(input IN, SPARE) {\n"
+        "    accept transition-never-fired IN \"spare\";\n"
+        "    accept input-never-read SPARE \"spare\";\n"
+        "    accept step-never-active \"spare\";\n"
+        "    initial step 0;\n"
+        "    transition IN: 0 -> 0 when IN;\n"
+        "}\n"
+        "grafcet plc { input A, B; partial P = g(IN = A, SPARE = B); }\n" +
+        source + "closed_loop l { controller C = g(IN = A, SPARE = B); plant s = source(OUT = A, OTHER = B); }\n");
+    ASSERT_TRUE(reading.model) << reading.rendered;
+    const Chart& plc = *std::next(reading.model->charts.begin());
+    const Chart& controller = *std::next(reading.model->charts.begin(), 2);
+    ASSERT_EQ(plc.accepted.size(), 3U);
+    EXPECT_EQ(plc.accepted[0].subject, "P.IN");
+    EXPECT_EQ(plc.accepted[1].subject, "B");
+    EXPECT_EQ(plc.accepted[2].subject, "P.");
+    ASSERT_EQ(controller.accepted.size(), 3U);
+    EXPECT_EQ(controller.accepted[0].subject, "IN");
+    EXPECT_EQ(controller.accepted[1].subject, "B");
+    EXPECT_EQ(controller.accepted[2].subject, "");
+}
+
+TEST(ChartInstances, ReportsWrongNamesOnce) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {plc("HERE = HERES, FULL = FULL, VALVE = VALVES"), "unknown variable `HERES`; did you mean `HERE`?"},
+        {plc("HERE = X0, FULL = FULL, VALVE = VALVE"), "unknown variable `X0`; did you mean `mode.X0`?"},
+        {head + source +
+             "closed_loop l { controller H = head(HERE = N, FULL = A, VALVE = C); plant s = source(OUT = N, OTHER = "
+             "A); }",
+         "a second variable is named `N`"},
+        {"grafcet g(N = 3) { initial step 0; for N in 1..2 { input A[N]; } transition 0 -> 0 when A[1]; }",
+         "the index variable `N` has the name of another declaration"},
+    };
+    for (const auto& [text, message] : cases) {
+        const Reading reading = read(text);
+        EXPECT_FALSE(reading.model) << text;
+        EXPECT_NE(reading.rendered.find(message), std::string::npos) << reading.rendered << "\nexpected: " << message;
+        EXPECT_EQ(reading.rendered.find("in the instance"), std::string::npos) << reading.rendered;
     }
 }
 
