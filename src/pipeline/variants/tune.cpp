@@ -461,7 +461,7 @@ private:
         CheckOptions options = options_;
         options.properties = names_of(job.rows);
         options.limits.progress = {};
-        const LoopToCheck loop{network, charts_of(model_, model_.loops[loop_])};
+        const LoopToCheck loop{network, points_.charts(job.points.front())};
         Report report = check_without_causes(loop, options);
         for (PropertyResult& answer : report.answers) job.verdicts.push_back(std::move(answer.verdict));
         job.failures = std::move(report.failures);

@@ -53,6 +53,16 @@ void TunePoints::read_point(std::size_t point, std::optional<std::int64_t> unit_
     if (!network) return;
     add_timelock(*network);
     read.member = member_of(*network);
+    const std::vector<const Chart*> charts = charts_of(*model, model->loops[*loop]);
+    if (std::ranges::any_of(charts, [](const Chart* chart) { return !chart->instance_of.empty(); }))
+        for (const Chart* const chart : charts) read.charts.push_back(*chart);
+}
+
+std::vector<const Chart*> TunePoints::charts(std::size_t point) const {
+    if (!points_[point].charts) return charts_of(model_, model_.loops[loop_]);
+    std::vector<const Chart*> charts;
+    for (const Chart& chart : charts_[*points_[point].charts]) charts.push_back(&chart);
+    return charts;
 }
 
 void TunePoints::report(std::size_t point, const Read& read, Diagnostics& diagnostics) const {
@@ -74,6 +84,7 @@ bool TunePoints::read_all(std::optional<std::int64_t> unit_ms, const std::functi
     points_.clear();
     points_.resize(tuning_.points);
     set_ = {};
+    charts_.clear();
     for (std::size_t first = 0; first < tuning_.points && !stopped(); first += at_once) {
         std::vector<Read> reads(std::min(at_once, tuning_.points - first));
         in_parallel(reads.size(), request_.jobs, stopped,
@@ -85,6 +96,9 @@ bool TunePoints::read_all(std::optional<std::int64_t> unit_ms, const std::functi
             unit_ms_ = std::gcd(unit_ms_, reads[k].member->frame.time_unit_ms);
             points_[first + k].frame = set_.add(std::move(reads[k].member->frame));
             points_[first + k].constants = std::move(reads[k].member->constants);
+            if (reads[k].charts.empty()) continue;
+            if (charts_.empty() || charts_.back() != reads[k].charts) charts_.push_back(std::move(reads[k].charts));
+            points_[first + k].charts = charts_.size() - 1;
         }
     }
     return true;

@@ -30,6 +30,8 @@ public:
     const ClockConstants& constants(std::size_t point) const { return points_[point].constants; }
     Network network(std::size_t point) const { return network_of(frame(point), constants(point)); }
     const ClockFacts& facts(std::size_t point);
+    /// Returns the charts of the controllers. The constants determine those of the charts that are instances.
+    std::vector<const Chart*> charts(std::size_t point) const;
 
     /// Returns a number that is equal for two points if they agree on the processes, apart from the constants of clock
     /// constraints, and on the property.
@@ -40,6 +42,7 @@ private:
         std::optional<std::size_t> frame = {};
         ClockConstants constants = {};
         std::optional<ClockFacts> facts = {};
+        std::optional<std::size_t> charts = {};  ///< index into charts_; empty if no controller is an instance
     };
     /// Frames by hash.
     struct FrameSet {
@@ -49,6 +52,7 @@ private:
     };
     struct Read {
         std::optional<FamilyMember> member = {};
+        std::vector<Chart> charts = {};
         Sources sources = {};
         Diagnostics diagnostics = {};
     };
@@ -66,6 +70,7 @@ private:
     std::int64_t unit_ms_ = 0;
     std::vector<Point> points_ = {};
     FrameSet set_ = {};
+    std::vector<std::vector<Chart>> charts_ = {};
     std::map<std::string, std::pair<FrameSet, std::map<std::size_t, std::size_t>>> agreements_ = {};
 };
 

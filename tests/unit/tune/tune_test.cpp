@@ -54,6 +54,24 @@ std::string map_of(const Tuning& tuning, const std::string& property) {
     return text;
 }
 
+// The constants of an instance of a chart change the chart. Runs at a point are replayed with the chart of this point.
+TEST(Tune, ReplaysRunsWithTheChartsOfThePoint) {
+    Loop station(
+        "grafcet g(input IN; output OUT; T = 1s, N = 2) {\n    internal C: int 0..N;\n    initial step 0;\n"
+        "    step 1 { OUT; }\n    transition 0 -> 1 when IN && C < N do C := C + 1;\n"
+        "    transition 1 -> 0 when T/X1;\n}\n"
+        "closed_loop station {\n    constant SLOW = 1s, K = 2;\n"
+        "    controller c = g(IN = X, OUT = Y, T = SLOW, N = K);\n"
+        "    environment b = push_button(OUT = X, GAP = 1s);\n    property back: c.X1 leads to c.X0 within 2s;\n"
+        "    property few: always c.C <= 2;\n}\n");
+    const auto tuning =
+        station.tuned({{"SLOW", of_time, 1000, 3000, 1000, 1000}, {"K", of_number, 1, 3, 1, 2}}, {.jobs = 1});
+    ASSERT_TRUE(tuning);
+    EXPECT_EQ(tuning->failures, std::vector<std::string>{});
+    EXPECT_EQ(map_of(*tuning, "back"), "++++++---");
+    EXPECT_EQ(map_of(*tuning, "few"), "++-++-++-");
+}
+
 TEST(Tune, FindsTheLimitOfAnUpperBoundByFewChecks) {
     Loop station(
         loop("    property in_time: always Ram.moving => X1 || X0;\n"
