@@ -68,13 +68,22 @@ std::string MutantChecker::shown(const OriginalVerdicts& requested, const std::s
     return requested_.size() < 2 ? property : model_.loops[requested.loop].name + "." + property;
 }
 
+bool MutantChecker::is_changed(Id<Chart> id) const {
+    const auto& own = model_.charts[chart_].steps;
+    if (id == chart_ || own.empty()) return id == chart_;
+    const Span first = own.begin()->origin;
+    return first.source.valid() && std::ranges::any_of(model_.charts[id].steps, [&](const Chart::Step& step) {
+               return step.origin.source == first.source && step.origin.begin == first.begin;
+           });
+}
+
 bool MutantChecker::prepare(const Limits& limits) {
     Limits of_original = limits;
     of_original.deadline = share_of(limits.deadline, 4);
     bool stopped = false;
     for (const Id<ClosedLoop> loop : model_.loops.ids()) {
         const auto& controllers = model_.loops[loop].controllers;
-        if (std::ranges::none_of(controllers, [&](const auto& each) { return each.chart == chart_; })) continue;
+        if (std::ranges::none_of(controllers, [&](const auto& each) { return is_changed(each.chart); })) continue;
         Diagnostics diagnostics;
         const auto report = quiet_report(model_, loop, mode_, {}, of_original, diagnostics);
         if (!report) continue;

@@ -47,6 +47,9 @@ private:
         std::vector<std::string> undecided = {};
         bool whole = true;  ///< true if the original has no model error
     };
+    /// True if a mutant changes this chart: the mutated chart, its instances, and charts that contain instances of it.
+    /// Steps of an instance have the positions of the steps of the chart.
+    bool is_changed(Id<Chart> id) const;
     std::string shown(const OriginalVerdicts& requested, const std::string& property) const;
     void check_model(const Model& mutated, const OriginalVerdicts& requested, const Limits& limits,
                      MutantResult& mutant_result) const;

@@ -50,6 +50,22 @@ TEST(Mutate, CreatesAndChecksEachKindOfMutant) {
     EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // the third property is no_timelock
 }
 
+// A mutant of a chart changes its instances, so that the properties of loops with instances are checked.
+TEST(Mutate, PropertiesOfLoopsWithInstancesAreChecked) {
+    const std::string chart =
+        "grafcet g(input IN; output OUT) { initial step 0; step 1 { OUT; } transition 0 -> 1 when IN; "
+        "transition 1 -> 0 when !IN; }\n";
+    const std::string rest = "environment e = free(OUT = A); property p: reachable B; }\n";
+    for (const std::string& loop :
+         {"closed_loop l { controller c = g(IN = A, OUT = B); " + rest,
+          "grafcet plc { input A; output B; partial c = g(IN = A, OUT = B); }\nclosed_loop l { controller plc; " +
+              rest}) {
+        const auto json = mutated(chart + loop, {"--chart", "g"});
+        EXPECT_EQ(json["properties"].size(), 2U) << json["properties"];  // the second property is no_timelock
+        EXPECT_GT(json["counts"]["noticed"].get<int>(), 0) << json["counts"];
+    }
+}
+
 TEST(Mutate, IncludedChartIsMutatedInItsFile) {
     const Folder folder;
     const std::size_t loop = gate.find("closed_loop");
