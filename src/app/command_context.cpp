@@ -155,7 +155,27 @@ bool keep_requested(ClosedLoop& loop, CommandContext& job) {
     return all_known(requested, known, job.diagnostics);
 }
 
+namespace {
+
+/// Reports two different charts with the requested name: controllers of several closed loops may have equal names.
+bool is_unique(const Model& model, std::string_view name, Diagnostics& diagnostics) {
+    const Chart* first = nullptr;
+    const auto written = [](const Chart& chart) { return chart.instance_of.empty() ? chart.name : chart.instance_of; };
+    for (const Chart& chart : model.charts) {
+        if (chart.name != name) continue;
+        if (first == nullptr) first = &chart;
+        const bool same = written(chart) == written(*first) && chart.has_defaults && first->has_defaults;
+        if (&chart == first || same) continue;
+        diagnostics.add(messages::duplicate_name(chart.origin, "chart", name, first->origin));
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 std::optional<Id<Chart>> chosen_chart(const Model& model, CommandContext& job) {
+    if (job.options.chart && !is_unique(model, *job.options.chart, job.diagnostics)) return {};
     // Instances of charts must be named, and charts with parameters unless there are no others.
     for (const bool with_parameters : {false, true}) {
         std::vector<Id<Chart>> found;

@@ -234,5 +234,25 @@ TEST(Names, SimulationListsTheCandidatesOfAnAmbiguousName) {
     EXPECT_EQ(result.out.find("Gate_H"), std::string::npos) << "the name of the variable in the network is accepted";
 }
 
+/// Controllers of several closed loops may have equal names, but `--chart` must not choose one of them silently.
+TEST(Names, ChartsWithOneNameAreNotChosen) {
+    const Folder folder;
+    const auto file = [&](const std::string& first, const std::string& second) {
+        return folder.write("two.grafcet",
+                            "grafcet g(input IN; T = 1s) { initial step 0; step 1; transition 0 -> 1 when IN; "
+                            "transition 1 -> 0 when T/X1; }\n"
+                            "closed_loop a { controller c = g(IN = A, T = " +
+                                first +
+                                "); environment e = free(OUT = A); }\n"
+                                "closed_loop b { controller c = g(IN = A, T = " +
+                                second + "); environment e = free(OUT = A); }\n");
+    };
+    const Result different = grafverif({"equations", file("1s", "3s"), "--chart", "c"});
+    EXPECT_EQ(different.code, ExitCode::Input);
+    EXPECT_NE(different.err.find("3:28: error: a second chart is named `c`"), std::string::npos) << different.err;
+    EXPECT_EQ(grafverif({"equations", file("1s", "1000ms"), "--chart", "c"}).code, ExitCode::Done);
+    EXPECT_EQ(grafverif({"equations", file("1s", "3s")}).code, ExitCode::Done);
+}
+
 }  // namespace
 }  // namespace grafverif::app
