@@ -412,7 +412,8 @@ Term no_signal(LoopScope& scope, const tree::Expr& node, std::string_view name) 
     if (node.op != tree::Op::Name) {
         const std::string_view owner = scope.file.text(scope.file.exprs[node.first].word);
         const bool instance = scope.instances.contains(owner);
-        scope.diagnostics.add(messages::no_signal(node.where, name, instance ? "part of an instance" : "part of a chart"));
+        scope.diagnostics.add(
+            messages::no_signal(node.where, name, instance ? "part of an instance" : "part of a chart"));
         return {};
     }
     for (const LoopScope::Inside& inside : scope.inside) {
