@@ -249,7 +249,8 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
         inputs.time_passes = complete.time_passes;
         options.max_states = complete_limit;
         InputSearch search(loop, observe, options, inputs,
-                           {.followed = 20'000, .explored = explored, .symbolic_from = 0}, ablations, prove);
+                           {.followed = 20'000, .explored = explored, .symbolic_from = 0, .symbolic_share = 1e9},
+                           ablations, prove);
         for (const std::uint64_t states : {std::uint64_t{30}, options.max_states})
             if (!search.run(states, {})) break;
         compared.compare(network, complete, inputs, expected);

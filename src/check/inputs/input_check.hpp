@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <iterator>
 #include <optional>
@@ -62,9 +63,7 @@ public:
             case Kind::Response: search_progress(task); break;
             }
         }
-        if (round_ >= limits_.symbolic_from)
-            for (const Task& task : postponed_)
-                for (const std::size_t k : task.verdicts) decide_symbolically(k, task);
+        if (prove_ && round_ >= limits_.symbolic_from) decide_symbolically();
         std::ranges::move(std::exchange(postponed_, {}), std::back_inserter(tasks_));
         return !tasks_.empty() || explores;
     }
@@ -127,7 +126,8 @@ private:
     bool each_part_is_lively() const;
     TimedResult searched(const Network& network, const InputAbstraction& abstraction, TimedOptions options,
                          const Task& task);
-    void decide_symbolically(std::size_t verdict, const Task& task);
+    void decide_symbolically();
+    void decide_symbolically(std::size_t verdict, const Task& task, const Deadline& end);
     void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
     Run in_units(Run run) const;
@@ -157,7 +157,9 @@ private:
     bool time_diverges_ = false;
     // Per verdict: the levels with which the symbolic engine continues; empty if it cannot continue.
     std::map<std::size_t, Levels> symbolic_levels_ = {};
-    std::map<std::size_t, unsigned> symbolic_calls_ = {};
+    std::map<std::size_t, int> symbolic_calls_ = {};
+    double symbolic_seconds_ = 0;
+    const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;              // bound of the searches of the current round
     Deadline deadline_ = {};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -296,15 +297,31 @@ void InputAbstractionCheck::search(const Task& task) {
     std::ranges::move(next, std::back_inserter(tasks_));
 }
 
-/// Decides a property by the symbolic engine, with refinement. The first call for a property may take one second, and
-/// each further call four times as long, but at most a third of the remaining time. The next call begins with the levels
-/// that this call has reached.
-void InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task) {
+/// Examines the postponed properties by the symbolic engine, as long as its share of the time permits.
+void InputAbstractionCheck::decide_symbolically() {
+    constexpr double least = 0.5;  // seconds for one property
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    const auto since = [&](auto begin) { return std::chrono::duration<double>(now() - begin).count(); };
+    for (const Task& task : postponed_) {
+        if (task.kind != Kind::SingleStates) continue;
+        for (const std::size_t k : task.verdicts) {
+            const double left = limits_.symbolic_share * since(begin_) - symbolic_seconds_;
+            if (left < least || stopped()) return;
+            const Property& property = observed_.properties[result_.verdicts[k].about];
+            if (!is_open(k) || !is_about_all_states(property.pattern)) continue;
+            const double most = std::exp2(2 * std::min(symbolic_calls_[k]++, 8));
+            const auto begin = now();
+            const auto end = begin + std::chrono::milliseconds(static_cast<std::int64_t>(1000 * std::min(left, most)));
+            decide_symbolically(k, task, deadline_ ? std::min(*deadline_, end) : end);
+            symbolic_seconds_ += since(begin);
+        }
+    }
+}
+
+/// Decides a property by the symbolic engine, with refinement. The next call begins with the levels that this call has
+/// reached.
+void InputAbstractionCheck::decide_symbolically(std::size_t k, const Task& task, const Deadline& end) {
     const Property& property = observed_.properties[result_.verdicts[k].about];
-    if (!prove_ || !is_open(k) || !is_about_all_states(property.pattern) || stopped()) return;
-    const auto share =
-        std::chrono::steady_clock::now() + std::chrono::seconds(1U << 2 * std::min(symbolic_calls_[k]++, 8U));
-    const Deadline end = deadline_ ? std::min(*share_of(deadline_, 3), share) : share;
     Task symbolic{.levels = task.levels, .coarse = true};
     for (InputLevel& level : symbolic.levels) level = std::max(level, InputLevel::Untimed);
     Levels& levels = symbolic_levels_.try_emplace(k, symbolic.levels).first->second;
