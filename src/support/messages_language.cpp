@@ -91,8 +91,8 @@ Diagnostic empty_replication(Span where, std::string_view index, std::int64_t lo
 
 Diagnostic expansion_too_large(Span where, std::size_t limit) {
     return error("too-large", where,
-                 fmt::format("the copies of replications contain more than {} declarations and terms; reduce the "
-                             "ranges of the index variables",
+                 fmt::format("the copies of replications and instances contain more than {} declarations and terms; "
+                             "reduce the ranges of the index variables",
                              limit));
 }
 

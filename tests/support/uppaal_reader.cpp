@@ -125,7 +125,9 @@ private:
         for (const std::string& name : found->second) {
             const bool local = !scope.empty() && name.starts_with(scope + ".");
             if (local) return name.substr(scope.size() + 1);
-            if (scope.empty() && name.find('.') == std::string::npos) return name;
+            // The firing condition of a transition of a chart instance has a dot in its name.
+            const bool global = name.find('.') == std::string::npos || name.starts_with("CF_");
+            if (scope.empty() && global) return name;
         }
         return legal;
     }

@@ -262,7 +262,7 @@ TEST(FirstUse, ALoopWithAScheduleIsSentToItsUntimedModel) {
     EXPECT_EQ(timed.code, ExitCode::Verdict);
     EXPECT_TRUE(says(timed,
                      "note: `pick_and_place` declares a `schedule`, which applies only to untimed models; to check "
-                     "one, run `grafverif check " +
+                     "the untimed model, run `grafverif check " +
                          pick_and_place + " --untimed --plant automata`"))
         << timed.err;
     EXPECT_FALSE(says(grafverif({"check", pick_and_place, "--quiet"}), "note: "));

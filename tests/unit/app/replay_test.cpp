@@ -161,8 +161,8 @@ TEST(Replay, MergesRowsWithTheSameTime) {
 
 TEST(Replay, StatesTheLengthOfTheInconclusivePart) {
     const Result conforming = replayed(head + "1,1,,1,,4\n2,,,,,\n");
-    EXPECT_NE(conforming.out.find("3 samples of <standard input> from 0 s to 2 s, jitter 20 ms; the last 0.08 s are "
-                                  "inconclusive\n"),
+    EXPECT_NE(conforming.out.find("3 samples of <standard input> from 0 s to 2 s, jitter 20 ms; the last 0.08 s of "
+                                  "the recording are inconclusive\n"),
               std::string::npos)
         << conforming.out;
     // The same deviation is found as soon as the samples cover four times the jitter after it.

@@ -404,12 +404,14 @@ TEST(ChartInstances, AreLimited) {
                              "grafcet plc {\n    input A, B;\n    for i in 1..100000 {\n        output V[i];\n"
                              "        partial H[i] = head(HERE = A, FULL = B, VALVE = V[i]);\n    }\n}\n";
     const Reading reading = read(text);
-    EXPECT_NE(reading.rendered.find("the copies contain more than 1000000 declarations and terms"), std::string::npos)
+    EXPECT_NE(reading.rendered.find(
+                  "the copies of replications and instances contain more than 1000000 declarations and terms"),
+              std::string::npos)
         << reading.rendered.substr(0, 1000);
     const std::string loop = head +
                              "closed_loop l {\n    for i in 1..100000 {\n"
                              "        controller H[i] = head(HERE = A, FULL = B, VALVE = V[i]);\n    }\n}\n";
-    EXPECT_NE(read(loop).rendered.find("the copies contain more than 1000000"), std::string::npos);
+    EXPECT_NE(read(loop).rendered.find("instances contain more than 1000000"), std::string::npos);
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ TEST(Import, ImportsInternalVariablesOfContinuousActionsAsOutputs) {
     std::string wanted = fixtures::agrafe_text;
     wanted.replace(wanted.find("fall(G1.X1)"), 11, "fall(M)");
     EXPECT_EQ(result.text, wanted) << result.rendered;
-    EXPECT_NE(result.rendered.find("`M` becomes an output: it is driven by continuous actions"), std::string::npos)
+    EXPECT_NE(result.rendered.find("continuous actions assign it; a condition that reads it depends on"),
+              std::string::npos)
         << result.rendered;
 }
 
