@@ -5,10 +5,12 @@
 #include <cassert>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "ir/program/interface.hpp"
@@ -301,6 +303,12 @@ void record_beyond_errors(std::span<const tree::File> files, Sources& sources, c
     Diagnostics ignored;
     ReadState reading{sources, context, ignored, Recorder(context.references, true)};
     read_all(reading, files, false);
+    // An instance of a chart refers to names of the surrounding chart, whose declarations may be faulty.
+    std::set<std::pair<std::uint32_t, std::size_t>> declared;
+    const auto site = [](Span where) { return std::pair(where.source.index, std::size_t{where.begin}); };
+    for (const References::Declaration& each : context.references->declarations) declared.insert(site(each.where));
+    std::erase_if(context.references->references,
+                  [&](const References::Reference& each) { return !declared.contains(site(each.declaration)); });
 }
 
 }  // namespace

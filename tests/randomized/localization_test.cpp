@@ -53,7 +53,7 @@ int differing(const Network& network, const TimedResult& whole, const TimedResul
             EXPECT_TRUE(found.outcome == Outcome::Unknown || found.outcome == here.outcome) << "with a finer time unit";
         }
         if (by_cells && here.scope.searched.size() > 1) ++seen["by several cells"];
-        if (by_cells && here.scope.because.find("at any time that satisfies") != std::string::npos)
+        if (by_cells && here.scope.because.find("any behaviour that satisfies") != std::string::npos)
             ++seen["by invariants"];
         if (!here.declared && here.outcome == Outcome::Unknown) continue;
         const bool differs =
