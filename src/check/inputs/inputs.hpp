@@ -78,7 +78,7 @@ struct InputLimits {
     std::size_t coarse_rounds = 32;
     /// The symbolic engine is used after rounds with at least this bound on states.
     std::uint64_t symbolic_from = std::uint64_t{1} << 17U;
-    double symbolic_share = 0.25;  ///< maximum share of the time of a search that the symbolic engine may take
+    double symbolic_share = 0.1;  ///< maximum share of the time of a search that the symbolic engine may take
     /// Per property: an abstraction that decided the property in a similar loop. The search begins with this
     /// abstraction instead of the coarsest abstraction. Processes that are not named are complete.
     std::map<std::string, InputsAbstracted> known = {};
