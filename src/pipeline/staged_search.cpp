@@ -12,6 +12,7 @@
 #include "explain/moves.hpp"
 #include "ir/probes.hpp"
 #include "pipeline/models.hpp"
+#include "support/element_of.hpp"
 
 namespace grafverif {
 
@@ -55,13 +56,12 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 
 StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Network&)> system_of) {
     struct Known {
-        std::vector<std::string> excluded_faults = {};  // names of implicit properties that are proved
-        bool no_fault = false;                          // true if no model error is possible
-        std::chrono::steady_clock::duration time = std::chrono::seconds(4);  // for the next proof
-        std::vector<pdr::NamedCube> pairs = {};                              // invariants of the coarsest abstraction
+        bool no_fault = false;  // true if it is proved that no model error is possible
+        std::chrono::steady_clock::duration time = std::chrono::seconds(4);  // time limit of the next proof of this
+        std::vector<pdr::NamedCube> pairs = {};  // invariants of the first abstraction that required them
     };
     return [system_of = std::move(system_of), known = std::make_shared<Known>()](const ProofTask& task) -> Proof {
-        if (known->no_fault && std::ranges::find(known->excluded_faults, task.property) != known->excluded_faults.end())
+        if (known->no_fault && excludes_fault(element_of(task.abstraction.properties, task.property, &Property::name)))
             return {Outcome::Holds};
         const std::optional<TransitionSystem> system = system_of(task.abstraction);
         if (!system) return {};
@@ -88,8 +88,7 @@ StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Ne
         if (std::vector<std::string> names = unproven_faults(*system, found); !names.empty()) {
             const auto end = std::chrono::steady_clock::now() + std::exchange(known->time, known->time * 2);
             pdr.deadline = task.end ? std::min(end, *task.end) : end;
-            std::ranges::move(check(names).verdicts, std::back_inserter(found));
-            known->excluded_faults = std::move(names);
+            std::ranges::move(check(std::move(names)).verdicts, std::back_inserter(found));
         }
         known->no_fault = unproven_faults(*system, found).empty();
         return {known->no_fault ? Outcome::Holds : Outcome::Unknown};

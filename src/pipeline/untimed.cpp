@@ -106,14 +106,17 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
 
 }  // namespace
 
+bool excludes_fault(const Property& property) {
+    // A property that a model declares may have the same name.
+    const bool is_implicit = !property.origin.source.valid();
+    return is_implicit && (property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range"));
+}
+
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts) {
     std::vector<std::string> unproven;
     for (const Id<Property> id : system.properties.ids()) {
         const Property& property = system.properties[id];
-        const bool is_implicit =
-            !property.origin.source.valid();  // false if the model declares a property with this name
-        if (!is_implicit || !(property.name.starts_with("no_race") || property.name.starts_with("no_out_of_range")))
-            continue;
+        if (!excludes_fault(property)) continue;
         const auto verdict = std::ranges::find(verdicts, id, &Verdict::about);
         if (verdict == verdicts.end() || verdict->outcome != Outcome::Holds) unproven.push_back(property.name);
     }

@@ -44,6 +44,9 @@ struct SystemToCheck {
     std::function<const std::optional<Network>&()> network = {};
 };
 
+/// True for the implicit properties `no_race` and `no_out_of_range`, which exclude model errors.
+bool excludes_fault(const Property& property);
+
 /// Returns the properties `no_race` and `no_out_of_range` that are not proved by `verdicts`. If `no_race` or
 /// `no_out_of_range` is violated, the behaviour after the violation is undefined and may differ in another model.
 std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "check/inputs/impossible.hpp"
 #include "compose/observe.hpp"
+#include "pipeline/models.hpp"
+#include "pipeline/staged_search.hpp"
 #include "support/read_loop.hpp"
 #include "unit/check/networks.hpp"
 
@@ -34,6 +37,27 @@ Verdict decided(const std::string& text, const InputLimits& limits = {.explored 
         EXPECT_TRUE(replay(observe(loop), *found.run)) << "a run of the complete loop";
     }
     return found;
+}
+
+TEST(InputAbstraction, DeclaredPropertiesWithNamesOfImplicitOnesAreProvedThemselves) {
+    const auto loop = read_loop(
+        "grafcet c { input A; output L; internal M; initial step 0 { M := true on activation; }\n"
+        "step 1 { L; M := false on activation; }\n"
+        "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; }\n"
+        "closed_loop l { controller c; environment E = push_button(OUT = A);\n"
+        "property fine: never X0 && X1; property no_race: never X1; }\n");
+    const StateProver prove =
+        prover_by_pdr([&](const Network& abstraction) { return system_of_abstraction(loop.model, {0}, abstraction); });
+    const std::uint64_t memory = std::uint64_t{1} << 30U;
+    const auto outcome = [&](const Network& network, const std::string& property) {
+        return prove({network, property, {}, {}, memory}).outcome;
+    };
+    // A network with only one property, as for a property with an observer: its implicit property is named `no_race`.
+    Network alone = expand(loop.network);
+    for (const Property& property : std::exchange(alone.properties, {}))
+        if (property.name == "fine") alone.properties.add(property);
+    EXPECT_EQ(outcome(alone, "fine"), Outcome::Holds);
+    EXPECT_EQ(outcome(expand(loop.network), "no_race"), Outcome::Violated);
 }
 
 /// Returns the verdict of the complete search.
