@@ -111,34 +111,41 @@ Offers add_offers(const PlantInstances& plant, const MoveChoice& move, bool disc
 
 // -- properties -------------------------------------------------------------------------------------------------------
 
+/// Adds a property of the network.
+void add_translated(const PlantInstances& plant, Property property) {
+    for (Id<Expr>& operand : property.operands) operand = over_main(plant, operand);
+    plant.main.system.properties.add(std::move(property));
+}
+
+/// Adds the property that excludes races, if races are possible.
+void add_race_property(const PlantInstances& plant) {
+    const Id<Network::Variable> race = plant.context.network.race;
+    if (!race.valid()) return;
+    add_never(plant.main.system, "no_race", "no two stored actions assign different values to one variable",
+              {plant.main.draft.leaf(plant.variables[race.index])});
+}
+
 /// Adds the property of the network that has the name of `property` and refers to its observer (compose/observe.hpp),
 /// followed by its vacuity probes (ir/probes.hpp). If the network has no such property, adds `property` itself.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
     const Network& network = plant.context.network;
     const auto known = std::ranges::find(network.properties, property.name, &Property::name);
     if (known == network.properties.end()) return add_property(meaning, property);
-    const auto add = [&](Property translated) {
-        for (Id<Expr>& operand : translated.operands) operand = over_main(plant, operand);
-        meaning.main.system.properties.add(std::move(translated));
-    };
-    add(*known);
+    add_translated(plant, *known);
     for (const Property& probe : network.properties)
-        if (probed_by(probe) == property.name) add(probe);
+        if (probed_by(probe) == property.name) add_translated(plant, probe);
 }
 
 /// Adds the observers, the properties of the loop, and the properties that exclude races and values outside their
 /// ranges. Properties that read an observer are added after all other properties of the loop.
 void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
     const ClosedLoop& loop = meaning.loop;
-    const Network& network = plant.context.network;
     add_observers(meaning);
     for (const Property& property : loop.properties)
         if (property.pattern == Pattern::Watched) add_watched(meaning, plant, property);
         else if (!reads_observer(loop, property)) add_property(meaning, property);
     for (const Property& constraint : constraints_to_prove(loop)) add_property(meaning, constraint);
-    if (network.race.valid())
-        add_never(meaning.main.system, "no_race", "no two stored actions assign different values to one variable",
-                  {meaning.main.draft.leaf(plant.variables[network.race.index])});
+    add_race_property(plant);
     for (const Property& property : loop.properties)
         if (property.pattern != Pattern::Watched && reads_observer(loop, property)) add_property(meaning, property);
     plant.add_range_property();
@@ -146,18 +153,13 @@ void add_queries(LoopMeaning& meaning, const PlantInstances& plant) {
 
 /// Adds the properties of the network about all states, and the properties that exclude races and values outside their
 /// ranges.
-void add_network_queries(Main& main, const PlantInstances& plant) {
+void add_network_queries(const PlantInstances& plant) {
     const Network& network = plant.context.network;
     for (const Property& property : network.properties) {
         const bool about_race = network.race.valid() && !property.origin.source.valid() && property.name == "no_race";
-        if (!is_about_all_states(property.pattern) || about_race) continue;
-        Property translated = property;
-        for (Id<Expr>& operand : translated.operands) operand = over_main(plant, operand);
-        main.system.properties.add(std::move(translated));
+        if (is_about_all_states(property.pattern) && !about_race) add_translated(plant, property);
     }
-    if (network.race.valid())
-        add_never(main.system, "no_race", "no two stored actions assign different values to one variable",
-                  {main.draft.leaf(plant.variables[network.race.index])});
+    add_race_property(plant);
     plant.add_range_property();
 }
 
@@ -257,7 +259,7 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
                         .can_move = offers.can_move,
                         .can_wait = offers.can_wait};
     if (properties == PropertiesOf::Loop) add_queries(meaning, plant);
-    else add_network_queries(main, plant);
+    else add_network_queries(plant);
     main.system.settled = over_main(plant, network.settled);
     main.system.scope = network_scope(network, options);
     for (const Id<Network::Controller> id : network.controllers.ids())
