@@ -15,7 +15,7 @@
 //
 // After a round, a symbolic engine examines properties whose searches reached the bound. The abstraction is the same,
 // except that `Chosen` processes become `Untimed`. A run of the symbolic engine is treated like a run of a search, and
-// the symbolic engine continues with the next levels. Its time is bounded.
+// the symbolic engine continues with the next levels. InputLimits::symbolic_share bounds its time.
 //
 // An abstraction with a model error yields no verdict, because the states after the error are not explored.
 #pragma once
@@ -49,12 +49,13 @@ struct ProofTask {
     const std::atomic<bool>* stop = nullptr;
 };
 
+/// Result of a ProofTask.
 struct Proof {
     /// Holds: the property holds in all states, and no state has a model error. Violated: some state violates the
     /// property. Unknown: a limit was reached, or a model error is possible.
     Outcome outcome = Outcome::Unknown;
-    std::optional<Run> run =
-        {};  ///< if Violated: a run of the abstraction to the state, unless the run has a model error
+    /// If Violated: a run of the abstraction to the state; empty if the run has a model error.
+    std::optional<Run> run = {};
 };
 using StateProver = std::function<Proof(const ProofTask&)>;
 

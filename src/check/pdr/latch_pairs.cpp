@@ -52,23 +52,27 @@ void LatchPairs::select_candidates() {
     for (const NamedCube& cube : *candidates_) {
         std::vector<std::size_t> active, inactive;
         for (const auto& [latch, value] : cube)
-            if (const auto found = index.find(latch); found != index.end() && latch != "broken")
+            if (const auto found = index.find(latch); found != index.end())
                 (value ? active : inactive).push_back(found->second);
-        const std::size_t known = active.size() + inactive.size();
-        if (active.empty() || known > 2 || known != cube.size() - (circuit_.broken != Gates::no ? 1U : 0U)) continue;
+        if (active.size() + inactive.size() != cube.size()) continue;  // the circuit lacks a latch
         Row& row = rows_[active[0]];
-        if (known == 1) row.never = true;
-        else if (inactive.empty()) {
+        if (cube.size() == 1) {
+            row.never = true;
+        } else if (inactive.empty()) {
             set(row.both, active[1]);
             set(rows_[active[1]].both, active[0]);
-        } else set(row.without, inactive[0]);
+        } else {
+            set(row.without, inactive[0]);
+        }
     }
 }
 
 /// Creates a solver for the candidates. If an exception interrupts a solver, its state is unknown.
 void LatchPairs::begin() {
     const std::size_t count = circuit_.latches.size();
-    if (rows_.empty()) candidates_ != nullptr && !candidates_->empty() ? select_candidates() : set_candidates();
+    const bool selected = candidates_ != nullptr && !candidates_->empty();
+    if (rows_.empty() && selected) select_candidates();
+    else if (rows_.empty()) set_candidates();
     solver_.emplace(circuit_, watch_);
     now_.clear();
     next_.clear();
@@ -99,6 +103,8 @@ void LatchPairs::assume(std::size_t latch) {
     }
 }
 
+/// Adds a clause: if the violation of the row is true, the next state contains a candidate of the row. It replaces the
+/// clauses for more candidates, which remain true.
 void LatchPairs::require_violation(std::size_t latch) {
     const Row& row = rows_[latch];
     if (row.never) return;
@@ -181,7 +187,8 @@ std::vector<NamedCube> LatchPairs::named_cubes() {
     for (const Cube& cube : cubes()) {
         NamedCube& named = made.emplace_back();
         for (const Literal literal : cube)
-            named.push_back({std::string(names[node_of(literal)]), !is_inverted(literal)});
+            if (node_of(literal) != node_of(circuit_.broken))
+                named.push_back({std::string(names[node_of(literal)]), !is_inverted(literal)});
     }
     return made;
 }

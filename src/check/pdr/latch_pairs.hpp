@@ -18,7 +18,8 @@
 
 namespace grafverif::pdr {
 
-/// A value of a latch, by its name. A vector of such values contains the states that have all these values.
+/// A value of a latch, by its name. The vector NamedCube represents the states that have all its values and in which
+/// Circuit::broken is false.
 struct NamedValue {
     std::string latch = {};
     bool value = false;
