@@ -180,9 +180,7 @@ private:
 LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network) {
     return {network, charts_of(model, model.loops[loop]), false,
             [&model, loop] { return finest_duration(model, model.loops[loop]); },
-            prover_by_pdr([&model, loop](const Network& abstraction) {
-                return system_of_abstraction(model, loop, abstraction);
-            })};
+            prover_by_pdr(translator_of_abstractions(model, loop))};
 }
 
 namespace {

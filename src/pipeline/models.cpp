@@ -168,12 +168,14 @@ std::optional<TransitionSystem> system_with_probes(const Model& model, Id<Closed
     return system_of(model, loop, options, Vacuity::Probed, diagnostics);
 }
 
-std::optional<TransitionSystem> system_of_abstraction(const Model& model, Id<ClosedLoop> id,
-                                                      const Network& abstraction) {
-    Diagnostics known;  // the network exists, so errors are impossible
-    const auto equations = equations_of_controllers(model, model.loops[id], known);
-    if (!equations) return {};
-    return schedule_abstraction(model, model.loops[id], *equations, abstraction);
+AbstractionTranslator translator_of_abstractions(const Model& model, Id<ClosedLoop> id) {
+    return [&model, id, equations = std::optional<std::vector<Equations>>{}](
+               const Network& abstraction) mutable -> std::optional<TransitionSystem> {
+        Diagnostics known;  // the network exists, so errors are impossible
+        if (!equations) equations = equations_of_controllers(model, model.loops[id], known);
+        if (!equations) return {};
+        return schedule_abstraction(model, model.loops[id], *equations, abstraction);
+    };
 }
 
 Network network_with_probes(const Network& network) {

@@ -2,6 +2,8 @@
 // Functions of the pipeline that the program uses in addition to the public API.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +34,12 @@ TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const
 /// properties. Use the system only for checking, not for output.
 std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                                    Diagnostics& diagnostics);
-/// Returns the model of `abstraction`, an abstraction of the network of the loop, as a TransitionSystem
-/// (schedule/network.hpp); nullopt if a variable has too many values for a symbolic model.
-std::optional<TransitionSystem> system_of_abstraction(const Model& model, Id<ClosedLoop> loop,
-                                                      const Network& abstraction);
+/// Translates abstractions of the network of a closed loop to TransitionSystems (see schedule_abstraction); the result is
+/// nullopt if a variable has too many values for a symbolic model.
+using AbstractionTranslator = std::function<std::optional<TransitionSystem>(const Network& abstraction)>;
+/// Returns a translator, which computes the equations of the controllers once. `model` must outlive the translator.
+AbstractionTranslator translator_of_abstractions(const Model& model, Id<ClosedLoop> loop);
+
 /// Returns `network` with the observers of all its properties and with all probes, for external programs.
 Network network_with_probes(const Network& network);
 

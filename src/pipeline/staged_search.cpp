@@ -11,7 +11,6 @@
 #include "check/pdr/check.hpp"
 #include "explain/moves.hpp"
 #include "ir/probes.hpp"
-#include "pipeline/models.hpp"
 #include "support/element_of.hpp"
 
 namespace grafverif {
@@ -54,16 +53,18 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
     return timed;
 }
 
-StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Network&)> system_of) {
+StateProver prover_by_pdr(AbstractionTranslator system_of) {
     struct Known {
         bool no_fault = false;  // true if it is proved that no model error is possible
         std::chrono::steady_clock::duration time = std::chrono::seconds(4);  // time limit of the next proof of this
         std::vector<pdr::NamedCube> pairs = {};  // invariants of the first abstraction that required them
     };
-    return [system_of = std::move(system_of), known = std::make_shared<Known>()](const ProofTask& task) -> Proof {
+    // Copies of the prover share the translator, because it stores equations.
+    return [system_of = std::make_shared<AbstractionTranslator>(std::move(system_of)),
+            known = std::make_shared<Known>()](const ProofTask& task) -> Proof {
         if (known->no_fault && excludes_fault(element_of(task.abstraction.properties, task.property, &Property::name)))
             return {Outcome::Holds};
-        const std::optional<TransitionSystem> system = system_of(task.abstraction);
+        const std::optional<TransitionSystem> system = (*system_of)(task.abstraction);
         if (!system) return {};
         PdrOptions pdr;
         pdr.max_memory = task.memory;

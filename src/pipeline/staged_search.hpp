@@ -18,6 +18,7 @@
 #include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 #include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
 
 namespace grafverif {
 
@@ -28,10 +29,10 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
 /// of unreachable steps.
 Report check_without_causes(const LoopToCheck& loop, const CheckOptions& options);
 
-/// Returns a prover that decides properties by PDR on the untimed model that `system_of` returns for an abstraction.
+/// Returns a prover that decides properties by PDR on the model that `system_of` returns for an abstraction.
 /// Copies of the prover share the proof that no model error is possible. Requires that all abstractions are abstractions
 /// of the same loop.
-StateProver prover_by_pdr(std::function<std::optional<TransitionSystem>(const Network&)> system_of);
+StateProver prover_by_pdr(AbstractionTranslator system_of);
 
 class StagedSearch {
 public:

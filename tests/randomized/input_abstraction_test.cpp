@@ -10,7 +10,6 @@
 
 #include "check/inputs/inputs.hpp"
 #include "compose/observe.hpp"
-#include "pipeline/models.hpp"
 #include "pipeline/staged_search.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_panel.hpp"
@@ -323,8 +322,7 @@ TEST(InputAbstraction, SymbolicProofsAgreeWithTheCompleteLoop) {
         Random random(static_cast<std::uint64_t>(seed) + 5000);
         const auto loop =
             read_loop(panel_loop(random, plants), {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased});
-        const StateProver by_pdr = prover_by_pdr(
-            [&](const Network& abstraction) { return system_of_abstraction(loop.model, {0}, abstraction); });
+        const StateProver by_pdr = prover_by_pdr(translator_of_abstractions(loop.model, {0}));
         const StateProver prove = [&](const ProofTask& task) {
             const Proof proof = by_pdr({task.abstraction, task.property, {}, {}, task.memory, task.stop});
             ++seen["proofs: " + std::string(word(proof.outcome))];

@@ -11,7 +11,6 @@
 
 #include "check/inputs/impossible.hpp"
 #include "compose/observe.hpp"
-#include "pipeline/models.hpp"
 #include "pipeline/staged_search.hpp"
 #include "support/read_loop.hpp"
 #include "unit/check/networks.hpp"
@@ -46,8 +45,7 @@ TEST(InputAbstraction, DeclaredPropertiesWithNamesOfImplicitOnesAreProvedThemsel
         "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; }\n"
         "closed_loop l { controller c; environment E = push_button(OUT = A);\n"
         "property fine: never X0 && X1; property no_race: never X1; }\n");
-    const StateProver prove =
-        prover_by_pdr([&](const Network& abstraction) { return system_of_abstraction(loop.model, {0}, abstraction); });
+    const StateProver prove = prover_by_pdr(translator_of_abstractions(loop.model, {0}));
     const std::uint64_t memory = std::uint64_t{1} << 30U;
     const auto outcome = [&](const Network& network, const std::string& property) {
         return prove({network, property, {}, {}, memory}).outcome;
