@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # grafverif_warnings: compiler options for the code of the project, including the sanitizers if they are enabled. The
-# preset determines whether warnings are errors (CMAKE_COMPILE_WARNING_AS_ERROR).
+# preset determines whether warnings are errors (CMAKE_COMPILE_WARNING_AS_ERROR): all presets except `run` and `package`.
 add_library(grafverif_warnings INTERFACE)
 target_compile_options(grafverif_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
                        -Wnon-virtual-dtor -Wold-style-cast -Wswitch)

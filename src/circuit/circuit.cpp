@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "circuit/circuit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace grafverif {
@@ -13,8 +15,8 @@ void check_sources(const Circuit& circuit, Faults& faults) {
     std::vector<int> named(circuit.gates.size());
     const auto name = [&](std::uint32_t node, const std::string& what) {
         if (node == 0 || node >= named.size() || circuit.gates.is_gate(node))
-            faults.push_back(what + " is not a source");
-        else if (++named[node] > 1) faults.push_back(what + " shares its source with another element");
+            faults.push_back(fmt::format("{} is not a source", what));
+        else if (++named[node] > 1) faults.push_back(fmt::format("{} shares its source with another element", what));
     };
     for (const Circuit::Input& input : circuit.inputs) name(input.node, "input `" + input.name + "`");
     for (const Circuit::Latch& latch : circuit.latches) name(latch.node, "latch `" + latch.name + "`");
@@ -29,10 +31,10 @@ std::vector<std::string> verify(const Circuit& circuit) {
     const Gates& gates = circuit.gates;
     for (std::uint32_t node = 1; node < gates.size(); ++node)
         if (node_of(gates[node].left) >= node || node_of(gates[node].right) >= node)
-            faults.push_back("node " + std::to_string(node) + " reads itself or a later node");
+            faults.push_back(fmt::format("node {} reads itself or a later node", node));
     check_sources(circuit, faults);
     const auto known = [&](Gates::Literal literal, const char* what) {
-        if (node_of(literal) >= gates.size()) faults.push_back(std::string(what) + " refers to no node");
+        if (node_of(literal) >= gates.size()) faults.push_back(fmt::format("{} refers to no node", what));
     };
     for (const Circuit::Latch& latch : circuit.latches) known(latch.next, "a latch");
     for (const auto* words : {&circuit.words, &circuit.symbols})
