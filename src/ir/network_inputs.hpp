@@ -135,6 +135,9 @@ struct InputAbstraction {
     Network network = {};
     std::vector<InputChoice> choices = {};
     std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
+    /// Untimed timers. Without loss of runs, up to EVOL_TI, an edge of such a timer that is not urgent is taken only
+    /// while its PLC waits.
+    std::vector<Id<Network::Process>> deferred = {};
 };
 
 /// Builds the input abstraction. `levels` contains one level per process. Requires that store_what_is_read has been

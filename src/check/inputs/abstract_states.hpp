@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "check/inputs/follow.hpp"
-#include "check/inputs/packed_states.hpp"
+#include "check/timed/store/packed_states.hpp"
 #include "check/timed/machine.hpp"
 
 namespace grafverif {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "check/inputs/packed_states.hpp"
+#include "check/timed/store/packed_states.hpp"
 #include "check/timed/layout.hpp"
 #include "grafverif/ir/verdict.hpp"
 

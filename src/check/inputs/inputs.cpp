@@ -58,7 +58,8 @@ void InputAbstractionCheck::collect() {
     const bool progress = !possible.verdicts.empty() || !response.verdicts.empty();
     if (!possible.verdicts.empty()) tasks_.push_front(std::move(possible));
     if (!response.verdicts.empty()) tasks_.push_front(std::move(response));
-    if (!passing.verdicts.empty() || progress) tasks_.push_front(std::move(passing));
+    if (progress) tasks_.push_front(std::move(passing));
+    else if (!passing.verdicts.empty()) tasks_.push_back(std::move(passing));
 }
 
 /// Searches for runs of the complete loop. Returns false if another round would find no further run. A loop with
@@ -126,8 +127,10 @@ InputAbstractionCheck::Levels InputAbstractionCheck::first_levels(const Property
     Levels levels;
     for (const AbstractableProcess& process : instances_) {
         bool is_stored = process.valuations.empty() || processes.contains(process.process.index);
-        for (const Id<Network::Variable> output : process.outputs)
-            is_stored = is_stored || variables.contains(output.index);
+        // An observer that reads the condition of quiescence reads the flag EVOL_PL, which is not an output.
+        const Slots slots(loop_, process.process);
+        for (const Id<Network::Variable> written : has_observer() ? slots.written() : process.outputs)
+            is_stored = is_stored || variables.contains(written.index);
         const bool by_itself = process.autonomous && !process.valuations.empty();
         if (!by_itself && !coarse) levels.push_back(InputLevel::Complete);
         else if (!is_stored) levels.push_back(InputLevel::Chosen);
@@ -207,6 +210,7 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
     options.profile = ProfileFor::None;
     options.many = {};
     options.choices = abstraction.choices;
+    options.macro_steps = {.enabled = true, .deferred = abstraction.deferred};
     options.max_states = std::min(round_, bound_of(task));
     options.deadline = deadline_;
     TimedResult found = check_timed(network, options);

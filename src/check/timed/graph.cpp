@@ -15,24 +15,30 @@ void Graph::urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& f
     std::erase_if(found, [&](std::uint32_t) { return !machine.urgent(moves_.edges[move++]); });
 }
 
-Move Graph::move_between(std::uint32_t from, std::uint32_t to) {
-    load(to);
-    const std::vector<Word> target(now_.words.data(), now_.words.data() + machine.layout().stored);
-    const auto leads = [&](const Word* words) { return std::equal(target.begin(), target.end(), words); };
-    expand(from);
-    if (!moves_.urgent && machine.delay(now_.words.data()) && leads(now_.words.data())) return Delay{1};
-    for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
-        if (!leads(moves_.words.data() + i * machine.layout().words)) continue;
-        taken_ = i;
-        return Fire{machine.process_of(moves_.edges[i]), machine.edge_of(moves_.edges[i])};
+std::vector<AbstractState> Graph::moves_between(std::vector<Word>& words, std::uint32_t to) {
+    const auto stored = static_cast<std::ptrdiff_t>(machine.layout().stored);
+    const std::vector<Word> target(load(to), load(to) + stored);
+    std::vector<Word> later = words;
+    machine.expand(words.data(), moves_);
+    if (!moves_.urgent && machine.delay(later.data()) && macro_steps.are_equivalent(later.data(), target.data())) {
+        words = std::move(later);
+        return {{Delay{1}, state_of(words.data()), std::vector<Word>(machine.choices().size())}};
     }
-    unreachable();
+    std::vector<AbstractState> moves;
+    for (MacroSteps::Step& step : macro_steps.between(words.data(), target.data())) {
+        words = std::move(step.words);
+        moves.push_back({Fire{machine.process_of(step.edge), machine.edge_of(step.edge)}, state_of(words.data()),
+                         std::move(step.chosen)});
+    }
+    if (moves.empty()) unreachable();
+    return moves;
 }
 
-NetworkState Graph::state(std::uint32_t number) {
+NetworkState Graph::state(std::uint32_t number) { return state_of(load(number)); }
+
+NetworkState Graph::state_of(const Word* words) const {
     const Network& network = machine.network();
     const Layout& layout = machine.layout();
-    const Word* const words = load(number);
     NetworkState state;
     for (const Field& location : layout.locations)
         state.locations.push_back({static_cast<std::uint32_t>(location.get(words))});
@@ -46,33 +52,36 @@ NetworkState Graph::state(std::uint32_t number) {
     return state;
 }
 
+/// Returns the words of the first state of a path, with the values of all variables if this is the initial state.
+std::vector<Word> Graph::first_words(const std::vector<std::uint32_t>& path) {
+    if (path.front() == 0) return packed_initial(machine.network(), machine.layout());
+    const Word* const words = load(path.front());
+    return {words, words + machine.layout().words};
+}
+
 std::vector<AbstractState> Graph::states_along(const std::vector<std::uint32_t>& path) {
     std::vector<AbstractState> states;
-    const std::size_t choices = machine.choices().size();
-    moves_.record_choices = true;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        AbstractState& state = states.emplace_back();
-        state.move = move_between(path[i], path[i + 1]);
-        state.possible.assign(choices, 0);
-        if (std::holds_alternative<Fire>(state.move))
-            std::copy_n(moves_.chosen.begin() + static_cast<std::ptrdiff_t>(taken_ * choices), choices,
-                        state.possible.begin());
-        state.state = this->state(path[i + 1]);
-        state.state.clocks.clear();
-    }
-    moves_.record_choices = false;
+    std::vector<Word> words = first_words(path);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        for (AbstractState& state : moves_between(words, path[i + 1])) {
+            state.state.clocks.clear();
+            states.push_back(std::move(state));
+        }
     return states;
 }
 
 Run Graph::run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop) {
     Run run;
+    std::vector<Word> words = first_words(path);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        const bool joins = loop != i && !run.moves.empty();
+        bool joins = loop != i && !run.moves.empty();
         if (loop == i) run.loop = run.moves.size();
-        const Move move = move_between(path[i], path[i + 1]);
-        Delay* const before = joins ? std::get_if<Delay>(&run.moves.back()) : nullptr;
-        if (before && std::holds_alternative<Delay>(move)) before->units += 1;
-        else run.moves.push_back(move);
+        for (const AbstractState& state : moves_between(words, path[i + 1])) {
+            Delay* const before = joins ? std::get_if<Delay>(&run.moves.back()) : nullptr;
+            if (before && std::holds_alternative<Delay>(state.move)) before->units += 1;
+            else run.moves.push_back(state.move);
+            joins = true;
+        }
     }
     return run;
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "check/timed/machine.hpp"
+#include "check/timed/macro_steps.hpp"
 #include "check/timed/store/column.hpp"
 #include "check/timed/store/covering.hpp"
 #include "check/timed/store/store.hpp"
@@ -126,11 +127,12 @@ struct FaultAt {
 /// The states and transitions of a search. Several threads may call const functions at the same time.
 class Graph {
 public:
-    explicit Graph(Machine& compiled) : machine(compiled), store(compiled.layout()) {}
+    explicit Graph(Machine& compiled) : machine(compiled), macro_steps(compiled), store(compiled.layout()) {}
 
     static constexpr std::uint32_t kind_shift = 29, target_mask = (1U << kind_shift) - 1;
 
     Machine& machine;
+    MacroSteps macro_steps;  ///< the edges of the graph
     Store store;
     Column<std::uint32_t> parent = {};
     Column<std::uint32_t> kinds = {};  // kind and target of each state
@@ -187,8 +189,14 @@ public:
     /// Stores the successors of `state` by urgent edges in `found`.
     void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
 
-    /// Returns the move that leads from one state to its successor.
-    Move move_between(std::uint32_t from, std::uint32_t to);
+    /// Computes the edges of the graph that begin in `words`.
+    void expand(const Word* words, Moves& moves, MacroSteps::Buffers& buffers) const {
+        if (macro_steps.applies()) macro_steps.expand(words, moves, buffers);
+        else machine.expand(words, moves);
+    }
+    /// Returns the moves that lead from the state `words` to its successor `to`: a delay, an edge, or the edges of a
+    /// macro-step. Changes `words` to `to`, with the values of variables that are not stored.
+    std::vector<AbstractState> moves_between(std::vector<Word>& words, std::uint32_t to);
     /// Returns the moves along a path of states. Consecutive delays are joined to one move, except for two delays
     /// between which the loop begins (at index `loop`).
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
@@ -209,11 +217,13 @@ public:
     }
 
 private:
-    void expand(std::uint32_t state) { machine.expand(load(state), moves_); }
+    void expand(std::uint32_t state) { expand(load(state), moves_, buffers_); }
+    NetworkState state_of(const Word* words) const;
+    std::vector<Word> first_words(const std::vector<std::uint32_t>& path);
 
     Moves moves_ = {};
+    MacroSteps::Buffers buffers_ = {};
     Unfolded now_ = {}, found_ = {};
-    std::size_t taken_ = 0;  // index of the edge in moves_, set by move_between
 };
 
 }  // namespace grafverif::timed

@@ -81,17 +81,47 @@ std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network
 
 }  // namespace
 
+VariableSet unread_variables(const Network& network) {
+    VariableSet unread(network.variables.size());
+    for (const Id<Network::Variable> id : network.variables.ids())
+        unread[id.index] = network.variables[id].type.boolean && !network.variables[id].scratch && id != network.race;
+    const auto take = [&](Id<Expr> term) {
+        for (const Id<Expr> leaf : leaves(network.exprs, term)) {
+            const Expr& node = network.exprs[leaf];
+            if (node.op == Op::Variable) unread[static_cast<std::size_t>(node.value)] = false;
+        }
+    };
+    const auto values = [&](const std::vector<Network::Assignment>& assignments) {
+        for (const Network::Assignment& assignment : assignments) take(assignment.value);
+    };
+    for (const Network::Controller& controller : network.controllers)
+        if (controller.stable.valid()) unread[controller.stable.index] = false;
+    if (network.settled.valid()) take(network.settled);
+    for (const Property& property : network.properties) std::ranges::for_each(property.operands, take);
+    for (const Network::Template& automaton : network.templates) {
+        for (const Network::Procedure& procedure : automaton.procedures) values(procedure.assignments);
+        for (const Network::Edge& edge : automaton.edges) {
+            take(edge.guard);
+            values(edge.assignments);
+        }
+    }
+    return unread;
+}
+
 Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks,
-                 const std::vector<InputChoice>& choices) {
+                 const std::vector<InputChoice>& choices, const VariableSet& unread) {
     Layout layout;
     Bits bits;
     layout.locations.resize(network.processes.size());
     layout.clocks.resize(network.processes.size());
     layout.variables.resize(network.variables.size());
     const std::vector<std::vector<Id<Network::Variable>>> written = written_by_process(network);
+    const auto is_stored = [&](Id<Network::Variable> id) {
+        return !network.variables[id].scratch && (unread.empty() || !unread[id.index]);
+    };
     const auto take = [&](Id<Network::Variable> id) {
         const Network::Variable& variable = network.variables[id];
-        if (!variable.scratch) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
+        if (is_stored(id)) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
     };
     const NetworkSubsystems parts = parts_of(network);
     std::uint32_t part = 0;
@@ -111,7 +141,7 @@ Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clock
     bits.close();
     for (const Id<Network::Variable> id : network.variables.ids()) {
         const Network::Variable& variable = network.variables[id];
-        if (variable.scratch) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
+        if (!is_stored(id)) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
     }
     layout.words = std::max(layout.stored, bits.size());
     return layout;

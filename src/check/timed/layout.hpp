@@ -65,9 +65,16 @@ struct Layout {
     std::vector<std::size_t> seams = {};
 };
 
-/// Computes the layout of `network`, which must be expanded.
+/// A set of variables of a network: one value per variable.
+using VariableSet = std::vector<bool>;
+
+/// Returns the Boolean variables that no edge and no property of `network` reads. Requires that `network` is expanded.
+VariableSet unread_variables(const Network& network);
+
+/// Computes the layout of `network`, which must be expanded. The variables of `unread` are not stored; they follow the
+/// stored words like scratch variables.
 Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks,
-                 const std::vector<InputChoice>& choices = {});
+                 const std::vector<InputChoice>& choices = {}, const VariableSet& unread = {});
 
 /// Returns the initial state in packed form, with layout.words words.
 std::vector<Word> packed_initial(const Network& network, const Layout& layout);

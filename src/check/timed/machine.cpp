@@ -47,48 +47,59 @@ void Machine::expand(const Word* words, Moves& moves) const {
 }
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
-    if (edges_[edge].first_set == edges_[edge].last_set) take(edge, words, moves);
-    else fire_each_path(edge, words, moves);
+    if (edges_[edge].first_set != edges_[edge].last_set) return fire_each_path(edge, words, moves);
+    Word* const next = room(moves);
+    copy_stored(words, next, moves);
+    const ExecutionResult ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
+    add_move(edge, ran, moves);
 }
 
-/// Adds the move by `edge` to `moves` and returns the successor. If the edge causes a model error, records the error
-/// and returns null.
-Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
+/// Returns the place for the words of the next successor.
+Word* Machine::room(Moves& moves) const {
     if (const std::size_t needed = (moves.edges.size() + 1) * layout_.words; moves.words.size() < needed)
         moves.words.resize(2 * needed);
-    Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
-    for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
-    const ExecutionResult ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
+    return moves.words.data() + moves.edges.size() * layout_.words;
+}
+
+void Machine::copy_stored(const Word* words, Word* next, const Moves& moves) const {
+    const std::size_t copied = moves.record_choices ? layout_.words : layout_.stored;
+    for (std::size_t i = 0; i < copied; ++i) next[i] = words[i];
+}
+
+/// Adds the move by `edge`, whose code has computed the words in room(moves), to `moves`. If the edge causes a model
+/// error, records the error and returns false.
+bool Machine::add_move(std::uint32_t edge, const ExecutionResult& ran, Moves& moves) const {
     moves.urgent = moves.urgent || edges_[edge].urgent;  // set even if a model error occurs
     if (ran.end == End::Yes) {
         moves.edges.push_back(edge);
         if (moves.record_choices) moves.chosen.insert(moves.chosen.end(), choices_.size(), 0);
-        return next;
+        return true;
     }
     if (!moves.fault) moves.fault = Fault{ran.end, edge, program_.code[ran.place].to};
-    return nullptr;
+    return false;
 }
 
-/// Executes the code of the edge once for each combination of sets of input valuations that the code distinguishes. If
-/// only some of the possible valuations satisfy a test, the execution splits at this test, and the path in the
-/// registers selects the branch. After each execution, the path is advanced depth-first.
+/// Executes the code of the edge for each combination of sets of input valuations that the code distinguishes. If only
+/// some of the possible valuations satisfy a test, the execution forks at this test.
 void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const {
     const Edge& at = edges_[edge];
     std::int64_t* const registers = moves.registers.data() + program_.below;
-    const auto word = [&](std::size_t split) -> std::int64_t& { return *(registers - Choices::path - split / 64); };
-    for (std::size_t i = 0; i < Choices::path_text; ++i) word(64 * i) = 0;
+    moves.forks.begin(layout_.words, program_.below, program_.registers);
+    for (std::uint32_t i = at.first_set; i != at.last_set; ++i) {
+        const Field& kept = layout_.choices[sets_[i].choice];
+        *(registers - Choices::set(sets_[i].choice)) =
+            static_cast<std::int64_t>(kept.width == 0 ? sets_[i].all : kept.raw(words));
+    }
+    Word* next = room(moves);
+    copy_stored(words, next, moves);
+    std::uint32_t place = at.effect;
     for (std::size_t paths = 0;; ++paths) {
         if (paths == most_choices) {
             moves.cut = true;
             return;
         }
-        *(registers - Choices::depth) = 0;
-        for (std::uint32_t i = at.first_set; i != at.last_set; ++i) {
-            const Field& kept = layout_.choices[sets_[i].choice];
-            *(registers - Choices::set(sets_[i].choice)) =
-                static_cast<std::int64_t>(kept.width == 0 ? sets_[i].all : kept.raw(words));
-        }
-        if (Word* const next = take(edge, words, moves)) {
+        const ExecutionResult ran = run(program_, place, next, registers, &moves.forks);
+        if (add_move(edge, ran, moves)) {
             for (std::uint32_t i = at.first_set; i != at.last_set; ++i) {
                 const std::uint32_t choice = sets_[i].choice;
                 const std::int64_t set = *(registers - Choices::set(choice));
@@ -99,11 +110,9 @@ void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves
                 if (kept.width != 0) kept.set(next, all ? static_cast<std::int64_t>(sets_[i].all) : set);
             }
         }
-        auto split = static_cast<std::size_t>(*(registers - Choices::depth));
-        for (; split > 0 && (word(split - 1) >> (split - 1) % 64 & 1) != 0; --split)
-            word(split - 1) &= ~(std::int64_t{1} << (split - 1) % 64);
-        if (split == 0) return;
-        word(split - 1) |= std::int64_t{1} << (split - 1) % 64;
+        if (moves.forks.empty()) return;
+        next = room(moves);
+        place = moves.forks.pop(next, registers);
     }
 }
 

@@ -40,6 +40,8 @@ struct Moves {
     std::vector<std::uint32_t> edges = {};  ///< the enabled edges, in the order of processes and edges
     std::vector<Word> words = {};  ///< successors by the moves; each successor has Machine::layout().words words
     std::vector<std::int64_t> registers = {};
+    Forks forks = {};
+    /// True: `chosen` is computed, and the values of variables that are not stored are copied to the successors.
     bool record_choices = false;
     /// If `record_choices`: per move and input choice, the valuations that remain possible.
     std::vector<Word> chosen = {};
@@ -59,8 +61,8 @@ public:
 
     /// Compiles `network`, which must be expanded and outlive the machine. An edge of a PLC that reads inputs of
     /// `choices` represents one edge per combination of the values of these inputs. Requires at most
-    /// Choices::most_splits valuations in total.
-    explicit Machine(const Network& network, std::vector<InputChoice> choices = {});
+    /// Choices::most_splits valuations in total. States do not contain the variables of `unread`.
+    explicit Machine(const Network& network, std::vector<InputChoice> choices = {}, const VariableSet& unread = {});
 
     const Network& network() const { return network_; }
     const Layout& layout() const { return layout_; }
@@ -129,7 +131,9 @@ private:
     void add_sets(Id<Network::Process> process, Id<Network::Edge> edge, Edge& compiled);
     void fire(std::uint32_t edge, const Word* words, Moves& moves) const;
     void fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const;
-    Word* take(std::uint32_t edge, const Word* words, Moves& moves) const;
+    Word* room(Moves& moves) const;
+    void copy_stored(const Word* words, Word* next, const Moves& moves) const;
+    bool add_move(std::uint32_t edge, const ExecutionResult& ran, Moves& moves) const;
 
     const Network& network_;
     const std::vector<InputChoice> choices_;

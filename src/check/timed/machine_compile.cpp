@@ -21,13 +21,13 @@ std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wan
 
 }  // namespace
 
-Machine::Machine(const Network& network, std::vector<InputChoice> choices)
+Machine::Machine(const Network& network, std::vector<InputChoice> choices, const VariableSet& unread)
     : network_(network),
       choices_(std::move(choices)),
       clocks_(analyse_clocks(network)),
-      layout_(layout_of(network, clocks_, choices_)),
+      layout_(layout_of(network, clocks_, choices_, unread)),
       compiler_(network_, layout_, program_) {
-    if (!choices_.empty()) program_.below = Choices::set(choices_.size()) - 1;
+    if (!choices_.empty()) program_.below = choices_.size();
     for (std::size_t i = 0; i < choices_.size(); ++i)
         if (choices_[i].until_delay) until_delay_.push_back(layout_.choices[i]);
     for (const InputChoice& choice : choices_) {

@@ -3,6 +3,8 @@
 // on branch prediction.
 #include "check/timed/program.hpp"
 
+#include <algorithm>
+
 #include "support/overloaded.hpp"
 
 namespace grafverif::timed {
@@ -47,7 +49,33 @@ std::int64_t eager_value(const Instruction& at, const std::int64_t* registers) {
 
 }  // namespace
 
-ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers) {
+void Forks::begin(std::size_t words, std::size_t below, std::size_t registers) {
+    size_ = words;
+    below_ = below;
+    registers_ = below + registers;
+    places_.clear();
+    words_.clear();
+    values_.clear();
+}
+
+void Forks::push(std::uint32_t place, const Word* words, const std::int64_t* registers, std::uint32_t set, Word rest) {
+    places_.push_back(place);
+    words_.insert(words_.end(), words, words + size_);
+    values_.insert(values_.end(), registers - below_, registers - below_ + registers_);
+    values_[values_.size() - registers_ + below_ - set] = static_cast<std::int64_t>(rest);
+}
+
+std::uint32_t Forks::pop(Word* words, std::int64_t* registers) {
+    std::copy_n(words_.end() - static_cast<std::ptrdiff_t>(size_), size_, words);
+    std::copy_n(values_.end() - static_cast<std::ptrdiff_t>(registers_), registers_, registers - below_);
+    words_.resize(words_.size() - size_);
+    values_.resize(values_.size() - registers_);
+    const std::uint32_t place = places_.back();
+    places_.pop_back();
+    return place;
+}
+
+ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers, Forks* forks) {
     const Instruction* const code = program.code.data();
     std::uint32_t place = start;
     for (;;) {
@@ -121,11 +149,9 @@ ExecutionResult run(const Program& program, std::uint32_t start, Word* words, st
                 place = within == 0 ? at.no : at.yes;
                 break;
             }
-            const auto split = static_cast<std::uint64_t>((*(registers - Choices::depth))++);
-            const auto path = static_cast<Word>(*(registers - Choices::path - split / 64));
-            const bool other = (path >> split % 64 & 1U) != 0;
-            set = static_cast<std::int64_t>(other ? possible & ~at.value : within);
-            place = other ? at.no : at.yes;
+            forks->push(at.no, words, registers, at.to, possible & ~at.value);
+            set = static_cast<std::int64_t>(within);
+            place = at.yes;
             break;
         }
         case Opcode::Store: {

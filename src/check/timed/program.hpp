@@ -76,12 +76,29 @@ inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min
 /// Special registers, which precede the general registers. The special registers belong to code that chooses the
 /// valuations of inputs when it reads these inputs (ir/network_inputs.hpp). A bit mask represents the set of valuations
 /// that are possible for a choice. If the condition of `Choose` is true for some valuations of this set and false for
-/// others, the set is split. `path` has one bit per split; `depth` counts the splits of an execution.
+/// others, the set is split and the execution forks.
 struct Choices {
-    static constexpr std::uint32_t depth = 1, path = 2, path_text = 4, most_splits = 64 * path_text;
-    static constexpr std::uint32_t set(std::size_t choice) {
-        return path + path_text + static_cast<std::uint32_t>(choice);
-    }
+    static constexpr std::uint32_t most_splits = 256;  ///< maximum number of splits of one execution
+    static constexpr std::uint32_t set(std::size_t choice) { return 1 + static_cast<std::uint32_t>(choice); }
+};
+
+/// Executions that have forked at a Choose instruction and continue with the valuations for which its condition is
+/// false. The execution that forked last continues first.
+class Forks {
+public:
+    /// Removes all executions. `below` and `registers` are the numbers of special and general registers.
+    void begin(std::size_t words, std::size_t below, std::size_t registers);
+    bool empty() const { return places_.empty(); }
+    /// Adds an execution that continues at `place`, where the special register `set` has the value `rest`.
+    void push(std::uint32_t place, const Word* words, const std::int64_t* registers, std::uint32_t set, Word rest);
+    /// Removes the last execution: copies its state, and returns its next instruction.
+    std::uint32_t pop(Word* words, std::int64_t* registers);
+
+private:
+    std::size_t size_ = 0, below_ = 0, registers_ = 0;
+    std::vector<std::uint32_t> places_ = {};
+    std::vector<Word> words_ = {};
+    std::vector<std::int64_t> values_ = {};
 };
 
 struct Program {
@@ -99,7 +116,9 @@ struct ExecutionResult {
     End end = End::No;
     std::uint32_t place = 0;
 };
-ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers);
+/// Executes code. `forks` receives the executions that fork; it may be null if the code has no choices.
+ExecutionResult run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers,
+                    Forks* forks = nullptr);
 /// Executes a condition. Requires that its code does not write any word.
 inline ExecutionResult test(const Program& program, std::uint32_t start, const Word* words, std::int64_t* registers) {
     return run(program, start, const_cast<Word*>(words), registers);

@@ -31,6 +31,25 @@ bool PropertyMonitor::needs(const Machine& machine, const Word* words, Registers
     return std::ranges::any_of(predicates_, wanted) || std::ranges::any_of(bits_, missing);
 }
 
+bool PropertyMonitor::mark(const Machine& machine, const Word* words, Registers& registers,
+                           std::vector<Word>& marks) const {
+    marks.assign((results_.size() + 63) / 64, 0);
+    const auto set = [&](std::size_t search) { marks[search / 64] |= Word{1} << search % 64; };
+    for (const Predicate& predicate : predicates_) {
+        const End end = machine.holds(predicate.code, words, registers);
+        if (end != End::Yes && end != End::No) return false;
+        if (end == End::Yes) set(predicate.search);
+    }
+    for (const Bits& bits : bits_) {
+        const Word met = words[bits.word] & bits.missing;
+        if (met == 0) continue;
+        if (bits.quiescent != Program::yes && machine.holds(bits.quiescent, words, registers) != End::Yes) continue;
+        for (const Bit& bit : bits.each)
+            if ((met & bit.mask) != 0) set(bit.search);
+    }
+    return true;
+}
+
 void PropertyMonitor::look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers) {
     for (std::size_t i = 0; i < predicates_.size();) {
         const End end = machine.holds(predicates_[i].code, words, registers);

@@ -24,6 +24,9 @@ public:
 
     /// True if the new state may end a search, so that look() must be called. Thread-safe.
     bool needs(const Machine& machine, const Word* words, Registers& registers) const;
+    /// Sets `marks` to the searches that the state would end, one bit per search. Returns false if a predicate is
+    /// undefined in the state. Thread-safe.
+    bool mark(const Machine& machine, const Word* words, Registers& registers, std::vector<Word>& marks) const;
     /// Evaluates a new state for which needs() returned true, and ends the searches that the state decides.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
     /// True if each search has found a state or an undefined predicate.

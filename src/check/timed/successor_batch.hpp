@@ -80,6 +80,7 @@ private:
     const std::vector<Field>& races_;
     SuccessorBatch* slice_ = nullptr;
     Moves moves_ = {};
+    MacroSteps::Buffers buffers_ = {};
     std::vector<Word> words_ = {};  // words of all successors of the slice
     Unfolded now_ = {}, next_ = {};
     std::vector<Word> later_ = {};

@@ -9,6 +9,7 @@
 #include "check/timed/premises.hpp"
 #include "check/timed/profile.hpp"
 #include "check/timed/property_queries.hpp"
+#include "ir/patterns.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -58,7 +59,14 @@ std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& op
 TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Limits limits(options);
     const Network flat = expand(network);
-    timed::Machine machine(flat, options.choices);
+    const bool macro_steps =
+        options.macro_steps.enabled &&
+        std::ranges::all_of(flat.properties,
+                            [&](const Property& property) {
+                                return is_about_states(property.pattern) || !timed::is_selected(options, property);
+                            }) &&
+        !options.timelock;
+    timed::Machine machine(flat, options.choices, macro_steps ? timed::unread_variables(flat) : timed::VariableSet{});
     timed::PropertyMonitor monitor;
     timed::PropertyQueries queries(flat, machine, monitor, options.abstracted || !options.choices.empty());
     const Property timelock = timed::undeclared_timelock(flat);
@@ -84,6 +92,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     }
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
+    if (macro_steps) graph.macro_steps = timed::MacroSteps(machine, monitor, races, options.macro_steps);
     const UnknownReason ended =
         machine.layout().fits() ? timed::explore(graph, monitor, races, limits) : UnknownReason::Unsupported;
 

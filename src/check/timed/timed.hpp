@@ -52,6 +52,23 @@ struct CoveringAblations {
     bool depth = false;  ///< true: a state is omitted even if the run to the simulating state is longer
 };
 
+/// Premises of macro-steps (macro_steps.hpp). If a member is true, the premise is dropped, so that tests can show that
+/// the premise is necessary.
+struct MacroStepAblations {
+    bool properties = false;  ///< true: a transient state is omitted even if it decides a property
+    bool timers = false;      ///< true: edges of timers are reordered even if something else reads the timers
+    bool processes = false;   ///< true: states within a cycle are omitted even if other processes can move
+};
+
+struct MacroStepOptions {
+    /// True: if all properties are about single states, the search omits transient states, and variables that nothing
+    /// reads. Then runs do not have the minimum number of moves.
+    bool enabled = false;
+    /// Processes whose edges that are not urgent are not taken in transient states (InputAbstraction::deferred).
+    std::vector<Id<Network::Process>> deferred = {};
+    MacroStepAblations without = {};
+};
+
 /// Determines which searches compute TimedResult::profile. IfLarge: searches that a limit ended, and searches that
 /// found at least `many_states` states.
 enum class ProfileFor : std::uint8_t { None, IfLarge, All };
@@ -78,6 +95,7 @@ struct TimedOptions {
     /// True: if all properties are about single states, states that other states simulate are omitted (covering.hpp).
     bool covering = true;
     CoveringAblations covering_without = {};
+    MacroStepOptions macro_steps = {};
     bool until_decided = false;  ///< true: the search ends when each property has been decided by a state
     bool paths = false;          ///< report TimedResult::paths
     /// Called for each state of a complete search without covering, after the verdicts are decided. Clocks have the

@@ -45,7 +45,18 @@ private:
             if (lifetime_ == ChoiceLifetime::Evolution && !is_timer) edge.urgent = false;
             if (ablations_.urgent_on_clocks && !edge.constraint.empty()) edge.urgent = true;
         }
+        if (is_timer && lifetime_ == ChoiceLifetime::Cycle) defer(id);
         ignore_clocks(automaton(id));
+    }
+
+    /// Lets the times of an untimed timer elapse between two cycles only (InputAbstraction::deferred).
+    void defer(Id<Network::Process> timer) {
+        made_.deferred.push_back(timer);
+        for (const Network::Edge& edge : automaton(timer).edges) {
+            if (edge.urgent) continue;
+            for (const Network::Assignment& assignment : edge.assignments)
+                woken_.insert(variable_of(made_.network.exprs, assignment.target));
+        }
     }
 
     void remove(std::size_t instance) {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "check/inputs/packed_states.hpp"
+#include "check/timed/store/packed_states.hpp"
 
 namespace grafverif::timed {
 namespace {

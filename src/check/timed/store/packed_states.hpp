@@ -15,7 +15,6 @@ class PackedStates {
 public:
     /// `words`: the number of words of each state.
     explicit PackedStates(std::size_t words) : words_(words) {}
-    PackedStates(PackedStates&&) = delete;
 
     struct Added {
         std::uint32_t state = 0;
@@ -23,6 +22,8 @@ public:
     };
     /// Adds a state, unless the set contains it, and returns its number. The set can contain 2^32 - 1 states.
     Added add(const timed::Word* words);
+    /// Removes all states.
+    void clear();
 
     std::size_t size() const { return size_; }
     /// Returns a state as packed words. The address of the result remains valid when states are added.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "check/inputs/packed_states.hpp"
+#include "check/timed/store/packed_states.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -28,9 +29,15 @@ PackedStates::Added PackedStates::add(const timed::Word* words) {
     }
     if (size_ == chunks_.size() * chunk)
         chunks_.push_back(std::make_unique_for_overwrite<timed::Word[]>(chunk * words_));
-    std::copy_n(words, words_, chunks_.back().get() + size_ % chunk * words_);
+    std::copy_n(words, words_, chunks_[size_ / chunk].get() + size_ % chunk * words_);
     put(Slot{++size_} << 32U | hash);
     return {static_cast<std::uint32_t>(size_ - 1), true};
+}
+
+void PackedStates::clear() {
+    // The size of the table follows the number of states, so that frequent calls with few states are cheap.
+    slots_.assign(std::bit_ceil(std::max<std::size_t>(2 * size_, 64)), 0);
+    size_ = 0;
 }
 
 void PackedStates::put(Slot slot) {

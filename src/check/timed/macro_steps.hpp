@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Macro-steps: the moves of a state, without the transient states of PLC cycles.
+//
+// A state is *transient* if it satisfies one of these conditions. The macro-steps that lead to the state continue with
+// the edges that the condition names, and other enabled edges are not taken in the state.
+//   - Only observers can move. They read the state that the last move has reached (compose/observe.hpp).
+//   - A PLC is within a cycle, and only its urgent edges are enabled. Time cannot pass, and no other process can move.
+//     The following edges of its timers may also be enabled: an urgent edge, if the edges of the PLC in this location
+//     neither read nor write the variables of the timers; and an edge that is not urgent, if the timer is deferred
+//     (InputAbstraction::deferred).
+//   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. The PLC cannot leave
+//     W before, and the edges of all other processes are independent of the request and remain enabled.
+// The last two conditions reorder edges of timers. They require that only the PLC and its timers use the variables that
+// the timers write, and that no property reads these variables. Observers may count the reordered moves, because an
+// observer that reads equal states one after the other changes its location at most once.
+//
+// A PLC is within a cycle in the locations from which each infinite path of its automaton passes location W, so
+// macro-steps are finite. The search thus preserves
+//   - the values of locations and variables in reachable states that are not transient, up to the reordered edges,
+//   - properties about single states: a transient state is stored if a search of the property monitor looks for it, and
+//     neither the first state of the macro-step nor a successor also decides this search,
+//   - model errors: a transient state with a model error or a race is stored.
+// Runs have the minimum number of macro-steps instead of the minimum number of moves.
+//
+// An output is irrelevant within a cycle and in W while the PLC is not stable, if the PLC writes it before it is stable
+// again, no edge reads it, and only properties about quiescent states read it. There it is replaced by its initial value,
+// so that equivalent states are equal.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "check/timed/machine.hpp"
+#include "check/timed/property_monitor.hpp"
+#include "check/timed/store/packed_states.hpp"
+#include "check/timed/timed.hpp"
+
+namespace grafverif::timed {
+
+class MacroSteps {
+public:
+    /// The buffers of one thread.
+    struct Buffers {
+        std::vector<Moves> levels = {};          // per depth: the moves of a transient state
+        Moves made = {};                         // the macro-steps
+        std::optional<PackedStates> known = {};  // the states that the macro-steps have reached
+        std::vector<Word> marks = {}, others = {};
+    };
+    /// One move of a macro-step.
+    struct Step {
+        std::uint32_t edge = 0;
+        std::vector<Word> words = {};   ///< the state after the move
+        std::vector<Word> chosen = {};  ///< Moves::chosen of the move
+    };
+
+    /// Each macro-step is one edge.
+    explicit MacroSteps(const Machine& machine) : machine_(&machine) {}
+    /// `monitor` contains the searches of all properties; `races` are the fields of races.
+    MacroSteps(const Machine& machine, PropertyMonitor monitor, std::vector<Field> races,
+               const MacroStepOptions& options);
+    /// True if a macro-step may consist of several edges.
+    bool applies() const { return !cycles_.empty(); }
+
+    /// Computes the macro-steps that begin in `words` like Machine::expand. Moves::edges contains their first edges.
+    /// Equal successors are contained once.
+    void expand(const Word* words, Moves& moves, Buffers& buffers) const;
+    /// True if `words` and the stored state `stored` differ only in values that are not relevant.
+    bool are_equivalent(const Word* words, const Word* stored) const;
+    /// Returns the moves of a macro-step from one state to another. Requires that such a macro-step exists.
+    std::vector<Step> between(const Word* from, const Word* to) const;
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    template <class Keeps>
+    void keep(Moves& moves, const Keeps& keeps) const;
+    std::size_t cycle_of(const Word* words) const;
+    std::size_t location_of(std::uint32_t process, const Word* words) const;
+    bool is_transient(const Word* words, Moves& moves) const;
+    bool is_covered(const Word* words, const Moves& moves, const Word* first, Buffers& buffers) const;
+    void normalize(Word* words) const;
+    void append(Word* words, std::uint32_t edge, std::size_t depth, const Word* first, Buffers& buffers) const;
+    bool find(const Word* words, const Word* to, PackedStates& visited, std::vector<Step>& steps) const;
+
+    const Machine* machine_;
+    PropertyMonitor monitor_ = {};
+    std::vector<Field> races_ = {};
+    MacroStepAblations without_ = {};
+    struct Reset {
+        Field field = {};
+        std::int64_t value = 0;
+    };
+    struct Cycle {
+        std::uint32_t process = 0;
+        std::vector<bool> within = {};       // per location of the PLC: true if the PLC is within a cycle
+        std::vector<bool> independent = {};  // per location: true if its edges are independent of the timers' edges
+        std::size_t waiting = 0;             // location W
+        Field stable = {};
+        std::vector<Reset> outputs = {};  // outputs that are not read before the PLC writes them
+        std::vector<Reset> flags = {};    // flags that are not read in W if the PLC is not stable
+    };
+    std::vector<Cycle> cycles_ = {};
+    std::vector<bool> observers_ = {}, deferred_ = {};  // per process
+    std::vector<std::size_t> accepts_ = {};             // per process: for a timer with requests, the index of its PLC
+};
+
+}  // namespace grafverif::timed
