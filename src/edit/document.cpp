@@ -50,7 +50,7 @@ const lsp::Root& Document::reading() {
 
 std::shared_ptr<const lsp::Root> Document::drawn() { return reading(), drawn_; }
 
-Change Document::perform(const Operation& operation) {
+Change Document::perform(const Operation& operation, bool trial) {
     if (has_errors(reading())) {
         const lsp::LspDiagnostic* const error = first_error(*current_);
         if (error == nullptr) return {"the text cannot be read", {}, {}};
@@ -60,17 +60,18 @@ Change Document::perform(const Operation& operation) {
                 {}};
     }
     const Elements elements(parsed_->tree);
-    if (operation.kind != OperationKind::Rename) return accept(plan_of(text(), parsed_->tree, elements, operation));
+    if (operation.kind != OperationKind::Rename)
+        return accept(plan_of(text(), parsed_->tree, elements, operation), trial);
     const Element* const element = elements.at(operation.at);
     if (element == nullptr || element->action != nullptr || element->assignment != nullptr)
         return {"only a step or a transition has a name", {}, {}};
-    return rename(*element, operation.text);
+    return rename(*element, operation.text, trial);
 }
 
-Change Document::rename(const Element& element, const std::string& name) {
+Change Document::rename(const Element& element, const std::string& name, bool trial) {
     const bool unnamed = element.is_transition() && !element.transition->name.valid();
     if (!lsp::is_name(name, true)) return {fmt::format("`{}` is not a valid name here", name), {}, {}};
-    if (unnamed) return accept({{naming(*element.transition, name)}, {}, element.where.begin});
+    if (unnamed) return accept({{naming(*element.transition, name)}, {}, element.where.begin}, trial);
     lsp::Workspace workspace = workspace_for(text());
     const std::string path = rpc::path_of_uri(uri_);
     workspace.add_folder(std::filesystem::path(path).parent_path());
@@ -99,11 +100,11 @@ Change Document::rename(const Element& element, const std::string& name) {
     for (const TextEdit& edit : plan.edits)
         if (edit.end <= element.where.begin)
             *plan.selected += static_cast<std::uint32_t>(edit.replacement.size()) - (edit.end - edit.begin);
-    return accept(std::move(plan));
+    return accept(std::move(plan), trial);
 }
 
-/// Applies a plan if the text has no errors after it.
-Change Document::accept(Plan plan) {
+/// Applies a plan if the text has no errors after it. If `trial` is true, only checks the plan.
+Change Document::accept(Plan plan, bool trial) {
     if (!plan.obstacle.empty()) return {std::move(plan.obstacle), {}, {}};
     const std::string after = applied(text(), plan.edits);
     if (after == text()) return {"the text would not change", {}, {}};
@@ -115,6 +116,7 @@ Change Document::accept(Plan plan) {
                 root->reading.diagnostics_text(),
                 {}};
     }
+    if (trial) return {{}, {}, plan.selected};
     history_.apply(plan.edits);
     current_ = drawn_ = std::move(root);
     parsed_ = drawn_parsed_ = workspace.parsed(rpc::path_of_uri(uri_));
@@ -127,16 +129,22 @@ void Document::type(std::string_view text) {
     current_ = nullptr;
 }
 
-void Document::undo() {
-    if (!history_.can_undo()) return;
-    history_.undo();
+void Document::replace(std::string_view text) {
+    if (text == this->text()) return;
+    history_.apply({difference(this->text(), text)});
     current_ = nullptr;
 }
 
-void Document::redo() {
-    if (!history_.can_redo()) return;
-    history_.redo();
+std::optional<std::uint32_t> Document::undo() {
+    if (!history_.can_undo()) return {};
     current_ = nullptr;
+    return history_.undo();
+}
+
+std::optional<std::uint32_t> Document::redo() {
+    if (!history_.can_redo()) return {};
+    current_ = nullptr;
+    return history_.redo();
 }
 
 std::vector<DrawnElement> Document::elements(Id<Chart> id, const std::string& prefix) {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,12 +47,16 @@ public:
     bool can_undo() const { return history_.can_undo(); }
     bool can_redo() const { return history_.can_redo(); }
 
-    /// Executes an operation. Requires no errors in the text.
-    Change perform(const Operation& operation);
+    /// Executes an operation, or rejects it with a reason; for example, if the text has errors. If `trial` is true, the
+    /// text is not changed.
+    Change perform(const Operation& operation, bool trial = false);
     /// Replaces the text as the user has typed it. The text may have errors.
     void type(std::string_view text);
-    void undo();
-    void redo();
+    /// Replaces the text as one step that can be undone.
+    void replace(std::string_view text);
+    /// Undoes or repeats one step. Returns the offset of the change, or an empty result if there is no step.
+    std::optional<std::uint32_t> undo();
+    std::optional<std::uint32_t> redo();
     /// Parses the text again, because an included file has changed.
     void refresh() { current_ = nullptr; }
 
@@ -64,8 +69,8 @@ public:
 
 private:
     lsp::Workspace workspace_for(const std::string& text) const;
-    Change rename(const Element& element, const std::string& name);
-    Change accept(Plan plan);
+    Change rename(const Element& element, const std::string& name, bool trial);
+    Change accept(Plan plan, bool trial);
 
     std::string path_, uri_;
     std::vector<std::string> include_folders_;

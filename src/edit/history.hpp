@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// History: the edits of a text, which can be undone and made again without limit. A new edit discards the edits that
-// were undone.
+// History: the edits of a text, with unlimited undo and redo. A new edit discards the edits that were undone.
 #pragma once
 
 #include <cstddef>

@@ -20,11 +20,12 @@ public:
     /// True if a comment begins in the range.
     bool has_comment(std::uint32_t begin, std::uint32_t end) const;
 
-    /// Returns the edit that adds `declaration` after the declaration at `where`. If that declaration is on a line of
-    /// its own, `declaration` is added on a new line with the same indentation, otherwise on the same line.
+    /// Returns the edit that adds `declaration` after the declaration at `where`. If no other
+    /// declaration is on its lines, `declaration` is added on a new line with the same indentation, otherwise on the
+    /// same line.
     TextEdit added_after(Span where, const std::string& declaration) const;
-    /// Returns the edit that removes a declaration with its line if nothing else is on its line. A comment at the end of
-    /// this line is removed; comments above the declaration are kept.
+    /// Returns the edit that removes a declaration, with its lines if they contain no other declaration. A comment at the
+    /// end of these lines is removed; comments above the declaration are kept.
     TextEdit removed(Span where) const;
     /// Returns the edits that remove the element `index` of the list of names at `places`, with one comma.
     std::vector<TextEdit> removed_name(const std::vector<Span>& places, std::size_t index) const;

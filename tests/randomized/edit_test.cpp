@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Randomized test: operations on the drawings of random charts. After each operation, the text has no errors and has the
-// steps and links that the operation must have according to its definition on the links of the chart, all comments are
-// kept, and undo restores the text byte for byte; or the operation was rejected with a reason. Each default run executes
-// 1,000 operations; GRAFVERIF_TEST_SIZE=10 executes 10,000.
+// Randomized test: operations on the drawings of random charts. An operation is rejected with a reason, or its result has
+// these properties: the text has no errors; its steps and links follow from the definition of the operation on the links
+// of the chart; all comments are kept; undo restores the text byte for byte. Each default run executes 1,000 operations;
+// GRAFVERIF_TEST_SIZE=10 executes 10,000.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -42,7 +42,10 @@ public:
         Operation operation{kind, at(part), {}, text};
         if (!target.empty()) operation.target = at(target);
         const std::string before = document.text();
+        const std::string tried = document.perform(operation, true).obstacle;
+        EXPECT_EQ(document.text(), before) << "a trial does not change the text";
         Change made = document.perform(operation);
+        EXPECT_EQ(made.obstacle, tried);
         if (made.obstacle.empty()) {
             const std::string after = document.text();
             document.undo();
@@ -139,7 +142,7 @@ TEST(EditOperations, ParallelBranchBeginsAndEndsWithTheStep) {
         .expect("2 -> 0, 4", "2, 5 -> 0, 4");
 }
 
-TEST(EditOperations, JumpIsATransitionOrANewTarget) {
+TEST(EditOperations, JumpAddsATransitionOrChangesItsTarget) {
     Editing edit(lamp);
     edit.perform(OperationKind::Jump, "step 1", "", "initial step 0");
     EXPECT_EQ(edit.selected, "transition t");

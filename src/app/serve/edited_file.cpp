@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/edited_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "app/serve/page_text.hpp"
+#include "app/serve/play.hpp"
+#include "app/system/write_files.hpp"
+#include "pipeline/chart_text.hpp"
+#include "pipeline/files.hpp"
+#include "support/json_text.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using edit::OperationKind;
+using namespace std::chrono_literals;
+
+constexpr auto edited_poll_interval = 100ms;
+constexpr std::size_t most_drawn_steps = 5'000;
+constexpr std::array<std::pair<std::string_view, OperationKind>, 10> operations = {{
+    {"step-after", OperationKind::StepAfter},
+    {"step-before", OperationKind::StepBefore},
+    {"transition", OperationKind::Transition},
+    {"alternative", OperationKind::Alternative},
+    {"parallel", OperationKind::Parallel},
+    {"jump", OperationKind::Jump},
+    {"action", OperationKind::Action},
+    {"replace", OperationKind::Replace},
+    {"delete", OperationKind::Delete},
+    {"rename", OperationKind::Rename},
+}};
+
+std::string text_in(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : std::string();
+}
+
+std::optional<std::uint32_t> number_in(const Json& json, const char* key) {
+    if (!json.contains(key) || !json[key].is_number_unsigned() || json[key].get<std::uint64_t>() > largest_edited)
+        return {};
+    return json[key].get<std::uint32_t>();
+}
+
+Json parsed_json(const std::string& text) {
+    const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 3; };
+    return Json::parse(text, shallow, false);
+}
+
+/// Returns an operation, or an empty result if the request is malformed.
+std::optional<edit::Operation> operation_of(const Json& json) {
+    const auto known =
+        std::ranges::find(operations, text_in(json, "operation"), [](const auto& each) { return each.first; });
+    const auto at = number_in(json, "at");
+    if (known == operations.end() || !at) return {};
+    return edit::Operation{known->second, *at, number_in(json, "target"), text_in(json, "text")};
+}
+
+Json diagnostics_json(const lsp::Root& root) {
+    Json list = Json::array();
+    for (const lsp::LspDiagnostic& each : root.typed) {
+        const bool here = each.where.path == root.path;
+        const std::string file = std::filesystem::path(each.where.path).filename().string();
+        list.push_back({{"line", each.where.range.start.line},
+                        {"character", each.where.range.start.character},
+                        {"end_line", each.where.range.end.line},
+                        {"end_character", each.where.range.end.character},
+                        {"file", here ? Json(nullptr) : Json(file)},
+                        {"error", each.severity == Severity::Error},
+                        {"code", each.code},
+                        {"message", printable(each.message)}});
+    }
+    return list;
+}
+
+}  // namespace
+
+EditedFile::EditedFile(const Options& options, std::string text)
+    : path_(std::filesystem::absolute(options.operands[0])),
+      recovery_(path_.parent_path() / ("." + path_.filename().string() + ".unsaved")),
+      document_(path_.string(), options.include_folders, text),
+      disk_(std::move(text)) {
+    restore();
+    take_text();
+}
+
+// -- the file and the recovery file -----------------------------------------------------------------------------------
+
+void EditedFile::begin(std::function<void()> changed) {
+    changed_ = std::move(changed);
+    watcher_.note(path_.string());
+    thread_ = std::jthread([this] { watch(); });
+}
+
+void EditedFile::end() {
+    {
+        const std::lock_guard hold(door_);
+        over_ = true;
+    }
+    wake_.notify_all();
+    if (!thread_.joinable()) return;
+    thread_.join();
+    const std::lock_guard hold(door_);
+    keep_unsaved();
+}
+
+void EditedFile::watch() {
+    std::unique_lock hold(door_);
+    while (!wake_.wait_for(hold, edited_poll_interval, [this] { return over_; })) {
+        const std::uint64_t before = version_;
+        try {
+            take_changes();
+            keep_unsaved();
+        } catch (const std::bad_alloc&) {
+            continue;  // tried again after the interval
+        }
+        if (version_ == before) continue;
+        hold.unlock();
+        changed_();
+        hold.lock();
+    }
+}
+
+/// Takes changes of the files on the disk.
+void EditedFile::take_changes() {
+    if (included_.changed()) {
+        document_.refresh();
+        take_text();
+    }
+    if (!watcher_.changed()) return;
+    watcher_.clear();
+    watcher_.note(path_.string());
+    std::string why;
+    const auto content = content_of_file(path_, why, largest_edited);
+    missing_ = !content;
+    ++version_;
+    if (!content || *content == disk_) return;
+    const bool was_modified = modified();
+    if (*content == document_.text() || !was_modified) {
+        disk_ = *content;
+        other_.reset();
+        document_.replace(*content);
+        take_text();
+    } else {
+        other_ = *content;
+    }
+}
+
+/// Writes the recovery file if there are changes that are not saved; otherwise removes it.
+void EditedFile::keep_unsaved() {
+    const std::string wanted = modified() ? document_.text() : std::string();
+    if (wanted == kept_) return;
+    try {
+        std::error_code ignored;
+        const auto type = std::filesystem::symlink_status(recovery_, ignored).type();
+        const bool is_safe =
+            type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::regular;
+        if (!is_safe) throw std::system_error(std::make_error_code(std::errc::file_exists), recovery_.string());
+        if (modified()) write_files({{recovery_, json_text(Json{{"base", disk_}, {"text", wanted}}, -1)}});
+        else std::filesystem::remove(recovery_);
+        kept_ = wanted;
+        notice_.clear();
+    } catch (const std::exception& failure) {
+        const std::string notice =
+            fmt::format("changes that are not saved are lost if the server ends: {}", failure.what());
+        if (notice_ != notice) ++version_;
+        notice_ = notice;
+    }
+}
+
+/// Continues with the changes of an earlier run.
+void EditedFile::restore() {
+    std::string why;
+    const auto content = content_of_file(recovery_, why, 4 * largest_edited);
+    if (!content) return;
+    const Json json = parsed_json(*content);
+    if (!json.is_object() || !json.contains("text") || !json["text"].is_string()) {
+        notice_ = fmt::format("`{}` is damaged and was ignored", recovery_.filename().string());
+        return;
+    }
+    kept_ = text_in(json, "text");
+    if (kept_ == disk_) return;
+    document_.replace(kept_);
+    restored_ = true;
+    if (text_in(json, "base") != disk_) other_ = disk_;
+}
+
+std::string EditedFile::save() {
+    if (other_) return "another program has changed the file; choose a version first";
+    std::string why;
+    const auto content = content_of_file(path_, why, largest_edited);
+    if (content && *content != disk_) {
+        other_ = *content;
+        return "another program has changed the file; choose a version first";
+    }
+    try {
+        write_files({{path_, document_.text()}});
+    } catch (const std::system_error& failure) {
+        return fmt::format("the file was not saved: {}", failure.what());
+    }
+    disk_ = document_.text();
+    missing_ = restored_ = false;
+    watcher_.clear();
+    watcher_.note(path_.string());
+    keep_unsaved();
+    return {};
+}
+
+/// Ends a conflict with another program: keeps the text of the page or of the file.
+std::string EditedFile::resolve(const std::string& choice) {
+    if (!other_) return "the file has no other version";
+    if (choice != "page" && choice != "file") return "the choice must be `page` or `file`";
+    disk_ = *std::exchange(other_, std::nullopt);
+    if (choice == "file") document_.replace(disk_);
+    return {};
+}
+
+std::string EditedFile::unsaved() const {
+    const std::lock_guard hold(door_);
+    return kept_.empty() ? std::string() : recovery_.string();
+}
+
+std::string EditedFile::text() const {
+    const std::lock_guard hold(door_);
+    return document_.text();
+}
+
+// -- requests of a page -----------------------------------------------------------------------------------------------
+
+void EditedFile::take_text() {
+    ++version_;
+    ++text_version_;
+    included_.clear();
+    for (const auto& [path, content] : document_.reading().inputs)
+        if (path != path_.string() && !path.starts_with('<')) included_.note(path);
+}
+
+bool EditedFile::handles(const std::string& path) {
+    constexpr std::array paths = {"/edit", "/text", "/undo", "/redo", "/save", "/resolve"};
+    return std::ranges::find(paths, path) != paths.end();
+}
+
+std::string EditedFile::respond(const std::string& path, const std::string& body) {
+    const Json json = parsed_json(body);
+    if (!json.is_object()) return json_text(Json{{"problem", "malformed request; send a JSON object"}}, -1);
+    const bool trial = path == "/edit" && json.contains("trial") && json["trial"] == true;
+    std::unique_lock hold(door_);
+    edit::Change change;
+    const std::string before = document_.text();
+    if (number_in(json, "version") != text_version_)
+        change.obstacle = "the text has changed in the meantime, for example in another window";
+    else if (path == "/edit") {
+        const auto operation = operation_of(json);
+        if (operation) change = document_.perform(*operation, trial);
+        else change.obstacle = "malformed request; the operation or its element is missing";
+    } else if (path == "/text") document_.type(text_of_page(text_in(json, "text"), document_.text()));
+    else if (path == "/undo") change.selected = document_.undo();
+    else if (path == "/redo") change.selected = document_.redo();
+    else if (path == "/save") change.obstacle = save();
+    else if (path == "/resolve") change.obstacle = resolve(text_in(json, "keep"));
+    const Json head = {{"problem", printable(change.obstacle)}, {"diagnostics", change.diagnostics}};
+    std::string response = json_text(head, -1);
+    if (trial) return response;
+    if (document_.text() != before) take_text();
+    else ++version_;
+    response.pop_back();
+    if (change.selected)
+        response += fmt::format(",\"selected\":{}", PagePositions(document_.text()).of(*change.selected));
+    response += ",\"state\":" + state() + '}';
+    hold.unlock();
+    changed_();
+    return response;
+}
+
+std::optional<std::string> EditedFile::newer(std::uint64_t known) {
+    const std::lock_guard hold(door_);
+    return version_ == known ? std::nullopt : std::optional(state());
+}
+
+/// Returns the drawings of the last text without errors, with their elements.
+const std::string& EditedFile::drawings() {
+    const auto drawn = document_.drawn();
+    if (drawn == drawn_ || drawn == nullptr) return drawings_;
+    drawn_ = drawn;
+    const Model& model = *drawn->reading.model;
+    const PagePositions positions(drawn->reading.sources.begin()->text);
+    Json list = Json::array();
+    for (const Id<Chart> id : model.charts.ids()) {
+        const Chart& chart = model.charts[id];
+        if (chart.program) continue;
+        const DrawOptions options{.prefix = drawing_prefix(id)};
+        const bool is_drawn = chart.steps.size() <= most_drawn_steps;
+        Json elements = Json::array();
+        for (const edit::DrawnElement& each : document_.elements(id, options.prefix))
+            elements.push_back({{"id", each.id},
+                                {"condition", each.condition},
+                                {"kind", each.kind},
+                                {"name", each.name},
+                                {"text", each.text},
+                                {"at", each.where.begin},
+                                {"begin", positions.of(each.where.begin)},
+                                {"end", positions.of(each.where.end)},
+                                {"part", {positions.of(each.part.begin), positions.of(each.part.end)}}});
+        list.push_back(
+            {{"name", chart.name},
+             {"svg", is_drawn ? Json(svg_of(drawing_of(model, id, options, drawn->reading.sources))) : Json(nullptr)},
+             {"elements", std::move(elements)}});
+    }
+    return drawings_ = json_text(list, -1);
+}
+
+std::string EditedFile::state() {
+    const lsp::Root& root = document_.reading();
+    const bool readable = document_.drawn().get() == &root;
+    Json json = {{"version", version_},
+                 {"text_version", text_version_},
+                 {"file", path_.filename().string()},
+                 {"text", page_text(document_.text())},
+                 {"modified", modified()},
+                 {"read_only", !missing_ && ::access(path_.c_str(), W_OK) != 0},
+                 {"missing", missing_},
+                 {"restored", restored_ && modified()},
+                 {"notice", printable(notice_)},
+                 {"other", other_ ? Json(page_text(*other_)) : Json(nullptr)},
+                 {"can_undo", document_.can_undo()},
+                 {"can_redo", document_.can_redo()},
+                 {"readable", readable},
+                 {"diagnostics", diagnostics_json(root)}};
+    std::string text = json_text(json, -1);
+    text.pop_back();
+    return text += ",\"charts\":" + drawings() + '}';
+}
+
+}  // namespace grafverif::app
