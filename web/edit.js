@@ -264,10 +264,16 @@ function marked(text, other) {
 
 class Page {
     constructor() {
-        Object.assign(this, {state: null, known: 0, sent: null, queue: Promise.resolve(), timer: null, jumping: null, changes: 0, verdicts: null});
+        Object.assign(this, {state: null, known: 0, sent: null, queue: Promise.resolve(), timer: null, jumping: null, checked: null, drawn: null});
         this.text = new TextPane(() => this.typed(), (at) => this.caret(at));
         this.drawing = new Drawing(by("charts"), this);
-        this.simulator = new Simulator(by("simulation"), (request) => ask("/simulate", request), (lit, fired) => this.drawing.light(lit, fired));
+        const simulating = by("simulating");
+        this.simulator = new Simulator(by("simulation"), (request) => ask("/simulate", request),
+                                       (lit, fired) => { if (simulating.open) this.drawing.light(lit, fired); });
+        simulating.addEventListener("toggle", () => {
+            if (simulating.open && this.checked) this.simulate(this.checked);
+            else this.drawing.light([], []);
+        });
         this.buttons = operations.map((each) => make("button", {type: "button", title: each.effect, disabled: true, onclick: () => this.start(each)},
             each.words, make("kbd", {}, each.key === "Delete" ? "Del" : each.key.toUpperCase())));
         by("operations").append(...this.buttons);
@@ -301,7 +307,6 @@ class Page {
     }
 
     typed() {
-        this.changes += 1;
         this.pending = true;
         clearTimeout(this.timer);
         this.timer = setTimeout(() => this.enqueue(() => this.sendText()), typing_pause);
@@ -494,11 +499,18 @@ class Page {
         by("status").className = kind;
         by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 ", unknown: "? "}[kind] ?? ""}${words}`;
         if (state.readable) by("models").replaceChildren(...state.models.map((model) => modelElement(model, false)));
+        this.checked = state;
+        if (by("simulating").open) await this.simulate(state);
+    }
+
+    // Simulates the text that was checked last.
+    async simulate(state) {
+        if (state.readable && state.reading !== this.drawn) {
+            this.drawn = state.reading;
+            const answer = await ask("/drawings");
+            if (answer.reading === this.drawn) this.drawing.marks = (answer.marks ?? []).filter(Boolean);
+        }
         this.simulator.take(state);
-        if (!state.readable || state.reading === this.verdicts) return;
-        this.verdicts = state.reading;
-        const answer = await ask("/drawings");
-        if (answer.reading === this.verdicts) this.drawing.marks = (answer.marks ?? []).filter(Boolean);
     }
 
     // Requests newer states without end. A hidden page sends no requests.

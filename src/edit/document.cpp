@@ -10,6 +10,7 @@
 #include "grafverif/ir/drawing.hpp"
 #include "lsp/rename.hpp"
 #include "lsp/scan.hpp"
+#include "pipeline/chart_text.hpp"
 #include "rpc/uri.hpp"
 
 namespace grafverif::edit {
@@ -145,6 +146,11 @@ std::optional<std::uint32_t> Document::redo() {
     if (!history_.can_redo()) return {};
     current_ = nullptr;
     return history_.redo();
+}
+
+Drawing Document::drawing(Id<Chart> chart, const std::string& prefix) {
+    const ParseResult& reading = drawn()->reading;
+    return drawing_of(*reading.model, chart, {.prefix = prefix}, reading.sources, drawn_parsed_->tree, Id<Source>{0});
 }
 
 std::vector<DrawnElement> Document::elements(Id<Chart> id, const std::string& prefix) {

@@ -64,6 +64,8 @@ public:
     const lsp::Root& reading();
     /// Returns the last parsed text without errors, or null.
     std::shared_ptr<const lsp::Root> drawn();
+    /// Returns the drawing of a chart of `drawn()`, which must not be null.
+    Drawing drawing(Id<Chart> chart, const std::string& prefix);
     /// Returns the elements of the drawing of a chart whose declarations are in the text of `drawn()`.
     std::vector<DrawnElement> elements(Id<Chart> chart, const std::string& prefix);
 

@@ -199,8 +199,16 @@ class Edit(browser.Case):
 
     def test_the_simulator_highlights_the_drawing(self):
         self.edit()
+        self.assertFalse(self.page.all(".active .token"))
+        self.page.find("#simulating summary").click()
         self.page.wait_for("#simulation select option")
         self.page.wait_for("#c0-step-0.active .token")
+        self.click("c0-step-0")
+        self.press("Step after")
+        self.page.wait_for("#c0-step-3")
+        self.page.wait_for("#c0-step-0.active .token")
+        self.page.find("#simulating summary").click()
+        browser.eventually(lambda: not self.page.all(".active .token"), what="no token")
 
     def test_a_change_elsewhere_is_never_overwritten(self):
         self.edit()

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "edit/document.hpp"
+#include "pipeline/chart_text.hpp"
 #include "support/random_chart.hpp"
 #include "support/test_size.hpp"
 
@@ -159,6 +160,8 @@ public:
         const Chart &ours = *document_.drawn()->reading.model->charts.begin(),
                     &theirs = *fresh.drawn()->reading.model->charts.begin();
         ASSERT_EQ(ours, theirs) << "the drawn chart is not the chart of the text";
+        ASSERT_EQ(document_.drawing(Id<Chart>{0}, "").elements, drawing_of(fresh).elements)
+            << "the drawing is not that of the text";
         for (int k = 1; operation.kind != OperationKind::Delete && k <= comments; ++k) {
             const std::string comment = "comment " + std::to_string(k) + '.';
             const bool before_has = before.find(comment) != std::string::npos;
@@ -174,6 +177,11 @@ public:
     }
 
 private:
+    static Drawing drawing_of(Document& document) {
+        const ParseResult& reading = document.drawn()->reading;
+        return grafverif::drawing_of(*reading.model, Id<Chart>{0}, {}, reading.sources);
+    }
+
     const tree::File& tree_of(const std::string& text) {
         workspace_ = std::make_unique<lsp::Workspace>(std::vector<std::string>());
         workspace_->open("file:///x.grafcet", 0, text);

@@ -15,7 +15,6 @@
 #include "app/serve/page_text.hpp"
 #include "app/serve/play.hpp"
 #include "app/system/write_files.hpp"
-#include "pipeline/chart_text.hpp"
 #include "pipeline/files.hpp"
 #include "support/json_text.hpp"
 #include "support/printable.hpp"
@@ -97,7 +96,8 @@ EditedFile::EditedFile(const Options& options, std::string text)
 
 // -- the file and the recovery file -----------------------------------------------------------------------------------
 
-void EditedFile::begin(std::function<void()> changed) {
+void EditedFile::begin(std::function<void()> changing, std::function<void()> changed) {
+    changing_ = std::move(changing);
     changed_ = std::move(changed);
     watcher_.note(path_.string());
     thread_ = std::jthread([this] { watch(); });
@@ -135,6 +135,7 @@ void EditedFile::watch() {
 /// Takes changes of the files on the disk.
 void EditedFile::take_changes() {
     if (included_.changed()) {
+        changing_();
         document_.refresh();
         take_text();
     }
@@ -148,6 +149,7 @@ void EditedFile::take_changes() {
     if (!content || *content == disk_) return;
     const bool was_modified = modified();
     if (*content == document_.text() || !was_modified) {
+        changing_();
         disk_ = *content;
         other_.reset();
         document_.replace(*content);
@@ -256,6 +258,7 @@ std::string EditedFile::respond(const std::string& path, const std::string& body
     if (!json.is_object()) return json_text(Json{{"problem", "malformed request; send a JSON object"}}, -1);
     const bool trial = path == "/edit" && json.contains("trial") && json["trial"] == true;
     std::unique_lock hold(door_);
+    if (!trial && path != "/save") changing_();
     edit::Change change;
     const std::string before = document_.text();
     if (number_in(json, "version") != text_version_)
@@ -299,10 +302,10 @@ const std::string& EditedFile::drawings() {
     for (const Id<Chart> id : model.charts.ids()) {
         const Chart& chart = model.charts[id];
         if (chart.program) continue;
-        const DrawOptions options{.prefix = drawing_prefix(id)};
+        const std::string prefix = drawing_prefix(id);
         const bool is_drawn = chart.steps.size() <= most_drawn_steps;
         Json elements = Json::array();
-        for (const edit::DrawnElement& each : document_.elements(id, options.prefix))
+        for (const edit::DrawnElement& each : document_.elements(id, prefix))
             elements.push_back({{"id", each.id},
                                 {"condition", each.condition},
                                 {"kind", each.kind},
@@ -312,10 +315,9 @@ const std::string& EditedFile::drawings() {
                                 {"begin", positions.of(each.where.begin)},
                                 {"end", positions.of(each.where.end)},
                                 {"part", {positions.of(each.part.begin), positions.of(each.part.end)}}});
-        list.push_back(
-            {{"name", chart.name},
-             {"svg", is_drawn ? Json(svg_of(drawing_of(model, id, options, drawn->reading.sources))) : Json(nullptr)},
-             {"elements", std::move(elements)}});
+        list.push_back({{"name", chart.name},
+                        {"svg", is_drawn ? Json(svg_of(document_.drawing(id, prefix))) : Json(nullptr)},
+                        {"elements", std::move(elements)}});
     }
     return drawings_ = json_text(list, -1);
 }

@@ -33,8 +33,9 @@ public:
     EditedFile(const EditedFile&) = delete;
     EditedFile& operator=(const EditedFile&) = delete;
 
-    /// Starts a thread that watches the file and writes the recovery file. It calls `changed` after changes.
-    void begin(std::function<void()> changed);
+    /// Starts a thread that watches the file and writes the recovery file. From then on, `changing` is called before each
+    /// change of the text, while `text` waits for the end of the change, and `changed` is called after each change.
+    void begin(std::function<void()> changing, std::function<void()> changed);
     /// Ends the thread, and writes the recovery file a last time.
     void end();
 
@@ -63,7 +64,7 @@ private:
     std::string state();
 
     std::filesystem::path path_, recovery_;
-    std::function<void()> changed_ = [] {};
+    std::function<void()> changing_ = [] {}, changed_ = [] {};
 
     mutable std::mutex door_ = {};
     edit::Document document_;

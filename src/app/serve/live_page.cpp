@@ -147,7 +147,7 @@ public:
               options_, [this] { server_.notify(); },
               edited_ != nullptr ? [this] { return edited_->text(); } : std::function<std::string()>()) {
         dispatcher_.begin(bench_);
-        if (edited_ != nullptr) edited_->begin([this] { take_change(); });
+        if (edited_ != nullptr) edited_->begin([this] { bench_.refresh(); }, [this] { server_.notify(); });
     }
     ~Parts() {
         if (edited_ != nullptr) edited_->end();
@@ -160,11 +160,6 @@ public:
     std::string unsaved() const { return edited_ != nullptr ? edited_->unsaved() : std::string(); }
 
 private:
-    void take_change() {
-        bench_.refresh();
-        server_.notify();
-    }
-
     Options options_;
     std::unique_ptr<EditedFile> edited_;
     RequestDispatcher dispatcher_;
