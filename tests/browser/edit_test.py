@@ -136,7 +136,7 @@ class Edit(browser.Case):
             self.control(key)
         self.control("s")
         browser.eventually(lambda: self.file.read_text() == self.text() != PRESS, what="saved")
-        self.assertEqual(self.page.text("#saved"), "Saved")
+        browser.eventually(lambda: self.page.text("#saved") == "Saved", what="the status")
         self.control("e")
         self.assertEqual(self.page.script("return document.activeElement.id"), "text")
         self.page.press(Keys.F1)
@@ -205,8 +205,7 @@ class Edit(browser.Case):
         self.page.wait_for("#c0-step-0.active .token")
         self.click("c0-step-0")
         self.press("Step after")
-        self.page.wait_for("#c0-step-3")
-        self.page.wait_for("#c0-step-0.active .token")
+        self.page.wait_for("#c0-step-3.active .token")  # the new condition is `true`
         self.page.find("#simulating summary").click()
         browser.eventually(lambda: not self.page.all(".active .token"), what="no token")
 
