@@ -33,29 +33,43 @@ const general_keys = [
 
 const titleOf = (element) => element.kind === "step" ? `step ${element.name}` : element.kind === "transition" ? `transition ${element.name}` : `action ${element.text}`;
 
+// Number of lines of a drawing before its elements: the start tag, the title and the paper. Each further line is one
+// element.
+const header = 3;
+
+// Returns the nodes of a drawing by their lines in the text of the drawing, or null if they do not correspond.
+function nodesByLine(text, svg) {
+    const lines = text.split("\n").slice(header, -2), nodes = [...svg.children].slice(header - 1), known = new Map();
+    if (lines.length !== nodes.length) return null;
+    lines.forEach((line, k) => known.set(line, [...known.get(line) ?? [], nodes[k]]));
+    return known;
+}
+
 // The drawings, and the selection of an element.
 class Drawing {
     constructor(place, page) {
-        Object.assign(this, {place, page, svgs: [], elements: [], selected: null, lit: [], fired: [], marks: []});
+        Object.assign(this, {place, page, svgs: [], known: [], elements: [], selected: null, lit: [], fired: [], marks: []});
         place.addEventListener("click", (event) => this.click(event));
         place.addEventListener("dblclick", () => { if (this.selected) page.edit(); });
         place.addEventListener("keydown", (event) => this.key(event));
+        place.addEventListener("pointermove", (event) => { place.classList.toggle("pointing", this.elementAt(event) !== null); });
     }
 
     show(charts) {
         this.elements = charts.flatMap((chart, index) => chart.elements.map((element) => ({...element, chart: index})));
         if (charts.length !== this.svgs.length) {
             this.svgs = [];
+            this.known = [];
             this.place.replaceChildren(...charts.map(() => make("figure", {})));
         }
         charts.forEach((chart, k) => {
-            if (this.svgs[k] === chart.svg) return;
+            if (this.svgs[k] === chart.svg || this.update(k, chart.svg)) return;
             const many = charts.length > 1 ? make("figcaption", {}, make("h3", {}, chart.name)) : "";
             const drawing = chart.svg === null ? make("p", {class: "remark"}, "The chart is too large to be drawn here.") : drawingElement(chart.name, chart.svg);
             drawing.removeAttribute("tabindex");
             this.place.children[k].replaceChildren(many, drawing);
             this.svgs[k] = chart.svg;
-            this.addHits(drawing);
+            this.known[k] = chart.svg === null ? null : nodesByLine(chart.svg, drawing.querySelector("svg"));
         });
         const known = this.selected;
         this.selected = null;
@@ -63,26 +77,61 @@ class Drawing {
         lightDrawings(this.place, this.marks, this.lit, this.fired);
     }
 
-    // Adds an area to each element that is larger than its lines and reacts to the pointer.
-    addHits(drawing) {
-        const groups = [...drawing.querySelectorAll(".step, .transition, .condition, .action, .forcing")];
-        const boxes = groups.map((group) => group.getBBox());
-        groups.forEach((group, k) => {
-            const {x, y, width, height} = boxes[k], pad = height < 12 ? 7 : 2;
-            if (width > 0) group.append(draw("rect", {class: "hit", x: x - 2, y: y - pad, width: width + 4, height: height + 2 * pad}));
-        });
+    // Replaces the changed elements of drawing `k`. Returns false if the drawing must be replaced.
+    update(k, text) {
+        const svg = this.place.children[k].querySelector("svg"), known = this.known[k];
+        if (!svg || !known || text === null) return false;
+        const lines = text.split("\n"), body = lines.slice(header, -2), reused = new Map(), fresh = [];
+        for (const line of body) {
+            const at = reused.get(line) ?? 0;
+            if (at >= (known.get(line)?.length ?? 0)) fresh.push(line);
+            reused.set(line, at + 1);
+        }
+        const parsed = drawingElement("", lines[0] + fresh.join("") + "</svg>").querySelector("svg");
+        if (!parsed || parsed.children.length !== fresh.length) return false;
+        for (const name of ["width", "height", "viewBox"]) svg.setAttribute(name, parsed.getAttribute(name));
+        for (const name of ["width", "height"]) svg.querySelector(".paper").setAttribute(name, parsed.getAttribute(name));
+        for (const choice of svg.querySelectorAll(".choice")) choice.remove();
+        const made = [...parsed.children];
+        for (const [line, nodes] of known)
+            for (const node of nodes.splice(reused.get(line) ?? 0)) node.remove();
+        let next = svg.children[header - 1];
+        const used = new Map();
+        for (const line of body) {
+            const at = used.get(line) ?? 0, nodes = known.get(line) ?? [];
+            used.set(line, at + 1);
+            if (at >= nodes.length) { nodes.push(made.shift()); known.set(line, nodes); }
+            if (nodes[at] === next) next = next.nextElementSibling;
+            else svg.insertBefore(nodes[at], next);
+        }
+        for (const [line, nodes] of known) if (nodes.length === 0) known.delete(line);
+        this.svgs[k] = text;
+        return true;
     }
 
-    group(element) { return element && document.getElementById(element.id); }
+    svg(element) { return this.place.children[element.chart]?.querySelector("svg"); }
 
-    elementAt(node) {
-        const id = node.closest?.("g[id]")?.id;
-        return this.elements.find((element) => element.id === id || element.condition === id) ?? null;
+    // Returns the areas of an element in its drawing.
+    areas(element) { return [element.area, element.condition_area].filter(Boolean); }
+
+    // Returns the element at the position of an event of the pointer. Areas of low elements are enlarged.
+    elementAt(event) {
+        for (const [chart, figure] of [...this.place.children].entries()) {
+            const box = figure.querySelector("svg")?.getBoundingClientRect();
+            if (!box) continue;
+            const [px, py] = [event.clientX - box.left, event.clientY - box.top];
+            for (const element of this.elements)
+                for (const [x, y, width, height] of element.chart === chart ? this.areas(element) : []) {
+                    const pad = height < 12 ? 8 : 3;
+                    if (px >= x - 3 && px <= x + width + 3 && py >= y - pad && py <= y + height + pad) return element;
+                }
+        }
+        return null;
     }
 
     click(event) {
         if (event.target.closest("#in-place")) return;
-        const element = this.elementAt(event.target);
+        const element = this.elementAt(event);
         if (this.page.jumping) return this.page.jumpTo(element);
         this.select(element);
         this.page.report("");
@@ -92,20 +141,23 @@ class Drawing {
     select(element, show_text = true) {
         for (const old of this.place.querySelectorAll(".choice")) old.remove();
         this.selected = element;
-        for (const id of [element?.id, element?.condition].filter(Boolean)) {
-            const group = document.getElementById(id), hit = group?.querySelector(":scope > .hit");
-            if (!hit) continue;
-            const box = (name) => Number(hit.getAttribute(name));
-            group.append(draw("rect", {class: "choice", x: box("x") - 2, y: box("y") - 2, width: box("width") + 4, height: box("height") + 4, rx: 3}));
+        for (const [x, y, width, height] of element ? this.areas(element) : []) {
+            const pad = height < 12 ? 8 : 4;
+            this.svg(element)?.append(draw("rect", {class: "choice", x: x - 4, y: y - pad, width: width + 8, height: height + 2 * pad, rx: 3}));
         }
         if (element) this.scrollTo(element);
         this.page.showSelection(element, show_text);
     }
 
+    // Returns the position of an area of an element in the window.
+    position(element, area = element.area) {
+        const box = this.svg(element)?.getBoundingClientRect();
+        return box && area ? {left: box.left + area[0], top: box.top + area[1], right: box.left + area[0] + area[2], bottom: box.top + area[1] + area[3]} : null;
+    }
+
     scrollTo(element) {
-        const group = this.group(element);
-        if (!group) return;
-        const view = this.place.getBoundingClientRect(), box = group.getBoundingClientRect();
+        const box = this.position(element), view = this.place.getBoundingClientRect();
+        if (!box) return;
         if (box.top < view.top || box.bottom > view.bottom) this.place.scrollTop += (box.top + box.bottom - view.top - view.bottom) / 2;
         if (box.left < view.left || box.right > view.right) this.place.scrollLeft += (box.left + box.right - view.left - view.right) / 2;
     }
@@ -133,8 +185,8 @@ class Drawing {
     // Selects the nearest element in a direction.
     move([x, y]) {
         const centre = (element) => {
-            const box = this.group(element)?.querySelector("rect, path, text")?.getBoundingClientRect();
-            return box && box.width > 0 ? [box.x + box.width / 2, box.y + box.height / 2] : null;
+            const box = this.position(element);
+            return box && [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
         };
         const from = this.selected && centre(this.selected);
         if (!from) return this.select(this.elements[0] ?? null);
@@ -209,7 +261,7 @@ class TextPane {
         const count = this.value.split("\n").length;
         if (count !== this.count) {
             this.count = count;
-            this.lines.replaceChildren(...Array.from({length: count}, (_, k) => make("span", {}, `${k + 1}\n`)));
+            this.lines.replaceChildren(Array.from({length: count}, (_, k) => k + 1).join("\n"));
             this.mark(this.marks);
         }
         this.align();
@@ -217,9 +269,9 @@ class TextPane {
 
     // Marks lines with errors and warnings: `marks` maps lines to `error` or `warning`.
     mark(marks) {
-        for (const line of this.marks.keys()) this.lines.children[line]?.removeAttribute("class");
         this.marks = marks;
-        for (const [line, kind] of marks) this.lines.children[line]?.setAttribute("class", kind);
+        for (const old of this.lines.querySelectorAll("span")) old.remove();
+        this.lines.append(...[...marks].map(([line, kind]) => make("span", {class: kind, style: `top: ${padding + line * line_height}px`}, `${line + 1}`)));
     }
 
     // Shows the lines of a range as selected.
@@ -477,8 +529,8 @@ class Page {
         }}, make("label", {}, `${label} of ${titleOf(element)}`, input), problem,
             make("div", {class: "row"}, make("button", {}, "Apply"), make("button", {type: "button", onclick: close}, "Cancel")));
         const charts = by("charts"), view = charts.getBoundingClientRect();
-        const group = operation.operation === "replace" && element.condition ? document.getElementById(element.condition) : this.drawing.group(element);
-        const box = (group ?? charts).getBoundingClientRect();
+        const area = operation.operation === "replace" && element.condition_area ? element.condition_area : element.area;
+        const box = this.drawing.position(element, area) ?? view;
         charts.append(form);
         const left = Math.max(8, Math.min(box.left - view.left, charts.clientWidth - form.offsetWidth - 8));
         form.style.left = `${left + charts.scrollLeft}px`;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <climits>
+#include <map>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -64,6 +66,28 @@ std::optional<edit::Operation> operation_of(const Json& json) {
     const auto at = number_in(json, "at");
     if (known == operations.end() || !at) return {};
     return edit::Operation{known->second, *at, number_in(json, "target"), text_in(json, "text")};
+}
+
+/// Returns the areas of the elements of a drawing by id, as `[x, y, width, height]`: the first box of each element, or
+/// its texts if it has no box.
+std::map<std::string, Json> areas_of(const Drawing& drawing) {
+    std::map<std::string, Json> areas;
+    for (const Drawing::Element& element : drawing.elements) {
+        if (element.id.empty()) continue;
+        int left = INT_MAX, top = INT_MAX, right = 0, bottom = 0;
+        const auto include = [&](int x, int y, int width, int height) {
+            left = std::min(left, x), top = std::min(top, y);
+            right = std::max(right, x + width), bottom = std::max(bottom, y + height);
+        };
+        if (!element.boxes.empty()) {
+            const Drawing::Box& box = element.boxes.front();
+            include(box.at.x, box.at.y, box.size.width, box.size.height);
+        }
+        for (const Drawing::Text& text : element.texts)
+            if (element.boxes.empty()) include(text.at.x, text.at.y - text.size, text.width, text.size + 4);
+        if (right > left) areas[element.id] = {left, top, right - left, bottom - top};
+    }
+    return areas;
 }
 
 Json diagnostics_json(const lsp::Root& root) {
@@ -304,10 +328,18 @@ const std::string& EditedFile::drawings() {
         if (chart.program) continue;
         const std::string prefix = drawing_prefix(id);
         const bool is_drawn = chart.steps.size() <= most_drawn_steps;
+        const Drawing drawing = is_drawn ? document_.drawing(id, prefix) : Drawing();
+        const std::map<std::string, Json> areas = areas_of(drawing);
+        const auto area = [&](const std::string& element) {
+            const auto found = areas.find(element);
+            return found == areas.end() ? Json(nullptr) : found->second;
+        };
         Json elements = Json::array();
         for (const edit::DrawnElement& each : document_.elements(id, prefix))
             elements.push_back({{"id", each.id},
+                                {"area", area(each.id)},
                                 {"condition", each.condition},
+                                {"condition_area", area(each.condition)},
                                 {"kind", each.kind},
                                 {"name", each.name},
                                 {"text", each.text},
@@ -316,7 +348,7 @@ const std::string& EditedFile::drawings() {
                                 {"end", positions.of(each.where.end)},
                                 {"part", {positions.of(each.part.begin), positions.of(each.part.end)}}});
         list.push_back({{"name", chart.name},
-                        {"svg", is_drawn ? Json(svg_of(document_.drawing(id, prefix))) : Json(nullptr)},
+                        {"svg", is_drawn ? Json(svg_of(drawing)) : Json(nullptr)},
                         {"elements", std::move(elements)}});
     }
     return drawings_ = json_text(list, -1);
