@@ -10,7 +10,7 @@ import {modelElement, verdictWords} from "./verdicts.js";
 const by = (id) => document.getElementById(id);
 const line_height = 20, padding = 8, typing_pause = 150;
 
-// The operations on the selected element: key, name on the button, kinds of elements, description.
+// The operations on the selected element: key, name on the button, types of elements, description.
 const operations = [
     {key: "a", operation: "step-after", words: "Step after", of: ["step", "transition"], effect: "add a step and a transition after the element"},
     {key: "b", operation: "step-before", words: "Step before", of: ["step", "transition"], effect: "add a step and a transition before the element"},
@@ -352,7 +352,7 @@ class Page {
 
     // -- requests -------------------------------------------------------------------------------------------------------
 
-    // Executes requests one after the other.
+    // Executes requests sequentially.
     enqueue(run) {
         this.queue = this.queue.then(run).catch((error) => this.lose(error));
         return this.queue;

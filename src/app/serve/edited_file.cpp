@@ -198,8 +198,8 @@ void EditedFile::keep_unsaved() {
         kept_ = wanted;
         notice_.clear();
     } catch (const std::exception& failure) {
-        const std::string notice =
-            fmt::format("changes that are not saved are lost if the server ends: {}", failure.what());
+        const std::string notice = fmt::format(
+            "the recovery file cannot be written, so save the file before the server ends: {}", failure.what());
         if (notice_ != notice) ++version_;
         notice_ = notice;
     }
