@@ -375,6 +375,7 @@ class Page {
         this.take(answer.state);
         if (answer.problem) this.report(answer.problem);
         if (this.pending) this.typed();
+        else if (document.activeElement === this.text.field) this.caret(this.text.field.selectionStart);
     }
 
     // Sends a change after the typed text, and shows its result. Returns the response.
@@ -472,10 +473,10 @@ class Page {
         if (!element || !operation.of.includes(element.kind) || !this.state.readable) return;
         this.endJump();
         if (operation.field !== undefined) return this.openField(operation, element);
+        by("charts").focus({preventScroll: true});
         if (operation.operation !== "jump") return this.change("/edit", {operation: operation.operation, at: element.at});
         this.jumping = element;
         by("charts").classList.add("jumping");
-        by("charts").focus({preventScroll: true});
         by("selection").textContent = `Select the target step of the jump from ${titleOf(element)}: click on it, or use the arrow keys and Enter. Esc cancels.`;
     }
 
@@ -551,6 +552,9 @@ class Page {
         by("status").className = kind;
         by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 ", unknown: "? "}[kind] ?? ""}${words}`;
         if (state.readable) by("models").replaceChildren(...state.models.map((model) => modelElement(model, false)));
+        const refused = state.readable && state.models.some((model) => model.state === "refused");
+        by("reasons").hidden = !refused;
+        by("reasons").textContent = refused ? state.diagnostics : "";
         this.checked = state;
         if (by("simulating").open) await this.simulate(state);
     }
@@ -583,8 +587,12 @@ class Page {
     run() {
         let verdicts = 0;
         this.follow(() => `/document?after=${this.known}`, (state) => this.enqueue(() => {
-            // An older state than the known state is a response to a request before the last change.
-            if (state && (state.version > this.known || this.known === 0)) this.take(state);
+            // An older state than the known state is a response to a request before the last change. While typed text
+            // has not been sent, a new state is ignored, so that the server rejects the text if another window has
+            // changed it.
+            if (!state || (state.version <= this.known && this.known !== 0)) return;
+            if (this.pending) this.known = state.version;
+            else this.take(state);
         }));
         this.follow(() => `/state?after=${verdicts}`, async (state) => {
             if (!state) return;

@@ -199,6 +199,27 @@ class Edit(browser.Case):
         self.press("Delete")
         self.page.wait_for_text("#models", "SHUT holds")
 
+    def test_a_model_that_cannot_be_checked_has_a_reason(self):
+        self.edit(PRESS.replace("when START;", "when rise(rise(START) && UP);"))
+        self.page.wait_for_text("#models", "This model cannot be checked.")
+        self.assertIn("[edge-of-edge]", self.page.text("#reasons"))
+
+    def test_two_windows_do_not_overwrite_each_other(self):
+        self.edit()
+        first = self.page.driver.current_window_handle
+        self.page.driver.switch_to.new_window("tab")
+        self.page.open(self.server.address)
+        self.page.wait_for("#charts svg")
+        self.click("c0-step-2")
+        self.press("Step after")
+        self.wait_for_text("step 3;")
+        second = self.page.driver.current_window_handle
+        self.page.driver.switch_to.window(first)
+        self.wait_for_text("step 3;")
+        self.page.driver.switch_to.window(second)
+        self.page.driver.close()
+        self.page.driver.switch_to.window(first)
+
     def test_the_simulator_highlights_the_drawing(self):
         self.edit()
         self.assertFalse(self.page.all(".active .token"))
