@@ -55,14 +55,14 @@ private:
 
 TEST(PageText, LineEndsOutsideOfAChangeAreKept) {
     EXPECT_EQ(page_text("a\r\nb\rc\n"), "a\nb\nc\n");
-    const std::string mixed = "a\r\nb\nc\rd";
-    for (const char* page : {"a\nb\nc\nd", "X\nb\nc\nd", "a\nb\nc\nX"}) {
+    const std::string mixed = "a\r\nb\nc\re";
+    for (const char* page : {"a\nb\nc\ne", "X\nb\nc\ne", "a\nb\nc\nX"}) {
         std::string expected = page;
         expected = std::string(1, page[0]) + "\r\nb\nc\r" + std::string(1, page[6]);
         EXPECT_EQ(text_of_page(page, mixed), expected);
     }
-    EXPECT_EQ(text_of_page("a\nx\nb\nc\nd", mixed), "a\r\nx\r\nb\nc\rd");
-    EXPECT_EQ(text_of_page("ab\nc\nd", mixed), "ab\nc\rd");
+    EXPECT_EQ(text_of_page("a\nx\nb\nc\ne", mixed), "a\r\nx\r\nb\nc\re");
+    EXPECT_EQ(text_of_page("ab\nc\ne", mixed), "ab\nc\re");
     EXPECT_EQ(text_of_page("", mixed), "");
     EXPECT_EQ(PagePositions("a\r\n\u00e4\U0001f600b").of(9), 5U);
 }
