@@ -402,7 +402,7 @@ class Page {
         if (!this.pending) this.text.set(state.text);
         by("saved").className = state.modified ? "changed" : "";
         by("saved").textContent = state.modified ? "Not saved" : "Saved";
-        by("save").disabled = !state.modified || state.read_only;
+        by("save").disabled = !(state.modified || state.missing) || state.read_only;
         by("undo").disabled = !state.can_undo;
         by("redo").disabled = !state.can_redo;
         const notices = [

@@ -73,16 +73,14 @@ std::optional<std::string> served_content(CommandContext& job) {
 bool can_be_edited(const std::string& content, CommandContext& job) {
     const std::string& path = job.options.operands[0];
     const Id<Source> source = job.sources.add({path, content});
-    const bool is_large = content.size() > largest_edited;
     const FileFormat format = format_of(content);
-    if (is_large) job.diagnostics.add(messages::cannot_read(path, "the file is larger than 4 MiB; use a text editor"));
-    else if (format != FileFormat::Grafcet && format != FileFormat::Unknown)
-        job.diagnostics.add(messages::cannot_read(
-            path, "only the input language can be edited; convert the file with `grafverif import`"));
-    else if (content.find('\0') != std::string::npos)
-        job.diagnostics.add(messages::cannot_read(path, "the file is not text in UTF-8"));
-    else is_readable({source, 0, static_cast<std::uint32_t>(content.size())}, job.sources, job.diagnostics);
-    return !job.diagnostics.has_errors();
+    std::string why = edit_obstacle(content);
+    if (format != FileFormat::Grafcet && format != FileFormat::Unknown)
+        why = "only the input language can be edited; convert the file with `grafverif import`";
+    else if (!is_readable({source, 0, static_cast<std::uint32_t>(content.size())}, job.sources, job.diagnostics))
+        return false;
+    if (!why.empty()) job.diagnostics.add(messages::cannot_read(path, why));
+    return why.empty();
 }
 
 /// Serves the file until the user stops the program. If `edited` is given, the page can change the file.
@@ -117,6 +115,8 @@ ExitCode serve_page(CommandContext& job, const Streams& streams, const std::opti
         streams.err << fmt::format(
             "note: changes that are not saved are in `{}`; the next `grafverif edit` restores them\n",
             printable(unsaved));
+    if (const std::string loss = page->loss(); !loss.empty())
+        streams.err << fmt::format("warning: changes that are not saved are lost: {}\n", printable(loss));
     return ExitCode::Done;
 }
 

@@ -11,6 +11,7 @@
 #include <map>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "pipeline/files.hpp"
 #include "support/json_text.hpp"
 #include "support/printable.hpp"
+#include "syntax/language/readable.hpp"
 
 namespace grafverif::app {
 
@@ -31,6 +33,8 @@ using namespace std::chrono_literals;
 
 constexpr auto edited_poll_interval = 100ms;
 constexpr std::size_t most_drawn_steps = 5'000;
+/// Maximum size of a recovery file: two texts, in which a byte becomes up to six bytes of JSON.
+constexpr std::size_t largest_recovery = 13 * largest_edited;
 constexpr std::array<std::pair<std::string_view, OperationKind>, 10> operations = {{
     {"step-after", OperationKind::StepAfter},
     {"step-before", OperationKind::StepBefore},
@@ -64,8 +68,9 @@ std::optional<edit::Operation> operation_of(const Json& json) {
     const auto known =
         std::ranges::find(operations, text_in(json, "operation"), [](const auto& each) { return each.first; });
     const auto at = number_in(json, "at");
-    if (known == operations.end() || !at) return {};
-    return edit::Operation{known->second, *at, number_in(json, "target"), text_in(json, "text")};
+    const std::string text = text_in(json, "text");
+    if (known == operations.end() || !at || text.find('\0') != std::string::npos) return {};
+    return edit::Operation{known->second, *at, number_in(json, "target"), text};
 }
 
 /// Returns the areas of the elements of a drawing by id, as `[x, y, width, height]`: the first box of each element, or
@@ -109,6 +114,16 @@ Json diagnostics_json(const lsp::Root& root) {
 
 }  // namespace
 
+std::string edit_obstacle(const std::string& content) {
+    if (content.size() > largest_edited) return "the file is larger than 4 MiB; use a text editor";
+    Sources sources;
+    const Id<Source> source = sources.add({"", content});
+    Diagnostics diagnostics;
+    const bool is_text = content.find('\0') == std::string::npos &&
+                         is_readable({source, 0, static_cast<std::uint32_t>(content.size())}, sources, diagnostics);
+    return is_text ? "" : "the file is not text in UTF-8";
+}
+
 EditedFile::EditedFile(const Options& options, std::string text)
     : path_(std::filesystem::absolute(options.operands[0])),
       recovery_(path_.parent_path() / ("." + path_.filename().string() + ".unsaved")),
@@ -123,7 +138,6 @@ EditedFile::EditedFile(const Options& options, std::string text)
 void EditedFile::begin(std::function<void()> changing, std::function<void()> changed) {
     changing_ = std::move(changing);
     changed_ = std::move(changed);
-    watcher_.note(path_.string());
     thread_ = std::jthread([this] { watch(); });
 }
 
@@ -146,8 +160,8 @@ void EditedFile::watch() {
         try {
             take_changes();
             keep_unsaved();
-        } catch (const std::bad_alloc&) {
-            continue;  // tried again after the interval
+        } catch (const std::exception&) {
+            continue;  // for example, memory is short; tried again after the interval
         }
         if (version_ == before) continue;
         hold.unlock();
@@ -163,16 +177,13 @@ void EditedFile::take_changes() {
         document_.refresh();
         take_text();
     }
-    if (!watcher_.changed()) return;
+    if (watcher_.size() != 0 && !watcher_.changed()) return;
     watcher_.clear();
     watcher_.note(path_.string());
-    std::string why;
-    const auto content = content_of_file(path_, why, largest_edited);
-    missing_ = !content;
+    const auto content = read_disk();
     ++version_;
     if (!content || *content == disk_) return;
-    const bool was_modified = modified();
-    if (*content == document_.text() || !was_modified) {
+    if (*content == document_.text() || !modified()) {
         changing_();
         disk_ = *content;
         other_.reset();
@@ -183,64 +194,108 @@ void EditedFile::take_changes() {
     }
 }
 
-/// Writes the recovery file if there are changes that are not saved; otherwise removes it.
+/// Reads the file, and updates `missing_` and `unreadable_`. Returns an empty result if the file is missing, or if its
+/// content cannot be edited.
+std::optional<std::string> EditedFile::read_disk() {
+    std::string why;
+    auto content = content_of_file(path_, why, largest_edited);
+    std::error_code failure;
+    missing_ = !content && !std::filesystem::exists(path_, failure) && !failure;
+    if (content) why = edit_obstacle(*content);
+    unreadable_ = missing_ || why.empty() || content == disk_
+                      ? ""
+                      : fmt::format("another program has changed the file, and the page cannot show it: {}", why);
+    return unreadable_.empty() ? content : std::nullopt;
+}
+
+/// Writes the recovery file if there are changes that are not saved; otherwise removes it. Neither writes nor removes a
+/// recovery file that another server has written.
 void EditedFile::keep_unsaved() {
-    const std::string wanted = modified() ? document_.text() : std::string();
-    if (wanted == kept_) return;
+    if (modified() ? is_kept() : !kept_) return;
     try {
         std::error_code ignored;
         const auto type = std::filesystem::symlink_status(recovery_, ignored).type();
-        const bool is_safe =
-            type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::regular;
-        if (!is_safe) throw std::system_error(std::make_error_code(std::errc::file_exists), recovery_.string());
-        if (modified()) write_files({{recovery_, json_text(Json{{"base", disk_}, {"text", wanted}}, -1)}});
-        else std::filesystem::remove(recovery_);
-        kept_ = wanted;
+        std::string why;
+        const auto content = content_of_file(recovery_, why, largest_recovery);
+        const bool is_own = type == std::filesystem::file_type::not_found ||
+                            (type == std::filesystem::file_type::regular && content && *content == recovered_);
+        if (!is_own && modified())
+            throw std::runtime_error(fmt::format("another program has written `{}`", recovery_.filename().string()));
+        if (modified()) {
+            Kept kept{disk_, document_.text()};
+            std::string json = json_text(Json{{"base", kept.base}, {"text", kept.text}}, -1);
+            write_files({{.path = recovery_, .content = json, .mode = 0600, .replaces = recovered_}});
+            recovered_ = std::move(json);
+            kept_ = std::move(kept);
+        } else {
+            if (is_own) std::filesystem::remove(recovery_);
+            kept_.reset();
+        }
+        if (!not_kept_.empty() || !notice_.empty()) ++version_;
+        not_kept_.clear();
         notice_.clear();
     } catch (const std::exception& failure) {
-        const std::string notice = fmt::format(
-            "the recovery file cannot be written, so save the file before the server ends: {}", failure.what());
-        if (notice_ != notice) ++version_;
-        notice_ = notice;
+        if (not_kept_ != failure.what()) ++version_;
+        not_kept_ = failure.what();
     }
 }
 
 /// Continues with the changes of an earlier run.
 void EditedFile::restore() {
     std::string why;
-    const auto content = content_of_file(recovery_, why, 4 * largest_edited);
+    const auto content = content_of_file(recovery_, why, largest_recovery);
     if (!content) return;
+    recovered_ = *content;
     const Json json = parsed_json(*content);
-    if (!json.is_object() || !json.contains("text") || !json["text"].is_string()) {
+    const bool is_valid = json.is_object() && json.contains("text") && json["text"].is_string();
+    Kept kept{text_in(json, "base"), text_in(json, "text")};
+    if (!is_valid || !edit_obstacle(kept.text).empty()) {
         notice_ = fmt::format("`{}` is damaged and was ignored", recovery_.filename().string());
         return;
     }
-    kept_ = text_in(json, "text");
-    if (kept_ == disk_) return;
-    document_.replace(kept_);
+    kept_ = std::move(kept);
+    if (kept_->text == disk_) return;
+    document_.replace(kept_->text);
     restored_ = true;
-    if (text_in(json, "base") != disk_) other_ = disk_;
+    if (kept_->base != disk_) other_ = disk_;
 }
 
 std::string EditedFile::save() {
-    if (other_) return "another program has changed the file; choose a version first";
-    std::string why;
-    const auto content = content_of_file(path_, why, largest_edited);
+    const std::string conflict = "another program has changed the file; choose a version first";
+    if (other_) return conflict;
+    if (document_.text().size() > largest_edited) return "the text is larger than 4 MiB; shorten it before you save";
+    const auto content = read_disk();
+    if (!unreadable_.empty()) return "the file was not saved: " + unreadable_;
     if (content && *content != disk_) {
         other_ = *content;
-        return "another program has changed the file; choose a version first";
+        return conflict;
     }
     try {
-        write_files({{path_, document_.text()}});
+        write_files({{.path = path_, .content = document_.text(), .replaces = disk_}});
     } catch (const std::system_error& failure) {
+        watcher_.clear();  // another program may have changed the file
         return fmt::format("the file was not saved: {}", failure.what());
     }
     disk_ = document_.text();
     missing_ = restored_ = false;
-    watcher_.clear();
-    watcher_.note(path_.string());
+    watcher_.clear();  // the file is read again, because another program may have changed it in the meantime
     keep_unsaved();
     return {};
+}
+
+/// Replaces the text as the user has typed it on the page.
+std::string EditedFile::type(const std::string& page) {
+    const std::string text = text_of_page(page, document_.text());
+    if (text.size() > largest_edited) return "the text is larger than 4 MiB";
+    if (text.find('\0') != std::string::npos) return "the text contains the character U+0000";
+    document_.type(text);
+    return {};
+}
+
+std::string EditedFile::notice() const {
+    if (!unreadable_.empty()) return unreadable_;
+    if (not_kept_.empty()) return notice_;
+    return "the recovery file cannot be written, so save the file before the server ends: " + not_kept_;
 }
 
 /// Ends a conflict with another program: keeps the text of the page or of the file.
@@ -254,7 +309,12 @@ std::string EditedFile::resolve(const std::string& choice) {
 
 std::string EditedFile::unsaved() const {
     const std::lock_guard hold(door_);
-    return kept_.empty() ? std::string() : recovery_.string();
+    return modified() && is_kept() ? recovery_.string() : std::string();
+}
+
+std::string EditedFile::loss() const {
+    const std::lock_guard hold(door_);
+    return modified() && !is_kept() ? not_kept_ : std::string();
 }
 
 std::string EditedFile::text() const {
@@ -288,10 +348,11 @@ std::string EditedFile::respond(const std::string& path, const std::string& body
     if (number_in(json, "version") != text_version_)
         change.obstacle = "the text has changed in the meantime, for example in another window";
     else if (path == "/edit") {
-        const auto operation = operation_of(json);
+        auto operation = operation_of(json);
+        if (operation) operation->text = with_line_ends(operation->text, document_.text());
         if (operation) change = document_.perform(*operation, trial);
         else change.obstacle = "malformed request; the operation or its element is missing";
-    } else if (path == "/text") document_.type(text_of_page(text_in(json, "text"), document_.text()));
+    } else if (path == "/text") change.obstacle = type(text_in(json, "text"));
     else if (path == "/undo") change.selected = document_.undo();
     else if (path == "/redo") change.selected = document_.redo();
     else if (path == "/save") change.obstacle = save();
@@ -365,7 +426,7 @@ std::string EditedFile::state() {
                  {"read_only", !missing_ && ::access(path_.c_str(), W_OK) != 0},
                  {"missing", missing_},
                  {"restored", restored_ && modified()},
-                 {"notice", printable(notice_)},
+                 {"notice", printable(notice())},
                  {"other", other_ ? Json(page_text(*other_)) : Json(nullptr)},
                  {"can_undo", document_.can_undo()},
                  {"can_redo", document_.can_redo()},

@@ -25,6 +25,9 @@ namespace grafverif::app {
 /// Maximum size of a file that can be edited, in bytes.
 inline constexpr std::size_t largest_edited = std::size_t{4} << 20U;
 
+/// Returns the reason why a page cannot edit a file with this content, or an empty string.
+std::string edit_obstacle(const std::string& content);
+
 class EditedFile {
 public:
     /// `text` is the content of the file, the first operand in `options`.
@@ -49,17 +52,27 @@ public:
     std::string text() const;
     /// Returns the path of the recovery file if it contains changes that are not saved; otherwise an empty string.
     std::string unsaved() const;
+    /// Returns the reason why changes that are not saved are not in the recovery file either; otherwise an empty string.
+    std::string loss() const;
 
 private:
+    /// Changes that are in the recovery file: the text, and the content of the file when it was last read or written.
+    struct Kept {
+        std::string base = {}, text = {};
+    };
+
     void watch();
     void take_changes();
+    std::optional<std::string> read_disk();
     void keep_unsaved();
     void restore();
     void take_text();
     bool modified() const { return document_.text() != disk_; }
+    bool is_kept() const { return kept_ && kept_->text == document_.text() && kept_->base == disk_; }
+    std::string notice() const;
+    std::string type(const std::string& page);
     std::string save();
     std::string resolve(const std::string& choice);
-    void change_text(const std::string& page_text);
     const std::string& drawings();
     std::string state();
 
@@ -72,8 +85,11 @@ private:
     std::optional<std::string> other_ = {};  ///< content that another program has written, until the user has chosen
     bool missing_ = false;                   ///< true if the file was deleted
     bool restored_ = false;                  ///< true if the text was read from the recovery file
-    std::string notice_ = {};                ///< a problem of the recovery file
-    std::string kept_ = {};                  ///< text in the recovery file; empty if there is no such file
+    std::string unreadable_ = {};            ///< reason why the content of the file cannot be shown
+    std::string notice_ = {};                ///< a problem of the recovery file at the start
+    std::string not_kept_ = {};              ///< reason why the recovery file could not be written
+    std::optional<Kept> kept_ = {};          ///< changes that this server keeps in the recovery file
+    std::string recovered_ = {};             ///< content of the recovery file that this server has read or written
     std::uint64_t version_ = 1, text_version_ = 1;
     std::shared_ptr<const lsp::Root> drawn_ = nullptr;
     std::string drawings_ = "[]";  ///< drawings of `drawn_` as JSON

@@ -156,8 +156,12 @@ public:
     Parts& operator=(const Parts&) = delete;
 
     std::string address() const { return fmt::format("http://127.0.0.1:{}/?token={}", server_.port(), token_); }
-    void run(const std::atomic<bool>& stop) { server_.run(stop); }
+    void run(const std::atomic<bool>& stop) {
+        server_.run(stop);
+        if (edited_ != nullptr) edited_->end();
+    }
     std::string unsaved() const { return edited_ != nullptr ? edited_->unsaved() : std::string(); }
+    std::string loss() const { return edited_ != nullptr ? edited_->loss() : std::string(); }
 
 private:
     Options options_;
@@ -174,5 +178,6 @@ LivePage::~LivePage() = default;
 std::string LivePage::address() const { return parts_->address(); }
 void LivePage::run(const std::atomic<bool>& stop) { parts_->run(stop); }
 std::string LivePage::unsaved() const { return parts_->unsaved(); }
+std::string LivePage::loss() const { return parts_->loss(); }
 
 }  // namespace grafverif::app

@@ -28,6 +28,8 @@ public:
     void run(const std::atomic<bool>& stop);
     /// Returns the path of the recovery file if the page has changes that are not saved; otherwise an empty string.
     std::string unsaved() const;
+    /// Returns the reason why changes that are not saved are not in the recovery file either; otherwise an empty string.
+    std::string loss() const;
 
 private:
     class Parts;

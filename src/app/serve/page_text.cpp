@@ -20,6 +20,14 @@ std::string page_text(std::string_view text) {
     return page;
 }
 
+std::string with_line_ends(std::string_view page, std::string_view file) {
+    const std::size_t first = file.find('\n');
+    const bool doubled = first != std::string_view::npos && first > 0 && file[first - 1] == '\r';
+    std::string text;
+    for (const char c : page) text += c == '\n' && doubled ? "\r\n" : std::string(1, c);
+    return text;
+}
+
 std::string text_of_page(std::string_view page, std::string_view before) {
     const edit::TextEdit change = edit::difference(page_text(before), page);
     std::size_t begin = 0, end = 0, shown = 0;
@@ -29,11 +37,8 @@ std::string text_of_page(std::string_view page, std::string_view before) {
         if (at < before.size() && !is_double_end(before, at)) ++shown;
         if (shown > change.end) break;
     }
-    const std::size_t first = before.find('\n');
-    const bool doubled = first != std::string_view::npos && first > 0 && before[first - 1] == '\r';
     std::string text(before.substr(0, begin));
-    for (const char c : change.replacement) text += c == '\n' && doubled ? "\r\n" : std::string(1, c);
-    return text.append(before.substr(end));
+    return text.append(with_line_ends(change.replacement, before)).append(before.substr(end));
 }
 
 PagePositions::PagePositions(std::string_view text) {

@@ -12,6 +12,9 @@ namespace grafverif::app {
 /// Returns the text as a page shows it.
 std::string page_text(std::string_view text);
 
+/// Returns text of a page with the line ends of the first line of `file`.
+std::string with_line_ends(std::string_view page, std::string_view file);
+
 /// Returns the text of the file after a user has changed the text of the page to `page`. `before` is the text of the
 /// file before this change. All line ends outside of the change are kept; new lines end as the first line of `before`.
 std::string text_of_page(std::string_view page, std::string_view before);

@@ -6,6 +6,7 @@
 
 #include "app/serve/edited_file.hpp"
 #include "app/serve/page_text.hpp"
+#include "app/system/write_files.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -158,6 +159,106 @@ TEST(EditedFile, UnsavedChangesAreRestoredWithTheConflictThatTheyCause) {
     session.end();
     const std::string notice = session.state()["notice"];
     EXPECT_TRUE(notice.starts_with("the recovery file cannot be written, so save the file before the server ends: "));
+}
+
+TEST(EditedFile, FileThatCannotBeShownIsNotOverwritten) {
+    const std::string changed =
+        "the file was not saved: another program has changed the file, and the page cannot show it: ";
+    const Folder folder;
+    folder.write("lamp.grafcet", lamp);
+    Session session(folder);
+    session.type(lamp + "// mine\n");
+    const std::string large = lamp + "//" + std::string(largest_edited, 'x');
+    folder.write("lamp.grafcet", large);
+    EXPECT_EQ(session.problem("/save"), changed + "larger than 4 MiB");
+    EXPECT_EQ(folder.read("lamp.grafcet"), large);
+    EXPECT_FALSE(session.state()["missing"]);
+    folder.write("lamp.grafcet", "// \xff");
+    EXPECT_EQ(session.problem("/save"), changed + "the file is not text in UTF-8");
+    EXPECT_TRUE(session.state()["other"].is_null());
+    EXPECT_TRUE(std::string(session.state()["notice"]).starts_with("another program has changed the file"));
+    fs::remove(folder.file("lamp.grafcet"));
+    fs::create_directory(folder.file("lamp.grafcet"));
+    EXPECT_EQ(session.problem("/save"), changed + "it is a directory");
+    fs::remove(folder.file("lamp.grafcet"));
+    EXPECT_EQ(session.problem("/save"), "") << "a deleted file is created again";
+    EXPECT_EQ(folder.read("lamp.grafcet"), lamp + "// mine\n");
+    EXPECT_EQ(session.state()["notice"], "");
+}
+
+TEST(EditedFile, TextThatCannotBeReadAgainIsRejected) {
+    const Folder folder;
+    folder.write("lamp.grafcet", lamp);
+    Session session(folder);
+    EXPECT_EQ(session.problem("/text", {{"text", std::string(largest_edited + 1, ' ')}}),
+              "the text is larger than 4 MiB");
+    EXPECT_EQ(session.problem("/text", {{"text", std::string("a\0b", 3)}}), "the text contains the character U+0000");
+    EXPECT_EQ(session.problem("/edit", {{"operation", "action"},
+                                        {"at", session.element("c0-step-1")["at"]},
+                                        {"text", std::string("L /*\0*/", 8)}}),
+              "malformed request; the operation or its element is missing");
+    EXPECT_EQ(session.file().text(), lamp);
+}
+
+TEST(EditedFile, RecoveryFileIsPrivateAndFollowsTheText) {
+    const Folder folder;
+    folder.write("lamp.grafcet", lamp);
+    Session session(folder);
+    session.type("");
+    session.end();
+    const std::string recovery = folder.file(".lamp.grafcet.unsaved");
+    EXPECT_EQ(fs::status(recovery).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(session.file().unsaved(), recovery) << "an empty text is also kept";
+    session.type(lamp);
+    session.end();
+    EXPECT_EQ(folder.entries(), 1U);
+    EXPECT_EQ(session.file().unsaved(), "");
+}
+
+TEST(EditedFile, RecoveryFileOfAnotherServerIsNotOverwritten) {
+    const Folder folder;
+    folder.write("lamp.grafcet", lamp);
+    Session one(folder), two(folder);
+    one.type(lamp + "// one\n");
+    one.end();
+    const std::string recovery = folder.read(".lamp.grafcet.unsaved");
+    two.type(lamp + "// two\n");
+    two.end();
+    EXPECT_EQ(folder.read(".lamp.grafcet.unsaved"), recovery);
+    EXPECT_EQ(two.file().unsaved(), "");
+    EXPECT_EQ(two.file().loss(), "another program has written `.lamp.grafcet.unsaved`");
+    two.type(lamp);
+    two.end();
+    EXPECT_EQ(folder.read(".lamp.grafcet.unsaved"), recovery);
+    EXPECT_EQ(two.file().loss(), "");
+}
+
+TEST(EditedFile, LinesOfAnOperationEndAsThoseOfTheFile) {
+    const Folder folder;
+    folder.write("lamp.grafcet",
+                 "grafcet g {\r\n    input A;\r\n    initial step 0;\r\n    transition t: 0 -> 0 when A;\r\n}\r\n");
+    Session session(folder);
+    EXPECT_EQ(session.problem(
+                  "/edit",
+                  {{"operation", "replace"}, {"at", session.element("c0-transition-t")["at"]}, {"text", "A\n&& !A"}}),
+              "");
+    EXPECT_NE(session.file().text().find("when A\r\n&& !A;"), std::string::npos);
+}
+
+TEST(WriteFiles, ReplacesOnlyTheExpectedContent) {
+    const Folder folder;
+    const std::string path = folder.write("a", "old");
+    const OutputFile file{.path = path, .content = "new", .mode = 0600, .replaces = "old"};
+    write_files({file});
+    EXPECT_EQ(folder.read("a"), "new");
+    EXPECT_THROW(write_files({file}), std::system_error);
+    folder.write("a", "older");
+    EXPECT_THROW(write_files({file}), std::system_error);
+    EXPECT_EQ(folder.read("a"), "older");
+    EXPECT_EQ(folder.entries(), 1U);
+    fs::remove(path);
+    write_files({file});
+    EXPECT_EQ(fs::status(path).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
 TEST(EditedFile, SavingIntoAMissingFolderIsReported) {
