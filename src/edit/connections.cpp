@@ -69,6 +69,13 @@ std::vector<std::string> Connections::names(const tree::Transition& transition, 
     return texts;
 }
 
+std::string Connections::written(const tree::Transition& transition, End end) const {
+    const std::vector<tree::Name>& present = ends(transition, end);
+    if (present.empty()) return {};
+    return std::string(
+        layout_.text({present.front().where.source, present.front().where.begin, present.back().where.end}));
+}
+
 std::string Connections::title(const tree::Transition& transition) const {
     if (transition.name.valid()) return fmt::format("transition `{}`", file_.text(transition.name));
     return fmt::format("the transition from {} to {}", list_of(names(transition, End::From)),

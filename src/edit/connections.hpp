@@ -44,6 +44,8 @@ public:
     std::vector<TextEdit> without_transition(const tree::Transition& transition, std::string& obstacle) const;
 
     std::vector<std::string> names(const tree::Transition& transition, End end) const;
+    /// Returns the text of the steps at an end of a transition, with the comments in it.
+    std::string written(const tree::Transition& transition, End end) const;
     /// Returns the name of a transition for messages.
     std::string title(const tree::Transition& transition) const;
 

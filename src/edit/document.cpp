@@ -61,12 +61,36 @@ Change Document::perform(const Operation& operation, bool trial) {
                 {}};
     }
     const Elements elements(parsed_->tree);
-    if (operation.kind != OperationKind::Rename)
-        return accept(plan_of(text(), parsed_->tree, elements, operation), trial);
+    if (operation.kind != OperationKind::Rename) {
+        Plan plan = plan_of(text(), parsed_->tree, elements, operation);
+        if (operation.kind == OperationKind::Delete && plan.obstacle.empty()) plan.obstacle = remaining_use(plan.edits);
+        return accept(std::move(plan), trial);
+    }
     const Element* const element = elements.at(operation.at);
     if (element == nullptr || element->action != nullptr || element->assignment != nullptr)
         return {"only a step or a transition has a name", {}, {}};
     return rename(*element, operation.text, trial);
+}
+
+/// Returns the reason why edits may not delete a declaration: a use of its name remains, which would be an error or denote
+/// another element.
+std::string Document::remaining_use(const std::vector<TextEdit>& edits) const {
+    lsp::Workspace workspace = workspace_for(text());
+    const std::string path = rpc::path_of_uri(uri_);
+    const auto names = lsp::names_of(workspace, {lsp::DiagnosticStore().read(path, workspace)});
+    const auto file = workspace.parsed(path);
+    const auto is_deleted = [&](const lsp::Parsed* in, Span where) {
+        return in == file.get() && std::ranges::any_of(edits, [&](const TextEdit& edit) {
+                   return edit.begin <= where.begin && where.end <= edit.end;
+               });
+    };
+    for (const auto& each : names->files())
+        for (const lsp::Use& use : names->uses(*each))
+            if (is_deleted(use.element->file, use.element->where) && !is_deleted(each.get(), use.name()))
+                return fmt::format("`{}` is also used in {} {}; change this line first", use.element->name,
+                                   each == file ? "line" : each->path + ", line",
+                                   each->text->position(use.where.begin).line + 1);
+    return {};
 }
 
 Change Document::rename(const Element& element, const std::string& name, bool trial) {

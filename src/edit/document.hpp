@@ -72,6 +72,7 @@ public:
 private:
     lsp::Workspace workspace_for(const std::string& text) const;
     Change rename(const Element& element, const std::string& name, bool trial);
+    std::string remaining_use(const std::vector<TextEdit>& edits) const;
     Change accept(Plan plan, bool trial);
 
     std::string path_, uri_;

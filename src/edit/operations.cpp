@@ -107,13 +107,14 @@ private:
         if (element_.is_transition()) {
             const tree::Transition& transition = *element_.transition;
             const std::string fresh = fresh_step(transition.from.empty() ? transition.to : transition.from);
-            const std::string others = list_of(connections_.names(transition, side));
+            const std::string others = connections_.written(transition, side);
             add_step(fresh, transition.from);
             add(connections_.replaced_all(transition, side, fresh));
             add_link(transition.where, forward ? fresh : others, forward ? others : fresh, "true");
             return;
         }
         const tree::Step& step = *element_.step;
+        if (forward ? step.exit : step.entry) return reject_end_of_expansion(step);
         const std::string fresh = fresh_step({step.name}), name(layout_.text(step.name.where));
         const Transitions links = forward ? connections_.outgoing(step.name) : connections_.incoming(step.name);
         select(layout_.added_after(step.where, "step " + fresh + ';'), "step ");
@@ -164,14 +165,21 @@ private:
             obstacle_ = "no step follows the transition; add a step after it first";
             return;
         }
+        if (step->entry || step->exit) return reject_end_of_expansion(*step);
         if (obstacle_ = connections_.obstacle(step->name); !obstacle_.empty()) return;
-        const std::string fresh = fresh_step({step->name}),
-                          text = (step->initial ? "initial step " : "step ") + fresh + ';';
-        select(layout_.added_after(step->where, text), step->initial ? "initial step " : "step ");
+        const std::string fresh = fresh_step({step->name});
+        const std::string words =
+            std::string(step->linked ? "linked " : "") + (step->initial ? "initial " : "") + "step ";
+        select(layout_.added_after(step->where, words + fresh + ';'), words);
         for (const tree::Transition* const link : connections_.incoming(step->name))
             add(connections_.added(*link, End::To, fresh));
         for (const tree::Transition* const link : connections_.outgoing(step->name))
             add(connections_.added(*link, End::From, fresh));
+    }
+
+    void reject_end_of_expansion(const tree::Step& step) {
+        obstacle_ = fmt::format("step `{}` is the entry step or the exit step of an expansion; edit the text",
+                                file_.text(step.name));
     }
 
     void add_jump(const Operation& operation) {
@@ -187,6 +195,10 @@ private:
             const tree::Transition& transition = *element_.transition;
             if (connections_.names(transition, End::To) == std::vector{name}) {
                 obstacle_ = fmt::format("{} already leads to step `{}`", connections_.title(transition), name);
+                return;
+            }
+            if (transition.to.size() > 1) {
+                obstacle_ = fmt::format("{} leads to several steps; edit the text", connections_.title(transition));
                 return;
             }
             add(connections_.replaced_all(transition, End::To, name));

@@ -114,7 +114,13 @@ bool includes(const auto& all, const auto& part) { return std::ranges::includes(
 
 std::string with_comments(const std::string& text, Random& random, int& comments) {
     std::string commented;
-    for (const char c : text) {
+    std::size_t line = 0;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const char c = text[k];
+        if (c == '\n') line = k;
+        const std::string_view before = std::string_view(text).substr(line, k - line);
+        const bool is_in_list = c == ',' && before.find("transition") < k && before.find(" when ") >= k;
+        if (is_in_list && chance(random, 30)) commented += " /* comment " + std::to_string(++comments) + ". */";
         if (c == '\n' && chance(random, 30)) commented += "  // comment " + std::to_string(++comments) + '.';
         if (c == '\n' && chance(random, 10)) commented += "\n/* comment " + std::to_string(++comments) + ". */";
         commented += c;
@@ -141,6 +147,11 @@ public:
         const DrawnElement element = any(), other = any();
         Operation operation{kinds[random_number(random_, 0, std::ssize(kinds) - 1)], element.where.begin,
                             other.where.begin, other.text};
+        if (operation.kind == OperationKind::Action) {
+            DrawnElement action = other;
+            for (int k = 0; k < 5 && action.kind != "action"; ++k) action = any();
+            operation.text = action.text;
+        }
         if (operation.kind == OperationKind::Rename)
             operation.text = chance(random_, 50) ? "N" + std::to_string(random_number(random_, 0, 99)) : other.name;
         if (chance(random_, 5)) operation.text = "} ; (";

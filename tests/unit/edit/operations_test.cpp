@@ -142,6 +142,25 @@ TEST(EditOperations, ParallelBranchBeginsAndEndsWithTheStep) {
         .expect("2 -> 0, 4", "2, 5 -> 0, 4");
 }
 
+TEST(EditOperations, ParallelBranchOfALinkedStepIsLinked) {
+    Editing edit(
+        "grafcet g {\n    input A;\n    initial step 0;\n    enclosing step 1 encloses G;\n    macro step 2 expands "
+        "M;\n"
+        "    transition a: 0 -> 1 when A;\n    transition b: 1 -> 2 when !A;\n    transition c: 2 -> 0 when A;\n"
+        "    partial G { linked step 5; step 6; transition d: 5 -> 6 when A; }\n"
+        "    expansion M { entry step 7; exit step 8; transition e: 7 -> 8 when A; }\n}\n");
+    edit.perform(OperationKind::Parallel, "linked step 5");
+    EXPECT_EQ(edit.selected, "linked step ");
+    edit.expect("linked step 5;", "linked step 5; linked step 9;").expect("5 -> 6", "5, 9 -> 6");
+    const auto rejected = [](const std::string& step) {
+        return "step `" + step + "` is the entry step or the exit step of an expansion; edit the text";
+    };
+    EXPECT_EQ(edit.obstacle(OperationKind::Parallel, "entry step 7"), rejected("7"));
+    EXPECT_EQ(edit.obstacle(OperationKind::Parallel, "transition e"), rejected("8"));
+    EXPECT_EQ(edit.obstacle(OperationKind::StepBefore, "entry step 7"), rejected("7"));
+    EXPECT_EQ(edit.obstacle(OperationKind::StepAfter, "exit step 8"), rejected("8"));
+}
+
 TEST(EditOperations, JumpAddsATransitionOrChangesItsTarget) {
     Editing edit(lamp);
     edit.perform(OperationKind::Jump, "step 1", "", "initial step 0");
@@ -246,8 +265,7 @@ TEST(EditOperations, DeletionIsRejectedWithItsReason) {
     Editing edit(lamp);
     edit.perform(OperationKind::Replace, "transition off", "OFF && !X1");
     edit.expect("OFF && !ON", "OFF && !X1");
-    EXPECT_EQ(edit.obstacle(OperationKind::Delete, "step 1"),
-              "the change would make the text invalid: unknown step `X1`; did you mean `X0`?");
+    EXPECT_EQ(edit.obstacle(OperationKind::Delete, "step 1"), "`1` is also used in line 17; change this line first");
     EXPECT_EQ(
         edit.obstacle(OperationKind::Delete, "transition on"),
         "without transition `on`, no transition leads to step `1`; delete the step, or add another transition to it");
@@ -265,6 +283,23 @@ TEST(EditOperations, DeletionIsRejectedWithItsReason) {
     Editing both("grafcet g { input A; initial step 0; step 1; transition 0 -> 0, 1 when A; }\n");
     EXPECT_EQ(both.obstacle(OperationKind::Delete, "initial step 0"),
               "the transition from 0 to 0, 1 begins and ends at step `0` and at other steps; change it first");
+}
+
+TEST(EditOperations, StepIsNotDeletedIfAStepOfAnotherPartialChartTakesItsName) {
+    Editing edit(
+        "grafcet g {\n    input A, B;\n    partial P {\n        initial step 1;\n        step 2;\n        step 9;\n"
+        "        transition p: 1 -> 2 when A;\n        transition q: 2 -> 9 when B;\n"
+        "        transition r: 9 -> 1 when 3s/X2;\n    }\n    partial Q {\n        initial step 1;\n        step 2;\n"
+        "        transition s: 1 -> 2 when A;\n        transition t: 2 -> 1 when B;\n    }\n}\n");
+    EXPECT_EQ(edit.obstacle(OperationKind::Delete, "step 2"), "`2` is also used in line 9; change this line first");
+    edit.perform(OperationKind::Delete, "step 9");
+    edit.expect("        step 9;\n", "")
+        .expect("2 -> 9 when B", "2 -> 1 when B")
+        .expect("        transition r: 9 -> 1 when 3s/X2;\n", "");
+    edit.perform(OperationKind::Delete, "step 2");
+    edit.expect("        step 2;\n", "")
+        .expect("1 -> 2 when A", "1 -> 1 when A")
+        .expect("        transition q: 2 -> 1 when B;\n", "");
 }
 
 TEST(EditOperations, DeletedTransitionAndActionLeaveTheRest) {
@@ -330,6 +365,15 @@ TEST(EditOperations, CommentsInListsAreKept) {
         "A;\n}\n");
     edit.perform(OperationKind::Delete, "step 2");
     edit.expect("  step 2;\n", "").expect("1 /* one */, 2 when", "1 /* one */  when");
+    Editing after(
+        "grafcet g {\n  input A;\n  initial step 0;\n  step 1;\n  step 2;\n  transition t: 0 -> 1, // one\n    2 when "
+        "A;\n}\n");
+    after.perform(OperationKind::StepAfter, "transition t");
+    after.expect("step 0;\n", "step 0;\n  step 3;\n")
+        .expect("0 -> 1, // one\n    2 when A;\n",
+                "0 -> 3 when A;\n  transition t2: 3 -> 1, // one\n    2 when true;\n");
+    EXPECT_EQ(after.obstacle(OperationKind::Jump, "transition t2", "", "step 1"),
+              "transition `t2` leads to several steps; edit the text");
 }
 
 TEST(EditOperations, RepeatedDeclarationsAreEditedAsText) {
