@@ -65,15 +65,15 @@ std::string Connections::obstacle(const tree::Name& name) const {
 
 std::vector<std::string> Connections::names(const tree::Transition& transition, End end) const {
     std::vector<std::string> texts;
-    for (const tree::Name& name : ends(transition, end)) texts.emplace_back(layout_.text(name.where));
+    for (const tree::Name& name : ends(transition, end)) texts.emplace_back(layout_.text(layout_.whole(name)));
     return texts;
 }
 
 std::string Connections::written(const tree::Transition& transition, End end) const {
     const std::vector<tree::Name>& present = ends(transition, end);
     if (present.empty()) return {};
-    return std::string(
-        layout_.text({present.front().where.source, present.front().where.begin, present.back().where.end}));
+    const Span last = layout_.whole(present.back());
+    return std::string(layout_.text({last.source, present.front().where.begin, last.end}));
 }
 
 std::string Connections::title(const tree::Transition& transition) const {
@@ -86,7 +86,7 @@ std::vector<TextEdit> Connections::replaced(const tree::Transition& transition, 
                                             const std::vector<std::string>& names) const {
     const std::vector<tree::Name>& present = ends(transition, end);
     std::vector<Span> places;
-    for (const tree::Name& each : present) places.push_back(each.where);
+    for (const tree::Name& each : present) places.push_back(layout_.whole(each));
     const auto index = static_cast<std::size_t>(
         std::ranges::find_if(present, [&](const tree::Name& each) { return is(each, name); }) - present.begin());
     const std::vector<std::string> known = this->names(transition, end);
@@ -99,7 +99,7 @@ std::vector<TextEdit> Connections::replaced(const tree::Transition& transition, 
 
 TextEdit Connections::replaced_all(const tree::Transition& transition, End end, const std::string& names) const {
     const std::vector<tree::Name>& present = ends(transition, end);
-    if (!present.empty()) return {present.front().where.begin, present.back().where.end, names};
+    if (!present.empty()) return {present.front().where.begin, layout_.whole(present.back()).end, names};
     const std::uint32_t arrow = layout_.arrow(transition.where);
     return end == End::From ? TextEdit{arrow, arrow, names + ' '} : TextEdit{arrow + 2, arrow + 2, ' ' + names};
 }
@@ -107,7 +107,8 @@ TextEdit Connections::replaced_all(const tree::Transition& transition, End end, 
 TextEdit Connections::added(const tree::Transition& transition, End end, const std::string& name) const {
     const std::vector<tree::Name>& present = ends(transition, end);
     if (present.empty()) return replaced_all(transition, end, name);
-    return {present.back().where.end, present.back().where.end, ", " + name};
+    const std::uint32_t last = layout_.whole(present.back()).end;
+    return {last, last, ", " + name};
 }
 
 std::vector<TextEdit> Connections::without_transition(const tree::Transition& transition, std::string& obstacle) const {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "edit/layout.hpp"
 #include "grafverif/ir/drawing.hpp"
 #include "lsp/rename.hpp"
 #include "lsp/scan.hpp"
@@ -183,6 +184,7 @@ std::vector<DrawnElement> Document::elements(Id<Chart> id, const std::string& pr
     const Chart& chart = drawn_->reading.model->charts[id];
     const ElementIds ids = element_ids(chart, prefix);
     const Elements declared(drawn_parsed_->tree);
+    const Layout layout(drawn_parsed_->text->bytes(), drawn_parsed_->tree);
     const auto add = [&](Span origin, DrawnElement drawn) {
         // The first source is the file; all other sources are included files and the component library.
         const bool here = origin.source.valid() && origin.source.index == 0;
@@ -191,7 +193,7 @@ std::vector<DrawnElement> Document::elements(Id<Chart> id, const std::string& pr
         drawn.where = drawn.part = element->where;
         if (drawn.kind == "step") drawn.part = element->step->name.where;
         if (drawn.kind == "transition" && element->transition->condition.valid())
-            drawn.part = drawn_parsed_->tree.exprs[element->transition->condition].where;
+            drawn.part = layout.condition(*element->transition);
         if (drawn.kind != "step") drawn.text = drawn_parsed_->bytes(drawn.part);
         list.push_back(std::move(drawn));
     };

@@ -19,6 +19,35 @@ bool Layout::has_comment(std::uint32_t begin, std::uint32_t end) const {
     return next != file_.comments.end() && next->where.begin < end;
 }
 
+Span Layout::condition(const tree::Transition& transition) const {
+    if (!transition.condition.valid()) return {transition.where.source, transition.where.end, transition.where.end};
+    const tree::Expr& expr = file_.exprs[transition.condition];
+    const bool may_have_indices = expr.op == tree::Op::Name || expr.op == tree::Op::Member || expr.op == tree::Op::In;
+    return may_have_indices ? with_indices(expr.where) : expr.where;
+}
+
+Span Layout::with_indices(Span where) const {
+    for (std::uint32_t at = next(where.end); at < text_.size() && text_[at] == '['; at = next(where.end)) {
+        for (int depth = 0; at < text_.size(); at = next(at + 1)) {
+            if (text_[at] == '[') ++depth;
+            if (text_[at] == ']' && --depth == 0) break;
+        }
+        where.end = at + 1;
+    }
+    return where;
+}
+
+std::uint32_t Layout::next(std::uint32_t offset) const {
+    auto comment = std::ranges::lower_bound(file_.comments, offset, {},
+                                            [](const tree::Comment& each) { return each.where.begin; });
+    while (offset < text_.size()) {
+        if (comment != file_.comments.end() && comment->where.begin == offset) offset = (comment++)->where.end;
+        else if (is_blank(text_[offset]) || text_[offset] == '\r' || text_[offset] == '\n') ++offset;
+        else break;
+    }
+    return offset;
+}
+
 std::uint32_t Layout::line_begin(std::uint32_t offset) const {
     while (offset > 0 && text_[offset - 1] != '\n') --offset;
     return offset;

@@ -17,6 +17,9 @@ public:
     Layout(std::string_view text, const tree::File& file) : text_(text), file_(file) {}
 
     std::string_view text(Span where) const { return text_.substr(where.begin, where.end - where.begin); }
+    /// Returns the position of a name, or of the condition of a transition, with indices at its end.
+    Span whole(const tree::Name& name) const { return name.index.valid() ? with_indices(name.where) : name.where; }
+    Span condition(const tree::Transition& transition) const;
     /// True if a comment begins in the range.
     bool has_comment(std::uint32_t begin, std::uint32_t end) const;
 
@@ -34,6 +37,9 @@ public:
     std::uint32_t arrow(Span where) const;
 
 private:
+    Span with_indices(Span where) const;
+    /// Returns the offset of the next byte that is neither white space nor in a comment.
+    std::uint32_t next(std::uint32_t offset) const;
     bool begins_line(std::uint32_t offset) const;
     std::uint32_t line_begin(std::uint32_t offset) const;
     /// Returns the end of the line, before the line end.

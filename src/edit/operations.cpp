@@ -9,6 +9,7 @@
 
 #include "edit/connections.hpp"
 #include "edit/layout.hpp"
+#include "lsp/scan.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
@@ -246,10 +247,9 @@ private:
             obstacle_ = fault_of_assignment(written);
             add({element_.where.begin, element_.where.end, written});
         } else if (element_.is_transition()) {
-            const Id<tree::Expr> condition = element_.transition->condition;
             obstacle_ = fault_of_condition(written);
-            if (condition.valid()) add({file_.exprs[condition].where.begin, file_.exprs[condition].where.end, written});
-            else add({element_.where.end - 1, element_.where.end - 1, " when " + written});
+            const Span place = layout_.condition(*element_.transition);
+            add({place.begin, place.end, written});
         } else {
             obstacle_ = "a step has no condition; rename it, or edit one of its actions";
         }
@@ -282,9 +282,13 @@ private:
         for (const tree::Assignment& each : transition.assignments) places.push_back(each.where);
         const auto index = static_cast<std::size_t>(element_.assignment - transition.assignments.data());
         if (places.size() > 1) return append(layout_.removed_name(places, index));
-        const std::uint32_t begin = transition.condition.valid() ? file_.exprs[transition.condition].where.end : 0;
-        if (begin == 0 || layout_.has_comment(begin, places[0].begin))
+        const std::uint32_t after = layout_.condition(transition).end;  // without brackets
+        std::uint32_t begin = after;
+        for (const lsp::Word& word : lsp::words_of(text_.substr(after, places[0].begin - after)))
+            if (text_.substr(after + word.begin, word.end - word.begin) == "do") begin = after + word.begin;
+        if (layout_.has_comment(begin, places[0].begin))
             obstacle_ = "a comment is in front of the action; edit the text";
+        while (text_[begin - 1] == ' ') --begin;
         add({begin, places[0].end, ""});
     }
 

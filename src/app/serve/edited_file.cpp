@@ -217,7 +217,7 @@ void EditedFile::keep_unsaved() {
         const auto type = std::filesystem::symlink_status(recovery_, ignored).type();
         std::string why;
         const auto content = content_of_file(recovery_, why, largest_recovery);
-        const bool is_own = type == std::filesystem::file_type::not_found ||
+        const bool is_own = type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::none ||
                             (type == std::filesystem::file_type::regular && content && *content == recovered_);
         if (!is_own && modified())
             throw std::runtime_error(fmt::format("another program has written `{}`", recovery_.filename().string()));
@@ -284,8 +284,9 @@ std::string EditedFile::save() {
 }
 
 /// Replaces the text as the user has typed it on the page.
-std::string EditedFile::type(const std::string& page) {
-    const std::string text = text_of_page(page, document_.text());
+std::string EditedFile::type(const nlohmann::ordered_json& request) {
+    if (!request.contains("text") || !request["text"].is_string()) return "malformed request; the text is missing";
+    const std::string text = text_of_page(text_in(request, "text"), document_.text());
     if (text.size() > largest_edited) return "the text is larger than 4 MiB";
     if (text.find('\0') != std::string::npos) return "the text contains the character U+0000";
     document_.type(text);
@@ -352,7 +353,7 @@ std::string EditedFile::respond(const std::string& path, const std::string& body
         if (operation) operation->text = with_line_ends(operation->text, document_.text());
         if (operation) change = document_.perform(*operation, trial);
         else change.obstacle = "malformed request; the operation or its element is missing";
-    } else if (path == "/text") change.obstacle = type(text_in(json, "text"));
+    } else if (path == "/text") change.obstacle = type(json);
     else if (path == "/undo") change.selected = document_.undo();
     else if (path == "/redo") change.selected = document_.redo();
     else if (path == "/save") change.obstacle = save();

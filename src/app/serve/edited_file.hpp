@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -70,7 +71,7 @@ private:
     bool modified() const { return document_.text() != disk_; }
     bool is_kept() const { return kept_ && kept_->text == document_.text() && kept_->base == disk_; }
     std::string notice() const;
-    std::string type(const std::string& page);
+    std::string type(const nlohmann::ordered_json& request);
     std::string save();
     std::string resolve(const std::string& choice);
     const std::string& drawings();

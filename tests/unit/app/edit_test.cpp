@@ -193,6 +193,7 @@ TEST(EditedFile, TextThatCannotBeReadAgainIsRejected) {
     EXPECT_EQ(session.problem("/text", {{"text", std::string(largest_edited + 1, ' ')}}),
               "the text is larger than 4 MiB");
     EXPECT_EQ(session.problem("/text", {{"text", std::string("a\0b", 3)}}), "the text contains the character U+0000");
+    EXPECT_EQ(session.problem("/text"), "malformed request; the text is missing");
     EXPECT_EQ(session.problem("/edit", {{"operation", "action"},
                                         {"at", session.element("c0-step-1")["at"]},
                                         {"text", std::string("L /*\0*/", 8)}}),

@@ -389,6 +389,30 @@ TEST(EditOperations, RepeatedDeclarationsAreEditedAsText) {
     edit.expect("when A;", "when A || X0;");
 }
 
+TEST(EditOperations, IndicesBelongToNames) {
+    Editing edit(
+        "grafcet g {\n  for i in 1..2 { input S[i]; internal m[i]: int 0..9; }\n  input A;\n  initial step 0;\n  step "
+        "1;\n"
+        "  for i in 1..2 { step L[i]; transition L[i] -> 0 when S[i]; }\n  transition a: 1 -> 0 when S[1];\n"
+        "  transition b: 0 -> 1, L /* [ */ [2] when (A) do m[2] := 1;\n}\n");
+    const std::vector<DrawnElement> elements = edit.document.elements(Id<Chart>{0}, "");
+    const auto a = std::ranges::find(elements, "a", &DrawnElement::name);
+    ASSERT_NE(a, elements.end());
+    EXPECT_EQ(a->text, "S[1]");
+    edit.perform(OperationKind::Replace, "transition a", "A");
+    edit.expect("when S[1]", "when A");
+    edit.perform(OperationKind::Delete, "m[2] := 1");
+    edit.expect(" do m[2] := 1", "");
+    edit.perform(OperationKind::StepAfter, "transition b");
+    edit.expect("  initial step 0;\n", "  initial step 0;\n  step 3;\n")
+        .expect("0 -> 1, L /* [ */ [2] when (A);\n",
+                "0 -> 3 when (A);\n  transition 3 -> 1, L /* [ */ [2] when true;\n");
+    edit.perform(OperationKind::Parallel, "step 1");
+    edit.expect("  step 1;\n", "  step 1;\n  step 4;\n")
+        .expect("1 -> 0 when", "1, 4 -> 0 when")
+        .expect("L /* [ */ [2] when", "L /* [ */ [2], 4 when");
+}
+
 TEST(EditOperations, TextWithErrorsCanOnlyBeTyped) {
     Editing edit(lamp);
     const std::string broken = edit.document.text() + "grafcet";
