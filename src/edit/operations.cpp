@@ -107,6 +107,8 @@ private:
         const bool forward = side == End::To;
         if (element_.is_transition()) {
             const tree::Transition& transition = *element_.transition;
+            if (!forward)
+                for (const tree::Name& name : transition.from) reject_readers({&transition}, name);
             const std::string fresh = fresh_step(transition.from.empty() ? transition.to : transition.from);
             const std::string others = connections_.written(transition, side);
             add_step(fresh, transition.from);
@@ -118,12 +120,28 @@ private:
         if (forward ? step.exit : step.entry) return reject_end_of_expansion(step);
         const std::string fresh = fresh_step({step.name}), name(layout_.text(step.name.where));
         const Transitions links = forward ? connections_.outgoing(step.name) : connections_.incoming(step.name);
+        if (forward) reject_readers(links, step.name);
         select(layout_.added_after(step.where, "step " + fresh + ';'), "step ");
         for (const tree::Transition* const link : links)
             add(connections_.replaced(*link, forward ? End::From : End::To, step.name, {fresh}));
         const Span place =
             place_of_link(links, forward ? connections_.incoming(step.name) : connections_.outgoing(step.name));
         add_link(place, forward ? name : fresh, forward ? fresh : name, "true");
+    }
+
+    /// Rejects the operation if one of `links`, which will no longer begin at `step`, reads its step variable: the
+    /// condition `3s/X1` would never be true.
+    void reject_readers(const Transitions& links, const tree::Name& step) {
+        const std::string variable = 'X' + std::string(file_.text(step));
+        for (const tree::Transition* const link : links) {
+            const std::string_view condition = layout_.text(layout_.condition(*link));
+            for (const lsp::Word& word : lsp::words_of(condition))
+                if (condition.substr(word.begin, word.end - word.begin) == variable)
+                    obstacle_ = fmt::format(
+                        "{} reads `{}`, which would no longer be true; add the step after this "
+                        "transition instead",
+                        connections_.title(*link), variable);
+        }
     }
 
     void add_transition() {
@@ -300,9 +318,10 @@ private:
         return {place.source, place.begin, place.end + 1};
     }
 
-    /// Adds a step after the declaration of the first of `neighbours`, or after the last step.
+    /// Adds a step after the declaration of the first of `neighbours`; if it is not in the list, after the last step.
     void add_step(const std::string& fresh, const std::vector<tree::Name>& neighbours) {
-        const tree::Step* const near = neighbours.empty() ? last_step() : connections_.step(neighbours.front());
+        const tree::Step* near = neighbours.empty() ? nullptr : connections_.step(neighbours.front());
+        if (near == nullptr) near = last_step();
         const Span place = near != nullptr ? near->where : element_.where;
         select(layout_.added_after(place, "step " + fresh + ';'), "step ");
     }

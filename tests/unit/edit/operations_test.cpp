@@ -83,10 +83,22 @@ public:
 
 TEST(EditOperations, StepIsAddedAfterStep) {
     Editing edit(lamp);
-    edit.perform(OperationKind::StepAfter, "step 1");
+    edit.perform(OperationKind::StepAfter, "initial step 0");
     EXPECT_EQ(edit.selected.substr(0, 7), "step 3;");
+    edit.expect("// dark\n", "// dark\n    step 3;\n")
+        .expect("on: 0 -> 1 when ON;  // pressed\n",
+                "on: 3 -> 1 when ON;  // pressed\n    transition t4: 0 -> 3 when true;\n");
+}
+
+TEST(EditOperations, ConditionOnAStepStaysAfterThisStep) {
+    Editing edit(lamp);
+    const std::string rejected =
+        "transition `t2` reads `X1`, which would no longer be true; add the step after this transition instead";
+    EXPECT_EQ(edit.obstacle(OperationKind::StepAfter, "step 1"), rejected);
+    EXPECT_EQ(edit.obstacle(OperationKind::StepBefore, "transition t2"), rejected);
+    edit.perform(OperationKind::StepAfter, "transition t2");
     edit.expect("// bright\n", "// bright\n    step 3;\n")
-        .expect("t2: 1 -> 2 when 3s/X1;\n", "t2: 3 -> 2 when 3s/X1;\n    transition t4: 1 -> 3 when true;\n");
+        .expect("t2: 1 -> 2 when 3s/X1;\n", "t2: 1 -> 3 when 3s/X1;\n    transition t4: 3 -> 2 when true;\n");
 }
 
 TEST(EditOperations, StepIsAddedBeforeStep) {
