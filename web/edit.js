@@ -508,11 +508,13 @@ class Page {
             const number = ++checked, answer = await this.change("/edit", {...request(), trial: true});
             if (number === checked && answer && input.value !== initial) problem.replaceChildren(...prose(answer.problem));
         };
-        const initial = operation.operation === "replace" ? element.text : operation.operation === "rename" ? element.name : "";
-        const input = make("input", {value: initial, autocomplete: "off", spellcheck: "false", oninput: () => {
+        const initial = operation.operation === "replace" ? element.text.replaceAll("\r\n", "\n") : operation.operation === "rename" ? element.name : "";
+        const lines = initial.split("\n").length;
+        const input = make(lines > 1 ? "textarea" : "input", {rows: lines > 1 && lines, autocomplete: "off", spellcheck: "false", oninput: () => {
             clearTimeout(this.check_timer);
             this.check_timer = setTimeout(check, typing_pause);
         }});
+        input.value = initial;
         const apply = async (event) => {
             event.preventDefault();
             clearTimeout(this.check_timer);
@@ -524,6 +526,7 @@ class Page {
             else close();
         };
         const form = make("form", {id: "in-place", onsubmit: apply, onkeydown: (event) => {
+            if (event.key === "Enter" && event.ctrlKey && lines > 1) form.requestSubmit();
             if (event.key !== "Escape") return;
             event.stopPropagation();
             close();

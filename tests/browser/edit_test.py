@@ -163,6 +163,17 @@ class Edit(browser.Case):
         self.assertFalse(self.page.all("#in-place"))
         self.assertEqual(self.text(), before)
 
+    def test_a_condition_of_several_lines_keeps_its_lines(self):
+        self.edit(PRESS.replace("when DOWN;", "when DOWN  // sensor\n        && !UP;"))
+        self.click("c0-transition-down")
+        self.page.wait_for_text("#selection", "down")
+        self.press("Edit")
+        field = self.page.wait_for("#in-place textarea")
+        field.send_keys(Keys.CONTROL, Keys.END)
+        field.send_keys(" && !START")
+        self.press("Apply")
+        self.wait_for_text("when DOWN  // sensor\n        && !UP && !START;")
+
     def test_broken_text_keeps_the_last_drawing_until_it_is_repaired(self):
         self.edit()
         self.type_at_end("grafcet broken {")
