@@ -10,7 +10,7 @@
 #include "edit/connections.hpp"
 #include "edit/layout.hpp"
 #include "lsp/scan.hpp"
-#include "support/overloaded.hpp"
+#include "support/wording.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
 
@@ -40,12 +40,12 @@ std::string fault_of(const std::string& written, std::string_view what, const st
     Diagnostics diagnostics;
     const tree::File file = parse_file(source, sources, diagnostics);
     if (file.broken || file.incomplete)
-        return fmt::format("`{}` is not {}: {}", written, what,
+        return fmt::format("`{}` is not {}: {}", messages::clipped(written), what,
                            diagnostics.all().empty() ? "syntax error" : diagnostics.all().front().message);
     const auto* chart = file.declarations.size() == 1 ? std::get_if<tree::Chart>(&file.declarations[0]) : nullptr;
     const auto* item = chart != nullptr && chart->items.size() == 1 ? std::get_if<Item>(&chart->items[0]) : nullptr;
     if (item != nullptr && accepts(*item)) return {};
-    return fmt::format("`{}` is not {}", written, what);
+    return fmt::format("`{}` is not {}", messages::clipped(written), what);
 }
 
 std::string fault_of_condition(const std::string& text) {

@@ -238,6 +238,7 @@ TEST(EditOperations, ConditionsAndActionsAreReplaced) {
     edit.expect("FAN;  //", "FAN for 1s;  //");
     EXPECT_EQ(edit.obstacle(OperationKind::Replace, "transition on", "ON; step 9"), "`ON; step 9` is not a condition");
     EXPECT_EQ(edit.obstacle(OperationKind::Replace, "transition on", "ON"), "the text would not change");
+    EXPECT_LT(edit.obstacle(OperationKind::Replace, "transition on", std::string(100'000, '(')).size(), 500U);
     EXPECT_EQ(edit.obstacle(OperationKind::Replace, "step 1", "ON"),
               "a step has no condition; rename it, or edit one of its actions");
     EXPECT_EQ(edit.obstacle(OperationKind::StepAfter, "FAN for"), "select a step or a transition");
