@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ source that contains the text of each of FILES, the files of the `serve` page.
+# Writes OUTPUT, a C++ source that contains the text of each of FILES, the files of the pages of `serve` and `edit`.
 include("${CMAKE_CURRENT_LIST_DIR}/literal.cmake")
 set(entries "")
 foreach(file IN LISTS FILES)

@@ -5,7 +5,7 @@
 set -euo pipefail
 export LC_ALL=C
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-modules='support ir syntax run bdd circuit read derive plant compose schedule emit check compare conform analyse explain report draw rpc simulate pipeline page lsp mcp app certify'
+modules='support ir syntax run bdd circuit read derive plant compose schedule emit check compare conform analyse explain report draw rpc simulate pipeline page lsp mcp edit app certify'
 for module in $modules; do
     grep -rhoE --include='*.?pp' '^#include "[^"]+"' "src/$module" $([ ! -d "include/grafverif/$module" ] || echo "include/grafverif/$module") |
         sed -E 's|^#include "(grafverif/)?([^/"]+)/.*|\2|' | sort -u | sed "s/^/$module /"

@@ -15,5 +15,7 @@ trap 'rm -r "$work"' EXIT
 "$grafverif" draw "$work/press/press_controller.grafcet" -o docs/tutorials/press_chart.svg
 sed -n '/^```grafcet$/,/^```$/{/^```/d;p}' docs/tutorials/read-a-counterexample.md >"$work/press.grafcet"
 export GRAFVERIF_PROGRAM=$grafverif
+GRAFVERIF_SCREENSHOTS=$work tests/browser/run edit_test.py Edit.test_it_can_be_read_at_every_size_in_both_schemes_and_by_a_screen_reader
+cp "$work/edit-laptop-light.png" docs/edit.png
 tests/browser/run picture.py "$PWD/docs/blinker_pressed.grafcet" answered/10 "$PWD/docs/player.png"
 tests/browser/run picture.py "$work/press.grafcet" guarded/4 "$PWD/docs/tutorials/press_player.png"

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The page of `serve`: requests the newest results for the file from the server and shows them. The contents of a file
-// are inserted as text and are never interpreted as markup. Only the drawings are markup: the server generates them,
-// and the browser parses them as SVG.
-import {make, prose} from "./dom.js";
-import {follow, lightStep, lightTransition} from "./marks.js";
+// are inserted as text and are never interpreted as markup.
+import {make} from "./dom.js";
+import {drawingElement, lightDrawings} from "./drawing.js";
+import {ask} from "./server.js";
 import {Simulator} from "./simulator.js";
+import {modelElement, verdictWords} from "./verdicts.js";
 
-const token = new URLSearchParams(location.search).get("token") ?? "";
 const by = (id) => document.getElementById(id);
-
-export async function ask(path, body) {
-    const answer = await fetch(path, {
-        method: body === undefined ? "GET" : "POST",
-        body: body === undefined ? undefined : JSON.stringify(body),
-        headers: {"X-Grafverif-Token": token},
-        cache: "no-store",
-    });
-    if (!answer.ok) throw new Error((await answer.text()).trim());
-    return answer.json();
-}
 
 // Shows the drawings of the charts. Active steps, enabled transitions and cleared transitions are highlighted.
 class Drawings {
@@ -35,90 +24,14 @@ class Drawings {
         this.place.replaceChildren(...state.charts.map((chart, place) => make("figure", {},
             make("figcaption", {}, make("h3", {}, chart.name)),
             answer.drawings[place] === null ? make("p", {class: "remark"}, "The chart is too large to be drawn here.")
-                                            : this.element(chart.name, answer.drawings[place]))));
+                                            : drawingElement(chart.name, answer.drawings[place]))));
         this.light(this.lit, this.fired);
-    }
-
-    element(name, text) {
-        const svg = document.importNode(new DOMParser().parseFromString(text, "image/svg+xml").documentElement, true);
-        svg.setAttribute("role", "img");
-        svg.setAttribute("aria-label", `Chart ${name}; a dot marks active steps`);
-        svg.removeAttribute("aria-labelledby");
-        return make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${name}`}, svg);
     }
 
     light(lit, fired) {
         Object.assign(this, {lit, fired});
-        const show = (name, ids, light) => {
-            for (const each of this.place.querySelectorAll(`.${name}`)) light(each, false);
-            for (const id of ids) light(document.getElementById(id), true);
-        };
-        show("step.active", lit, lightStep);
-        show("cleared", fired, lightTransition);
-        const active = new Set(lit);
-        for (const {transitions, actions} of this.marks) {
-            for (const {ids, from} of transitions)
-                for (const id of ids)
-                    document.getElementById(id)?.classList.toggle("enabled", lit.length > 0 && from.every((step) => active.has(step)));
-            for (const {id, step} of actions) document.getElementById(id)?.classList.toggle("active", active.has(step));
-        }
-        for (const view of this.place.querySelectorAll(".drawing")) follow(view, [...view.querySelectorAll(".step.active")]);
+        lightDrawings(this.place, this.marks, lit, fired);
     }
-}
-
-const outcomes = {holds: "holds", violated: "is violated", unknown: "is unknown"};
-
-const kindOf = (property) => property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
-
-// Returns the sort key of a property: unexpected verdicts come first, then unknown verdicts, then expected violations,
-// then properties that hold as expected.
-const rank = (property) => ({bad: 0, unknown: 1, good: property.verdict === "violated" ? 2 : 3}[kindOf(property)]);
-
-function propertyElement(property) {
-    const kind = kindOf(property);
-    const mark = {good: "\u2713", bad: "\u2717", unknown: "?"}[kind];
-    const expected = property.expected === "violated" ? ", as expected" : "";
-    const words = outcomes[property.verdict] + (property.vacuous ? " vacuously" : "") +
-                  {good: expected, bad: ", unexpectedly", unknown: ""}[kind];
-    return make("div", {class: `property ${kind}`},
-        make("span", {class: "outcome"}, `${mark} ${property.name} ${words}`),
-        property.text ? make("p", {}, property.text) : "",
-        property.claim ? make("code", {}, property.claim) : "",
-        property.reason ? make("p", {class: "remark"}, ...prose(property.reason)) : "",
-        ...property.notes.map((note) => make("p", {class: "remark"}, ...prose(note))));
-}
-
-const progress = {waiting: "Waiting.", refused: "This model cannot be checked."};
-
-const reportAddress = (model) => `/report?token=${token}&${model.kind}=${encodeURIComponent(model.name)}`;
-
-function modelElement(model) {
-    const running = model.state === "running" ? `Being checked${model.progress ? `: ${model.progress}` : ""} \u2026` : progress[model.state] ?? "";
-    return make("div", {class: `model ${model.state}`},
-        make("h3", {}, model.kind === "loop" ? `Closed loop ${model.name}` : `Chart ${model.name}: steps that can be reached`),
-        running ? make("p", {class: "remark"}, running) : "",
-        model.state === "done" ? make("p", {}, make("a", {href: reportAddress(model), target: "_blank", rel: "noopener"}, "Complete report with trace player")) : "",
-        ...model.errors.map((error) => make("p", {class: "problem"}, `\u2717 ${error.message} [${error.code}]`)),
-        ...[...model.properties].sort((a, b) => rank(a) - rank(b)).map(propertyElement));
-}
-
-// Returns the class and the text of the overall result. The result is positive only if every model of the file was
-// checked, and all verdicts are as expected.
-function verdictWords(state) {
-    const are = (count) => count === 1 ? "is" : "are";
-    const properties = state.models.flatMap((model) => model.properties);
-    const bad = properties.filter((property) => property.verdict !== "unknown" && !property.as_expected).length;
-    const open = properties.filter((property) => property.verdict === "unknown").length;
-    const faults = [], of = `of ${properties.length} ${properties.length === 1 ? "verdict" : "verdicts"}`;
-    if (state.models.some((model) => model.state === "running" || model.state === "waiting")) return ["", "being checked"];
-    if (state.errors > 0 || state.models.some((model) => model.state === "refused")) faults.push("a part of the file cannot be checked");
-    if (state.models.some((model) => model.errors.length > 0)) faults.push("model error");
-    if (bad > 0) faults.push(`${bad} ${of} ${are(bad)} not as expected`);
-    const kind = faults.length > 0 ? "bad" : open > 0 ? "unknown" : "good";
-    if (open > 0) faults.push(`${open} ${of} ${are(open)} undecided`);
-    if (faults.length > 0) return [kind, faults.join("; ")];
-    if (properties.length === 0) return ["", "nothing to check"];
-    return ["good", properties.length === 1 ? "the verdict is as expected" : `all ${properties.length} verdicts are as expected`];
 }
 
 class Page {
@@ -141,7 +54,7 @@ class Page {
         by("diagnostics-title").textContent = state.errors > 0 ? "Errors" : "Warnings";
         if (by("diagnostics-text").textContent !== state.diagnostics) by("diagnostics-text").textContent = state.diagnostics;
         this.drawings.show(state).catch((error) => this.lose(error));
-        if (state.readable) by("models").replaceChildren(...state.models.map(modelElement));
+        if (state.readable) by("models").replaceChildren(...state.models.map((model) => modelElement(model, true)));
         this.age(!state.readable);
         this.simulator.take(state);
     }

@@ -151,7 +151,7 @@ struct Options {
     std::string against = {};                     ///< option of `test`: the command that runs the controller under test
     /// File with the table of a test. If this member is empty, `test` generates the test from the chart.
     std::optional<std::string> sequence = {};
-    /// Time limit in milliseconds for one response (`test`), for one check (`serve` and `lsp`) or for one call (`mcp`).
+    /// Time limit in milliseconds for one response (`test`), for one check (`serve`, `edit` and `lsp`) or for one call (`mcp`).
     std::optional<std::uint64_t> response_timeout_ms = {};
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
     std::optional<std::string> open_psa = {};          ///< option of `faults`
@@ -164,8 +164,8 @@ struct Options {
     std::string situation = {};  ///< option of `draw`: names of steps, separated by commas
     std::uint64_t columns = 0;   ///< option of `draw`; 0 means as many as fit on a page
     Notation notation = Notation::Iec;
-    std::uint64_t port = 0;  ///< option of `serve`; 0 means any free port
-    bool open = false;       ///< option of `serve`: open a browser
+    std::uint64_t port = 0;  ///< option of `serve` and `edit`; 0 means any free port
+    bool open = false;       ///< option of `serve` and `edit`: open a browser
     bool stdio = false;      ///< option of `lsp` without effect: the server always uses standard input and output
 };
 

@@ -50,6 +50,7 @@ constexpr std::array entries = {
     Entry{report_usage, report},
     Entry{simulate_usage, simulate},
     Entry{serve_usage, serve},
+    Entry{edit_usage, edit},
     Entry{watch_usage, watch},
     Entry{lsp_usage, lsp},
     Entry{mcp_usage, mcp},

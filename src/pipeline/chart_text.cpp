@@ -121,6 +121,20 @@ ChartText text_of_program(const Chart& drawn) {
     return text;
 }
 
+/// Returns the texts of a chart. `file` is the tree of its source, which has the text `text`.
+ChartText text_in(const Chart& chart, const tree::File& file, std::string_view text) {
+    SourceTexts written;
+    for (const tree::Declaration& declaration : file.declarations)
+        if (const auto* found = std::get_if<tree::Chart>(&declaration);
+            found != nullptr && found->name.where.begin == chart.origin.begin)
+            Collector(file, written).add(found->items);
+    return {.comments = texts_of(chart.steps, comments_of(file, text, written.steps), chart.origin.source),
+            .transitions = texts_of(chart.transitions, written.conditions, chart.origin.source),
+            .continuous = texts_of(chart.continuous, written.conditions, chart.origin.source),
+            .events = texts_of(chart.stored, written.events, chart.origin.source),
+            .values = texts_of(chart.stored, written.values, chart.origin.source)};
+}
+
 }  // namespace
 
 ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
@@ -131,16 +145,15 @@ ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
     Diagnostics known;
     const Id<Source> source = copy.add(sources[chart.origin.source]);
     const tree::File file = read_any(source, copy, {true}, known);
-    SourceTexts written;
-    for (const tree::Declaration& declaration : file.declarations)
-        if (const auto* found = std::get_if<tree::Chart>(&declaration);
-            found != nullptr && found->name.where.begin == chart.origin.begin)
-            Collector(file, written).add(found->items);
-    return {.comments = texts_of(chart.steps, comments_of(file, copy[source].text, written.steps), chart.origin.source),
-            .transitions = texts_of(chart.transitions, written.conditions, chart.origin.source),
-            .continuous = texts_of(chart.continuous, written.conditions, chart.origin.source),
-            .events = texts_of(chart.stored, written.events, chart.origin.source),
-            .values = texts_of(chart.stored, written.values, chart.origin.source)};
+    return text_in(chart, file, copy[source].text);
+}
+
+Drawing drawing_of(const Model& model, Id<Chart> id, const DrawOptions& options, const Sources& sources,
+                   const tree::File& file, Id<Source> source) {
+    const Chart& chart = model.charts[id];
+    const bool is_here = chart.instance_of.empty() && !chart.program && chart.origin.source == source;
+    if (!is_here) return drawing_of(model, id, options, sources);
+    return draw::drawing_of(chart, options, text_in(chart, file, sources[source].text));
 }
 
 Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options, const Sources& sources) {

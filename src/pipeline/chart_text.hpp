@@ -5,6 +5,7 @@
 
 #include "draw/chart_text.hpp"
 #include "grafverif/grafverif.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 
@@ -12,5 +13,8 @@ namespace grafverif {
 ChartText text_of(const Model& model, Id<Chart> chart, const Sources& sources);
 
 Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options, const Sources& sources);
+/// Returns the same drawing, without parsing the source of the chart again: `file` is the tree of `source`.
+Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options, const Sources& sources,
+                   const tree::File& file, Id<Source> source);
 
 }  // namespace grafverif

@@ -117,10 +117,10 @@ def temporary_folder(case):
 
 
 class Server:
-    """A running `grafverif serve FILE` with its address."""
+    """A running `grafverif serve FILE`, or another command that serves a page, with its address."""
 
-    def __init__(self, file, *options, **how):
-        self.process = subprocess.Popen([PROGRAM, "serve", str(file), *options], stdout=subprocess.PIPE, text=True, **how)
+    def __init__(self, file, *options, command="serve", **how):
+        self.process = subprocess.Popen([PROGRAM, command, str(file), *options], stdout=subprocess.PIPE, text=True, **how)
         line = self.process.stdout.readline()
         self.address = line.split()[-1]
         self.port = urllib.parse.urlsplit(self.address).port

@@ -23,7 +23,7 @@ const std::map<std::string, int> levels = {
     {"certify", 0}, {"support", 0},  {"ir", 1},      {"syntax", 2},  {"run", 2},      {"bdd", 2},  {"circuit", 2},
     {"read", 3},    {"derive", 3},   {"plant", 3},   {"compose", 3}, {"schedule", 3}, {"emit", 3}, {"check", 3},
     {"compare", 3}, {"conform", 3},  {"analyse", 3}, {"explain", 3}, {"report", 3},   {"draw", 3}, {"simulate", 4},
-    {"rpc", 4},     {"pipeline", 5}, {"page", 6},    {"lsp", 6},     {"mcp", 6},      {"app", 7},
+    {"rpc", 4},     {"pipeline", 5}, {"page", 6},    {"lsp", 6},     {"mcp", 6},      {"edit", 7}, {"app", 8},
 };
 
 struct Inclusion {

@@ -321,6 +321,7 @@ TEST(Watch, RejectsCommandsThatItCannotRepeat) {
     for (const Words& words : std::vector<Words>{{"check", "-"},
                                                  {"chekc", "a.grafcet"},
                                                  {"serve", "a.grafcet"},
+                                                 {"edit", "a.grafcet"},
                                                  {"lsp", "x"},
                                                  {"watch", "check", "a.grafcet"},
                                                  {"components", "x"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `serve`: a page on this computer that shows the current file, checks it after every save, and simulates it.
+// `edit`: a page that also edits the file.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -14,12 +15,15 @@
 
 #include "app/commands.hpp"
 #include "app/outputs.hpp"
+#include "app/serve/edited_file.hpp"
 #include "app/serve/live_page.hpp"
 #include "app/system/interrupt.hpp"
 #include "app/system/process.hpp"
 #include "pipeline/files.hpp"
+#include "read/formats.hpp"
 #include "support/messages.hpp"
 #include "support/printable.hpp"
+#include "syntax/language/readable.hpp"
 
 namespace grafverif::app {
 
@@ -52,25 +56,39 @@ std::string redirect_to(const std::string& address) {
         address);
 }
 
-bool can_be_served(CommandContext& job) {
+/// Returns the content of the file if it can be served, otherwise reports an error.
+std::optional<std::string> served_content(CommandContext& job) {
     const std::string& path = job.options.operands[0];
     std::string why;
+    std::optional<std::string> content;
     if (path == "-" || own_descriptor(path)) why = "standard input cannot be watched; pass a file name";
-    else if (content_of_file(path, why)) why.clear();
+    else if (content = content_of_file(path, why); content) why.clear();
     if (!why.empty()) job.diagnostics.add(messages::cannot_read(path, why));
     const std::uint64_t port = job.options.port;
     if (port > 65535) job.diagnostics.add(messages::cannot_listen(port, "invalid port; use a number up to 65535"));
-    return !job.diagnostics.has_errors();
+    return job.diagnostics.has_errors() ? std::nullopt : content;
 }
 
-}  // namespace
+/// True if `content` is a text that a page can edit: the input language in UTF-8. Otherwise reports an error.
+bool can_be_edited(const std::string& content, CommandContext& job) {
+    const std::string& path = job.options.operands[0];
+    const Id<Source> source = job.sources.add({path, content});
+    const FileFormat format = format_of(content);
+    std::string why = edit_obstacle(content);
+    if (format != FileFormat::Grafcet && format != FileFormat::Unknown)
+        why = "only the input language can be edited; convert the file with `grafverif import`";
+    else if (!is_readable({source, 0, static_cast<std::uint32_t>(content.size())}, job.sources, job.diagnostics))
+        return false;
+    if (!why.empty()) job.diagnostics.add(messages::cannot_read(path, why));
+    return why.empty();
+}
 
-ExitCode serve(CommandContext& job, const Streams& streams) {
-    if (!can_be_served(job)) return ExitCode::Input;
+/// Serves the file until the user stops the program. If `edited` is given, the page can change the file.
+ExitCode serve_page(CommandContext& job, const Streams& streams, const std::optional<std::string>& edited) {
     const Interrupt interrupt;
     std::unique_ptr<LivePage> page;
     try {
-        page = std::make_unique<LivePage>(job.options);
+        page = std::make_unique<LivePage>(job.options, edited);
     } catch (const std::system_error& failure) {
         if (failure.code() == std::errc::resource_unavailable_try_again) throw;  // a thread could not be started
         const bool in_use = failure.code() == std::errc::address_in_use;
@@ -93,7 +111,43 @@ ExitCode serve(CommandContext& job, const Streams& streams) {
         open_in_browser(folder->path() / "open.html", streams);
     }
     page->run(interrupt.requested());
+    if (const std::string unsaved = page->unsaved(); !unsaved.empty())
+        streams.err << fmt::format(
+            "note: changes that are not saved are in `{}`; the next `grafverif edit` restores them\n",
+            printable(unsaved));
+    if (const std::string loss = page->loss(); !loss.empty())
+        streams.err << fmt::format("warning: changes that are not saved are lost: {}\n", printable(loss));
     return ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode serve(CommandContext& job, const Streams& streams) {
+    return served_content(job) ? serve_page(job, streams, {}) : ExitCode::Input;
+}
+
+ExitCode edit(CommandContext& job, const Streams& streams) {
+    const std::optional<std::string> content = served_content(job);
+    return content && can_be_edited(*content, job) ? serve_page(job, streams, content) : ExitCode::Input;
+}
+
+CliCommand edit_usage() {
+    return {
+        "edit",
+        "FILE",
+        1,
+        1,
+        "edit a chart on its drawing in the browser",
+        "Prints a local address at which the browser shows FILE as drawing and as text. Operations on the drawing "
+        "change "
+        "the text;\n"
+        "comments and layout are kept. Verdicts and the simulator are updated after each change. Only this machine can "
+        "open the\n"
+        "page, and only with the token of the address. FILE is written on request, and is never written over a change "
+        "that another\n"
+        "program has made. Changes that are not saved are kept in the file .FILE.unsaved. Ctrl-C stops the server.",
+        {"grafverif edit press.grafcet --open", "grafverif edit station.grafcet --port 8060"},
+        {OptionGroup::Serve, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Grain}};
 }
 
 CliCommand serve_usage() {

@@ -66,7 +66,8 @@ PropertyResult no_result(const Property& property) {
 
 class FileChecker::Work {
 public:
-    Work(const Options& options, std::function<void()> changed) : options_(options), changed_(std::move(changed)) {
+    Work(const Options& options, std::function<void()> changed, std::function<std::string()> text)
+        : options_(options), changed_(std::move(changed)), text_(std::move(text)) {
         worker_ = std::jthread([this] { work(); });
         try {
             watcher_ = std::jthread([this] { watch(); });
@@ -86,6 +87,12 @@ public:
     std::shared_ptr<const CheckedFile> checked_file() const {
         const std::lock_guard hold(door_);
         return piece_;
+    }
+
+    void refresh() {
+        const std::lock_guard hold(door_);
+        stale_ = true;
+        wake_.notify_all();
     }
 
 private:
@@ -116,10 +123,7 @@ private:
     void watch() {
         while (sleep(file_poll_interval)) {
             const std::lock_guard hold(watching_);
-            if (!watch_.changed()) continue;
-            const std::lock_guard wake(door_);
-            stale_ = true;
-            wake_.notify_all();
+            if (watch_.changed()) refresh();
         }
     }
 
@@ -155,11 +159,8 @@ private:
             const std::lock_guard hold(watching_);
             watch_.clear();
             begin();
-            watch_.note(path);
             std::string why;
-            auto text = content_of_file(path, why);
-            if (!text) std::this_thread::sleep_for(absence);
-            if (!text) text = content_of_file(path, why);
+            auto text = main_text(path, why);
             if (text) read(path, std::move(*text), *piece);
             else piece->reading.diagnostics.add(messages::cannot_read(path, why));
         }
@@ -167,6 +168,15 @@ private:
         if (piece->reading.model) make_networks(*piece);
         proofs_ = proofs_of(*piece);
         take_up(std::move(piece));
+    }
+
+    std::optional<std::string> main_text(const std::string& path, std::string& why) {
+        if (text_) return text_();
+        watch_.note(path);
+        auto text = content_of_file(path, why);
+        if (!text) std::this_thread::sleep_for(absence);
+        if (!text) text = content_of_file(path, why);
+        return text;
     }
 
     void begin() {
@@ -308,6 +318,7 @@ private:
 
     const Options& options_;
     std::function<void()> changed_;
+    std::function<std::string()> text_;
 
     std::mutex watching_ = {};  ///< locked before `door_` if a thread locks both mutexes
     FileWatcher watch_ = {};
@@ -327,10 +338,11 @@ private:
     std::jthread worker_ = {}, watcher_ = {};  ///< declared last, because the threads use all members above
 };
 
-FileChecker::FileChecker(const Options& options, std::function<void()> changed)
-    : work_(std::make_unique<Work>(options, std::move(changed))) {}
+FileChecker::FileChecker(const Options& options, std::function<void()> changed, std::function<std::string()> text)
+    : work_(std::make_unique<Work>(options, std::move(changed), std::move(text))) {}
 FileChecker::~FileChecker() = default;
 std::optional<std::string> FileChecker::newer(std::uint64_t known) const { return work_->newer(known); }
 std::shared_ptr<const CheckedFile> FileChecker::checked_file() const { return work_->checked_file(); }
+void FileChecker::refresh() { work_->refresh(); }
 
 }  // namespace grafverif::app

@@ -29,8 +29,9 @@ struct CheckedFile {
 
 class FileChecker {
 public:
-    /// Another thread calls `changed` after every change of the state. All arguments must outlive the object.
-    FileChecker(const Options& options, std::function<void()> changed);
+    /// Another thread calls `changed` after every change of the state. All arguments must outlive the object. If `text`
+    /// is given, it returns the text of the file, which is not read from the disk; `refresh` reports its changes.
+    FileChecker(const Options& options, std::function<void()> changed, std::function<std::string()> text = {});
     ~FileChecker();
     FileChecker(const FileChecker&) = delete;
     FileChecker& operator=(const FileChecker&) = delete;
@@ -39,6 +40,8 @@ public:
     std::optional<std::string> newer(std::uint64_t known) const;
     /// Returns the result of the last parse.
     std::shared_ptr<const CheckedFile> checked_file() const;
+    /// Checks the file again. Thread-safe.
+    void refresh();
 
 private:
     class Work;

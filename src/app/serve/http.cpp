@@ -371,7 +371,7 @@ private:
             return {405, "only GET and POST are supported"};
         // The static files of the pages (/web/) are served without a token.
         if (text_of(request.target()).starts_with("/web/") || has_token(request)) return {0, ""};
-        return {403, "the token is missing; open the address that `grafverif serve` printed"};
+        return {403, "the token is missing; open the address that grafverif printed"};
     }
 
     template <class Request>

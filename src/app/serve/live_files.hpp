@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of the `serve` page, from `web/`. cmake/embed_live.cmake generates the source.
+// The files of the pages of `serve` and `edit`, from `web/`. cmake/embed_live.cmake generates the source.
 #pragma once
 
 #include <span>

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/serve/edited_file.hpp"
 #include "app/serve/file_checker.hpp"
 #include "app/serve/http.hpp"
 #include "app/serve/live_files.hpp"
@@ -43,6 +44,8 @@ HttpAnswer file_named(std::string_view name) {
 }
 
 constexpr std::uint64_t longest_report_ms = 120'000;
+/// Maximum size of a request in bytes, for a page that only shows a file and for a page that edits it.
+constexpr std::size_t largest_request = std::size_t{1} << 20U, largest_edit = 3 * largest_edited;
 
 /// Returns the version of the state that the client has, as given by `after` in the query; 0 if `after` is missing or
 /// is not a number.
@@ -58,26 +61,32 @@ std::uint64_t known_version(const HttpRequest& request) {
 /// Dispatches requests to their handlers.
 class RequestDispatcher {
 public:
-    /// The dispatcher calls `on_capacity` when a simulation ends, so that delayed requests are tried again.
-    RequestDispatcher(const Options& options, std::function<void()> on_capacity)
-        : options_(options), on_capacity_(std::move(on_capacity)) {}
+    /// The dispatcher calls `on_capacity` when a simulation ends, so that delayed requests are tried again. `edited` is
+    /// the file that the page can change, or null.
+    RequestDispatcher(const Options& options, std::function<void()> on_capacity, EditedFile* edited)
+        : options_(options), on_capacity_(std::move(on_capacity)), edited_(edited) {}
 
     void begin(FileChecker& bench) { bench_ = &bench; }
 
     std::optional<HttpAnswer> answer(const HttpRequest& request, bool at_once) const {
+        if (edited_ != nullptr && EditedFile::handles(request.path))
+            return request.post ? HttpAnswer{.body = edited_->respond(request.path, request.body)}
+                                : HttpAnswer{405, "text/plain", "use POST for changes\n"};
         if (request.path == "/simulate")
             return request.post ? simulation(request, at_once) : HttpAnswer{405, "text/plain", "use POST for moves\n"};
         if (request.post) return HttpAnswer{405, "text/plain", "POST is not supported here\n"};
         if (request.path == "/drawings") return HttpAnswer{.body = drawings(*bench_->checked_file())};
-        if (request.path == "/report") return report_page(request);
-        if (request.path == "/state") return state(known_version(request), at_once);
-        if (request.path == "/") return file_named("live.html");
+        if (edited_ != nullptr && request.path == "/document")
+            return newest(edited_->newer(known_version(request)), at_once);
+        if (edited_ == nullptr && request.path == "/report") return report_page(request);
+        if (request.path == "/state") return newest(bench_->newer(known_version(request)), at_once);
+        if (request.path == "/") return file_named(edited_ != nullptr ? "edit.html" : "live.html");
         return file_named(request.path.starts_with("/web/") ? request.path.substr(5) : "");
     }
 
 private:
-    std::optional<HttpAnswer> state(std::uint64_t known, bool at_once) const {
-        if (auto newer = bench_->newer(known)) return HttpAnswer{.body = std::move(*newer)};
+    static std::optional<HttpAnswer> newest(std::optional<std::string> newer, bool at_once) {
+        if (newer) return HttpAnswer{.body = std::move(*newer)};
         if (at_once) return HttpAnswer{.body = "null"};
         return {};
     }
@@ -118,6 +127,7 @@ private:
 
     const Options& options_;
     std::function<void()> on_capacity_;
+    EditedFile* edited_;
     FileChecker* bench_ = nullptr;
     mutable std::counting_semaphore<2> simulating_{2};
     mutable std::mutex reporting_ = {};
@@ -125,31 +135,49 @@ private:
 
 class LivePage::Parts {
 public:
-    Parts(Options options, std::uint16_t port)
+    Parts(Options options, std::uint16_t port, std::optional<std::string> edited)
         : options_(std::move(options)),
-          dispatcher_(options_, [this] { server_.notify(); }),
+          edited_(edited ? std::make_unique<EditedFile>(options_, std::move(*edited)) : nullptr),
+          dispatcher_(
+              options_, [this] { server_.notify(); }, edited_.get()),
           token_(random_token()),
-          server_({.port = port, .token = token_},
+          server_({.port = port, .token = token_, .largest_body = edited_ != nullptr ? largest_edit : largest_request},
                   [this](const HttpRequest& request, bool at_once) { return dispatcher_.answer(request, at_once); }),
-          bench_(options_, [this] { server_.notify(); }) {
+          bench_(
+              options_, [this] { server_.notify(); },
+              edited_ != nullptr ? [this] { return edited_->text(); } : std::function<std::string()>()) {
         dispatcher_.begin(bench_);
+        if (edited_ != nullptr) edited_->begin([this] { bench_.refresh(); }, [this] { server_.notify(); });
     }
+    ~Parts() {
+        if (edited_ != nullptr) edited_->end();
+    }
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
 
     std::string address() const { return fmt::format("http://127.0.0.1:{}/?token={}", server_.port(), token_); }
-    void run(const std::atomic<bool>& stop) { server_.run(stop); }
+    void run(const std::atomic<bool>& stop) {
+        server_.run(stop);
+        if (edited_ != nullptr) edited_->end();
+    }
+    std::string unsaved() const { return edited_ != nullptr ? edited_->unsaved() : std::string(); }
+    std::string loss() const { return edited_ != nullptr ? edited_->loss() : std::string(); }
 
 private:
     Options options_;
+    std::unique_ptr<EditedFile> edited_;
     RequestDispatcher dispatcher_;
     std::string token_;
     HttpServer server_;
     FileChecker bench_;
 };
 
-LivePage::LivePage(const Options& options)
-    : parts_(std::make_unique<Parts>(options, static_cast<std::uint16_t>(options.port))) {}
+LivePage::LivePage(const Options& options, std::optional<std::string> edited)
+    : parts_(std::make_unique<Parts>(options, static_cast<std::uint16_t>(options.port), std::move(edited))) {}
 LivePage::~LivePage() = default;
 std::string LivePage::address() const { return parts_->address(); }
 void LivePage::run(const std::atomic<bool>& stop) { parts_->run(stop); }
+std::string LivePage::unsaved() const { return parts_->unsaved(); }
+std::string LivePage::loss() const { return parts_->loss(); }
 
 }  // namespace grafverif::app

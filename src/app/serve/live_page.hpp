@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// LivePage: serves a file as a page on this computer (docs/how-to/serve.md). The page is updated after every change of
-// the file, and provides reports and simulations on request.
+// LivePage: serves a file as a page on this computer. The page of `serve` is updated after every change of the file, and
+// provides reports and simulations on request (docs/how-to/serve.md). The page of `edit` also changes the file
+// (docs/how-to/edit.md).
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/options.hpp"
@@ -13,8 +15,9 @@ namespace grafverif::app {
 
 class LivePage {
 public:
-    /// The first operand in `options` is the file. Throws std::system_error if no port can be opened.
-    explicit LivePage(const Options& options);
+    /// The first operand in `options` is the file. If `edited` is given, it is the content of the file, which the page
+    /// can change. Throws std::system_error if no port can be opened.
+    explicit LivePage(const Options& options, std::optional<std::string> edited = {});
     ~LivePage();
     LivePage(const LivePage&) = delete;
     LivePage& operator=(const LivePage&) = delete;
@@ -23,6 +26,10 @@ public:
     std::string address() const;
     /// Serves until `stop` is set.
     void run(const std::atomic<bool>& stop);
+    /// Returns the path of the recovery file if the page has changes that are not saved; otherwise an empty string.
+    std::string unsaved() const;
+    /// Returns the reason why changes that are not saved are not in the recovery file either; otherwise an empty string.
+    std::string loss() const;
 
 private:
     class Parts;

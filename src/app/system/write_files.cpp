@@ -226,7 +226,7 @@ private:
         if (replaces && S_ISDIR(old.st_mode)) cannot_write(one.file->path, EISDIR);
         if (replaces && ::faccessat(one.folder->open.number(), one.name.c_str(), W_OK, AT_EACCESS) != 0)
             cannot_write(one.file->path);
-        const Descriptor file = created(one, replaces ? S_IRUSR | S_IWUSR : 0666, one.draft);
+        const Descriptor file = created(one, replaces ? S_IRUSR | S_IWUSR : one.file->mode, one.draft);
         if (replaces) {
             // Only a process of root may change the owner. For other users, the call may fail; the failure is ignored.
             [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);
@@ -255,8 +255,21 @@ private:
         flush(copy, one.file->path);
     }
 
+    /// True if the existing file has not the content that may be replaced.
+    static bool has_other_content(const One& one) {
+        struct stat status = {};
+        if (!one.file->replaces || !is_there(one, status)) return false;
+        const Descriptor file(
+            ::openat(one.folder->open.number(), one.name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+        std::string why;
+        const auto content =
+            file.open() ? read_descriptor(file.number(), why, one.file->replaces->size()) : std::nullopt;
+        return content != one.file->replaces;
+    }
+
     static void rename(One& one) {
         const int folder = one.folder->open.number();
+        if (has_other_content(one)) cannot_write(one.file->path, ESTALE);
         if (::renameat(folder, one.draft.c_str(), folder, one.name.c_str()) != 0) cannot_write(one.file->path);
         one.draft.clear();
         one.renamed = true;

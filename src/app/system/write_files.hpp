@@ -13,6 +13,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ namespace grafverif::app {
 struct OutputFile {
     std::filesystem::path path = {};
     std::string content = {};
+    unsigned mode = 0666;  ///< permissions of a new file, before the umask
+    /// If given, the file is replaced only if it is missing or has this content; otherwise the error is ESTALE. The
+    /// content is compared directly before the file is replaced, while this process holds the lock on the folder.
+    std::optional<std::string> replaces = {};
 };
 
 /// Writes the set of files with the guarantees above. Symbolic links are kept, and their targets are written, even if

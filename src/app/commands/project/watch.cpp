@@ -43,7 +43,7 @@ struct Command {
 };
 
 Command command_of(const std::vector<std::string>& words) {
-    constexpr std::array endless = {"watch", "serve", "lsp", "simulate"};
+    constexpr std::array endless = {"watch", "serve", "edit", "lsp", "simulate"};
     Command command{{}, words, {}, {}};
     const std::vector<CliCommand> verbs = all_commands();
     const auto found = std::ranges::find(verbs, words[0], &CliCommand::name);
@@ -152,7 +152,8 @@ CliCommand watch_usage() {
         "rerun a command whenever a file that it reads changes",
         "Runs `grafverif COMMAND ARGUMENT...`, and reruns it when a file that it reads changes: FILE, included files, "
         "tables. A\n"
-        "change during a run terminates the run. COMMAND must terminate, so `serve`, `lsp` and `simulate` are not "
+        "change during a run terminates the run. COMMAND must terminate, so `serve`, `edit`, `lsp` and `simulate` are "
+        "not "
         "supported.\n"
         "Options of `watch` precede COMMAND; `-q` omits its status lines on standard error. Ctrl-C stops `watch` "
         "with exit code 0.",

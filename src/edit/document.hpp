@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Document: the text of one file while it is edited. The text is the only data: drawings, diagnostics and the positions
+// of elements are computed from it after each change. An operation on a drawing is a change of the text that is rejected
+// if the text has errors after it.
+//
+// The document reads included files, but neither reads nor writes the file itself.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/history.hpp"
+#include "edit/operations.hpp"
+#include "lsp/diagnostic_store.hpp"
+#include "lsp/workspace.hpp"
+
+namespace grafverif::edit {
+
+/// The result of a change: a reason for rejection, or the position of the changed element.
+struct Change {
+    std::string obstacle = {};     ///< if not empty, the text is unchanged
+    std::string diagnostics = {};  ///< errors that the text would have after the change
+    std::optional<std::uint32_t> selected = {};
+};
+
+/// An element of a drawing and its text.
+struct DrawnElement {
+    std::string id = {};         ///< id of the element in the drawing; empty for a part that is not drawn separately
+    std::string condition = {};  ///< id of the condition of a transition
+    std::string kind = {};       ///< `step`, `transition` or `action`
+    std::string name = {};       ///< name of a step or transition
+    std::string text = {};       ///< condition of a transition, or text of an action
+    Span where = {};             ///< position of the declaration
+    Span part = {};              ///< position of `text`, or of the name of a step
+};
+
+class Document {
+public:
+    /// `path` is the file, whose folder is the first folder of included files.
+    Document(std::string path, std::vector<std::string> include_folders, std::string text);
+
+    const std::string& text() const { return history_.text(); }
+    const std::string& path() const { return path_; }
+    bool can_undo() const { return history_.can_undo(); }
+    bool can_redo() const { return history_.can_redo(); }
+
+    /// Executes an operation, or rejects it with a reason; for example, if the text has errors. If `trial` is true, the
+    /// text is not changed.
+    Change perform(const Operation& operation, bool trial = false);
+    /// Replaces the text as the user has typed it. The text may have errors.
+    void type(std::string_view text);
+    /// Replaces the text as one step that can be undone.
+    void replace(std::string_view text);
+    /// Undoes or repeats one step. Returns the offset of the change, or an empty result if there is no step.
+    std::optional<std::uint32_t> undo();
+    std::optional<std::uint32_t> redo();
+    /// Parses the text again, because an included file has changed.
+    void refresh() { current_ = nullptr; }
+
+    /// Returns the parsed text.
+    const lsp::Root& reading();
+    /// Returns the last parsed text without errors, or null.
+    std::shared_ptr<const lsp::Root> drawn();
+    /// Returns the drawing of a chart of `drawn()`, which must not be null.
+    Drawing drawing(Id<Chart> chart, const std::string& prefix);
+    /// Returns the elements of the drawing of a chart whose declarations are in the text of `drawn()`.
+    std::vector<DrawnElement> elements(Id<Chart> chart, const std::string& prefix);
+
+private:
+    lsp::Workspace workspace_for(const std::string& text) const;
+    Change rename(const Element& element, const std::string& name, bool trial);
+    std::string remaining_use(const std::vector<TextEdit>& edits) const;
+    Change accept(Plan plan, bool trial);
+
+    std::string path_, uri_;
+    std::vector<std::string> include_folders_;
+    History history_;
+    std::shared_ptr<const lsp::Root> current_ = nullptr, drawn_ = nullptr;
+    std::shared_ptr<const lsp::Parsed> parsed_ = nullptr, drawn_parsed_ = nullptr;
+};
+
+}  // namespace grafverif::edit

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Operations on the drawing of a chart, computed as edits of its text. An operation has a reason instead of edits if it
+// is not possible. The edits are syntactically correct; the caller checks the text after the edits.
+//
+// A new transition that begins at a step with other transitions excludes their conditions, so that an alternative is
+// unambiguous. All other new transitions have the condition `true`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edit/elements.hpp"
+#include "edit/text_edit.hpp"
+
+namespace grafverif::edit {
+
+enum class OperationKind : std::uint8_t {
+    StepAfter,    ///< adds a step and a transition after a step or transition
+    StepBefore,   ///< adds a step and a transition before a step or transition
+    Transition,   ///< adds a transition from a step to a new step
+    Alternative,  ///< adds a branch that is an alternative to a transition, or to the first transition of a step
+    Parallel,     ///< adds a step that is active at the same time as a step, or as the first target of a transition
+    Jump,         ///< adds a transition from a step to the step `target`, or changes the target of a transition
+    Action,       ///< adds the action `text` to a step or transition
+    Replace,      ///< replaces the condition of a transition, or an action, by `text`
+    Delete,       ///< deletes an action, or a step or transition and reconnects its links
+    Rename,       ///< renames an element to `text` at all its uses (see Document)
+};
+
+struct Operation {
+    OperationKind kind = OperationKind::StepAfter;
+    std::uint32_t at = 0;                      ///< position of the declaration of the element (see Elements)
+    std::optional<std::uint32_t> target = {};  ///< position of the target of a jump
+    std::string text = {};
+};
+
+/// The result of an operation: edits, or an obstacle.
+struct Plan {
+    std::vector<TextEdit> edits = {};  ///< sorted
+    std::string obstacle = {};         ///< reason for rejection; if not empty, there are no edits
+    /// Position of the new or changed element in the text after the edits; empty if the element was deleted.
+    std::optional<std::uint32_t> selected = {};
+};
+
+/// Computes an operation other than Rename. Requires a text without syntax errors.
+Plan plan_of(std::string_view text, const tree::File& file, const Elements& elements, const Operation& operation);
+
+/// Returns the new text of an unnamed transition with the name `name`.
+TextEdit naming(const tree::Transition& transition, const std::string& name);
+
+}  // namespace grafverif::edit

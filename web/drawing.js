@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Drawings of charts. Only the drawings are markup: the server generates them, and the browser parses them as SVG.
+import {make} from "./dom.js";
+import {follow, lightStep, lightTransition} from "./marks.js";
+
+// Returns an element with the drawing `text` of the chart `name`.
+export function drawingElement(name, text) {
+    const svg = document.importNode(new DOMParser().parseFromString(text, "image/svg+xml").documentElement, true);
+    svg.setAttribute("role", "img");
+    svg.setAttribute("aria-label", `Chart ${name}; a dot marks active steps`);
+    svg.removeAttribute("aria-labelledby");
+    return make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${name}`}, svg);
+}
+
+// Highlights active steps, enabled transitions and cleared transitions of the drawings in `place`. `marks` are those of
+// the server.
+export function lightDrawings(place, marks, lit, fired) {
+    const show = (name, ids, light) => {
+        for (const each of place.querySelectorAll(`.${name}`)) light(each, false);
+        for (const id of ids) light(document.getElementById(id), true);
+    };
+    show("step.active", lit, lightStep);
+    show("cleared", fired, lightTransition);
+    const active = new Set(lit);
+    for (const {transitions, actions} of marks) {
+        for (const {ids, from} of transitions)
+            for (const id of ids)
+                document.getElementById(id)?.classList.toggle("enabled", lit.length > 0 && from.every((step) => active.has(step)));
+        for (const {id, step} of actions) document.getElementById(id)?.classList.toggle("active", active.has(step));
+    }
+    for (const view of place.querySelectorAll(".drawing")) follow(view, [...view.querySelectorAll(".step.active")]);
+}
