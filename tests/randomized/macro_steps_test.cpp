@@ -62,7 +62,7 @@ int compare(const Network& network, const std::vector<InputChoice>& choices, con
     return different;
 }
 
-/// Adds properties that often are decided only within a cycle: combinations of a step, an output and the end of a time.
+/// Adds properties that often are decided only within a cycle: combinations of a step, an output and a timer output.
 Network with_combinations(Network network) {
     for (const Network::Controller& controller : network.controllers)
         for (std::size_t step = 0; step < std::min<std::size_t>(4, controller.words.steps.size()); ++step)

@@ -116,7 +116,7 @@ ExitCode serve_page(CommandContext& job, const Streams& streams, const std::opti
             "note: changes that are not saved are in `{}`; the next `grafverif edit` restores them\n",
             printable(unsaved));
     if (const std::string loss = page->loss(); !loss.empty())
-        streams.err << fmt::format("warning: changes that are not saved are lost: {}\n", printable(loss));
+        streams.err << fmt::format("warning: changes were not saved: {}\n", printable(loss));
     return ExitCode::Done;
 }
 

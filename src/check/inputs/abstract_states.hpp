@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "check/inputs/follow.hpp"
-#include "check/timed/store/packed_states.hpp"
 #include "check/timed/machine.hpp"
+#include "check/timed/store/packed_states.hpp"
 
 namespace grafverif {
 

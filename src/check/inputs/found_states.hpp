@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "check/timed/store/packed_states.hpp"
 #include "check/timed/layout.hpp"
+#include "check/timed/store/packed_states.hpp"
 #include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {

@@ -12,8 +12,8 @@
 
 #include "check/inputs/abstract_states.hpp"
 #include "check/inputs/novelty.hpp"
-#include "check/timed/store/packed_states.hpp"
 #include "check/timed/machine.hpp"
+#include "check/timed/store/packed_states.hpp"
 #include "ir/network_clocks.hpp"
 #include "ir/slots.hpp"
 

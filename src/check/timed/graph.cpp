@@ -52,7 +52,7 @@ NetworkState Graph::state_of(const Word* words) const {
     return state;
 }
 
-/// Returns the words of the first state of a path, with the values of all variables if this is the initial state.
+/// Returns the first state of a path in packed form, with the values of all variables if this is the initial state.
 std::vector<Word> Graph::first_words(const std::vector<std::uint32_t>& path) {
     if (path.front() == 0) return packed_initial(machine.network(), machine.layout());
     const Word* const words = load(path.front());

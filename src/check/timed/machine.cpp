@@ -48,14 +48,14 @@ void Machine::expand(const Word* words, Moves& moves) const {
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (edges_[edge].first_set != edges_[edge].last_set) return fire_each_path(edge, words, moves);
-    Word* const next = room(moves);
+    Word* const next = next_successor(moves);
     copy_stored(words, next, moves);
     const ExecutionResult ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
     add_move(edge, ran, moves);
 }
 
-/// Returns the place for the words of the next successor.
-Word* Machine::room(Moves& moves) const {
+/// Returns the address at which the next successor is computed.
+Word* Machine::next_successor(Moves& moves) const {
     if (const std::size_t needed = (moves.edges.size() + 1) * layout_.words; moves.words.size() < needed)
         moves.words.resize(2 * needed);
     return moves.words.data() + moves.edges.size() * layout_.words;
@@ -66,7 +66,7 @@ void Machine::copy_stored(const Word* words, Word* next, const Moves& moves) con
     for (std::size_t i = 0; i < copied; ++i) next[i] = words[i];
 }
 
-/// Adds the move by `edge`, whose code has computed the words in room(moves), to `moves`. If the edge causes a model
+/// Adds the move by `edge`, whose code has computed the state at next_successor(moves). If the edge causes a model
 /// error, records the error and returns false.
 bool Machine::add_move(std::uint32_t edge, const ExecutionResult& ran, Moves& moves) const {
     moves.urgent = moves.urgent || edges_[edge].urgent;  // set even if a model error occurs
@@ -90,7 +90,7 @@ void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves
         *(registers - Choices::set(sets_[i].choice)) =
             static_cast<std::int64_t>(kept.width == 0 ? sets_[i].all : kept.raw(words));
     }
-    Word* next = room(moves);
+    Word* next = next_successor(moves);
     copy_stored(words, next, moves);
     std::uint32_t place = at.effect;
     for (std::size_t paths = 0;; ++paths) {
@@ -111,7 +111,7 @@ void Machine::fire_each_path(std::uint32_t edge, const Word* words, Moves& moves
             }
         }
         if (moves.forks.empty()) return;
-        next = room(moves);
+        next = next_successor(moves);
         place = moves.forks.pop(next, registers);
     }
 }

@@ -131,7 +131,7 @@ private:
     void add_sets(Id<Network::Process> process, Id<Network::Edge> edge, Edge& compiled);
     void fire(std::uint32_t edge, const Word* words, Moves& moves) const;
     void fire_each_path(std::uint32_t edge, const Word* words, Moves& moves) const;
-    Word* room(Moves& moves) const;
+    Word* next_successor(Moves& moves) const;
     void copy_stored(const Word* words, Word* next, const Moves& moves) const;
     bool add_move(std::uint32_t edge, const ExecutionResult& ran, Moves& moves) const;
 

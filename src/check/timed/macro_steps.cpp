@@ -41,8 +41,8 @@ public:
     /// Returns the timers that accept requests independently of all other processes, if no timer is observed.
     const std::vector<Id<Network::Process>>& timers() const { return timers_; }
 
-    /// True if a property reads a variable that the timers write, or the location of a timer, or if a process except
-    /// the PLC and its timers uses such a variable.
+    /// True if a property reads the location of a timer or a variable that the timers write. Also true if a process
+    /// except the PLC and its timers uses such a variable.
     bool are_observed() const {
         const auto is_timer = [&](Id<Network::Process> id) {
             return std::ranges::find(controller_.timers, id, &Network::Timer::process) != controller_.timers.end();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Macro-steps: the moves of a state, without the transient states of PLC cycles.
 //
-// A state is *transient* if it satisfies one of these conditions. The macro-steps that lead to the state continue with
-// the edges that the condition names, and other enabled edges are not taken in the state.
+// A state is *transient* if it satisfies one of these conditions. The macro-steps that lead to the state continue only
+// with the edges that the condition names.
 //   - Only observers can move. They read the state that the last move has reached (compose/observe.hpp).
 //   - A PLC is within a cycle, and only its urgent edges are enabled. Time cannot pass, and no other process can move.
 //     The following edges of its timers may also be enabled: an urgent edge, if the edges of the PLC in this location
@@ -11,8 +11,8 @@
 //   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. The PLC cannot leave
 //     W before, and the edges of all other processes are independent of the request and remain enabled.
 // The last two conditions reorder edges of timers. They require that only the PLC and its timers use the variables that
-// the timers write, and that no property reads these variables. Observers may count the reordered moves, because an
-// observer that reads equal states one after the other changes its location at most once.
+// the timers write, and that no property reads these variables. The order is also irrelevant for
+// observers, because consecutive readings of equal states change the location of an observer at most once.
 //
 // A PLC is within a cycle in the locations from which each infinite path of its automaton passes location W, so
 // macro-steps are finite. The search thus preserves
@@ -22,9 +22,9 @@
 //   - model errors: a transient state with a model error or a race is stored.
 // Runs have the minimum number of macro-steps instead of the minimum number of moves.
 //
-// An output is irrelevant within a cycle and in W while the PLC is not stable, if the PLC writes it before it is stable
-// again, no edge reads it, and only properties about quiescent states read it. There it is replaced by its initial value,
-// so that equivalent states are equal.
+// Some outputs are read only by properties about quiescent states, and the PLC writes them before it is stable again.
+// Within a cycle, and in W while the PLC is not stable, such an output is replaced by its initial value, so that
+// equivalent states are equal.
 #pragma once
 
 #include <cstdint>

@@ -64,7 +64,7 @@ struct MacroStepOptions {
     /// True: if all properties are about single states, the search omits transient states, and variables that nothing
     /// reads. Then runs do not have the minimum number of moves.
     bool enabled = false;
-    /// Processes whose edges that are not urgent are not taken in transient states (InputAbstraction::deferred).
+    /// Processes that move in transient states only by urgent edges (InputAbstraction::deferred).
     std::vector<Id<Network::Process>> deferred = {};
     MacroStepAblations without = {};
 };

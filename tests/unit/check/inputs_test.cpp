@@ -21,8 +21,8 @@ namespace {
 /// Returns the verdict of input abstraction on the only property of a loop. With the default limits, the complete loop
 /// is not searched first.
 Verdict decided(const std::string& text, const InputLimits& limits = {.explored = 0},
-                const InputAblations& ablations = {}) {
-    const Network loop = expand(read_loop(text).network);
+                const InputAblations& ablations = {}, Grain grain = Grain::Phased) {
+    const Network loop = expand(read_loop(text, {.grain = grain}).network);
     const Observe observe = [&](const Network& of) { return observed(of, watched(of)); };
     TimedOptions options{.max_states = 6, .timelock = false};
     TimedResult result = check_timed(observe(loop), options);
@@ -70,6 +70,21 @@ std::string loop(const std::string& ports, const std::string& body, const std::s
                  const std::string& property) {
     return "grafcet c {\n" + ports + "\n" + body + "}\nclosed_loop panel {\ncontroller c;\n" + panel +
            "\nproperty p: " + property + ";\n}\n";
+}
+
+/// In the instant in which X1 is activated, the operator may press B before the latch moves. Then no state with P is
+/// quiescent, because the change of B has not been processed.
+TEST(InputAbstraction, AnObserverOfQuiescenceObservesPendingChangesOfInputs) {
+    const Verdict found = decided(
+        "component latch(input SET; output ON) { initial location off; location on with ON := true;\n"
+        "urgent off -> on when SET do ON := true; }\n" +
+            loop("input A, B, ON; output P;",
+                 "initial step 0; step 1 { P; } step 2; transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when B;",
+                 "environment EA = push_button(OUT = A);\nenvironment EB = push_button(OUT = B);\n"
+                 "plant L = latch(SET = P, ON = ON);",
+                 "P precedes X2 && ON at stable"),
+        {.explored = 0}, {}, Grain::Atomic);
+    EXPECT_EQ(found.outcome, Outcome::Violated);
 }
 
 TEST(InputAbstraction, ChoosesTheOutputsOfASelectorJointly) {
