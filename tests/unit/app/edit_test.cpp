@@ -21,7 +21,7 @@ const std::string lamp =
 /// An edited file and the requests of its page.
 class Session {
 public:
-    explicit Session(const Folder& folder) : folder_(folder) {
+    explicit Session(const Folder& folder) {
         options_.operands = {folder.file("lamp.grafcet")};
         file_ = std::make_unique<EditedFile>(options_, folder.read("lamp.grafcet"));
     }
@@ -49,7 +49,6 @@ public:
     }
 
 private:
-    const Folder& folder_;
     Options options_ = {};
     std::unique_ptr<EditedFile> file_ = nullptr;
 };

@@ -76,13 +76,12 @@ std::string loop(const std::string& ports, const std::string& body, const std::s
 /// quiescent, because the change of B has not been processed.
 TEST(InputAbstraction, AnObserverOfQuiescenceObservesPendingChangesOfInputs) {
     const Verdict found = decided(
-        "component latch(input SET; output ON) { initial location off; location on with ON := true;\n"
-        "urgent off -> on when SET do ON := true; }\n" +
-            loop("input A, B, ON; output P;",
-                 "initial step 0; step 1 { P; } step 2; transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when B;",
-                 "environment EA = push_button(OUT = A);\nenvironment EB = push_button(OUT = B);\n"
-                 "plant L = latch(SET = P, ON = ON);",
-                 "P precedes X2 && ON at stable"),
+        "component latch(input SET) { initial location off; location on; urgent off -> on when SET; }\n"
+        "grafcet c { input A, B; output P; initial step 0; step 1 { P; } step 2;\n"
+        "transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when B; }\n"
+        "closed_loop panel { controller c with every_cycle; plant L = latch(SET = P);\n"
+        "environment EA = push_button(OUT = A); environment EB = push_button(OUT = B);\n"
+        "property p: P precedes X2 && L.on at stable; }\n",
         {.explored = 0}, {}, Grain::Atomic);
     EXPECT_EQ(found.outcome, Outcome::Violated);
 }
