@@ -135,8 +135,8 @@ struct InputAbstraction {
     Network network = {};
     std::vector<InputChoice> choices = {};
     std::vector<Id<Network::Process>> paced = {};  ///< Paced instances, as argument of in_longest_unit
-    /// Untimed timers. Without loss of runs, up to EVOL_TI, an edge of such a timer that is not urgent is taken only
-    /// while its PLC waits.
+    /// Untimed timers. A search may take the edges of these timers that are not urgent only while their PLC waits. The
+    /// reachable states are then the same except for EVOL_TI, if only the PLC and its timers read the timers.
     std::vector<Id<Network::Process>> deferred = {};
 };
 

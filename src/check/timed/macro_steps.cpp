@@ -12,15 +12,11 @@ namespace grafverif::timed {
 
 namespace {
 
-const Network::Template& automaton_of(const Network& network, Id<Network::Process> process) {
-    return network.templates[network.processes[process].automaton];
-}
-
-/// A PLC and its timers, for the static premises of macro-steps.
-class Requests {
+/// Determines the static premises of macro-steps for a PLC and its timers.
+class CyclePremises {
 public:
-    Requests(const Network& network, const Network::Controller& controller)
-        : network_(network), controller_(controller), plc_(automaton_of(network, controller.process)) {
+    CyclePremises(const Network& network, const Network::Controller& controller)
+        : network_(network), controller_(controller), plc_(Slots(network, controller.process).automaton) {
         for (const Network::Timer& timer : controller.timers) {
             const Slots slots(network, timer.process);
             for (const Id<Network::Variable> variable : slots.used()) used_.insert(variable);
@@ -35,11 +31,11 @@ public:
             }
         }
         for (const Network::Timer& timer : controller.timers)
-            if (waits_for(automaton_of(network, timer.process))) timers_.push_back(timer.process);
+            if (waits_for(Slots(network, timer.process).automaton)) accepting_.push_back(timer.process);
     }
 
-    /// Returns the timers that accept requests independently of all other processes, if no timer is observed.
-    const std::vector<Id<Network::Process>>& timers() const { return timers_; }
+    /// Returns the timers for which the PLC waits in W until they have accepted its request.
+    const std::vector<Id<Network::Process>>& accepting_timers() const { return accepting_; }
 
     /// True if a property reads the location of a timer or a variable that the timers write. Also true if a process
     /// except the PLC and its timers uses such a variable.
@@ -62,8 +58,8 @@ public:
         });
     }
 
-    /// Returns, per location of the PLC, whether its edges neither read nor write a variable of the timers that the
-    /// timers or the PLC write.
+    /// Returns, per location of the PLC, whether its edges neither read a variable that the timers write, nor write a
+    /// variable that the timers read or write.
     std::vector<bool> independent_locations() const {
         std::vector<bool> independent(plc_.locations.size(), true);
         const Slots slots(network_, controller_.process);
@@ -87,10 +83,12 @@ public:
                    has_conjunct(edge.guard, controller_.stable, true) || has_call(edge, controller_.write);
         });
         if (!writes || !controller_.write.valid() || !network_.settled.valid()) return {};
+        const Variables read = variables_read();
         std::vector<Id<Network::Variable>> dead;
         for (const Network::Assignment& assignment : plc_.procedures[controller_.write].assignments) {
             const Id<Network::Variable> output{static_cast<std::uint32_t>(network_.exprs[assignment.target].value)};
-            if (network_.variables[output].role == Network::Role::Output && !is_read(output)) dead.push_back(output);
+            if (network_.variables[output].role == Network::Role::Output && !read.contains(output))
+                dead.push_back(output);
         }
         return dead;
     }
@@ -114,19 +112,21 @@ private:
         });
     }
 
-    /// True if a process, the condition of quiescence, or a property that is not evaluated in quiescent states only reads
-    /// the variable.
-    bool is_read(Id<Network::Variable> variable) const {
-        for (const Id<Network::Process> id : network_.processes.ids()) {
-            const std::vector<Id<Network::Variable>> read = Slots(network_, id).read();
-            if (std::ranges::find(read, variable) != read.end()) return true;
-        }
-        return reads(network_.settled, {variable}) ||
-               std::ranges::any_of(network_.properties, [&](const Property& property) {
-                   return !property.at_stable && std::ranges::any_of(property.operands, [&](Id<Expr> term) {
-                       return reads(term, {variable});
-                   });
-               });
+    /// Returns the variables that a process, the condition of quiescence, or a property that is not only evaluated in
+    /// quiescent states reads.
+    Variables variables_read() const {
+        Variables read;
+        for (const Id<Network::Process> id : network_.processes.ids())
+            for (const Id<Network::Variable> variable : Slots(network_, id).read()) read.insert(variable);
+        const auto take = [&](Id<Expr> term) {
+            for (const Id<Expr> leaf : leaves(network_.exprs, term))
+                if (const Expr& node = network_.exprs[leaf]; node.op == Op::Variable)
+                    read.insert({static_cast<std::uint32_t>(node.value)});
+        };
+        take(network_.settled);
+        for (const Property& property : network_.properties)
+            if (!property.at_stable) std::ranges::for_each(property.operands, take);
+        return read;
     }
 
     /// True if some variable, the request, enables all urgent edges of the timer, and disables its other edges and the
@@ -145,7 +145,7 @@ private:
     const Network& network_;
     const Network::Controller& controller_;
     const Network::Template& plc_;
-    std::vector<Id<Network::Process>> timers_ = {};
+    std::vector<Id<Network::Process>> accepting_ = {};
     Variables used_ = {}, written_ = {};  // variables of the timers
 };
 
@@ -177,18 +177,18 @@ MacroSteps::MacroSteps(const Machine& machine, PropertyMonitor monitor, std::vec
     accepts_.assign(network.processes.size(), none);
     for (const Network::Controller& controller : network.controllers) {
         Cycle cycle{.process = controller.process.index,
-                    .within = locations_in_cycle(automaton_of(network, controller.process), controller.waiting)};
-        const Requests requests(network, controller);
-        if (without_.timers || !requests.are_observed()) {
-            for (const Id<Network::Process> timer : requests.timers()) accepts_[timer.index] = cycles_.size();
+                    .within = locations_in_cycle(Slots(network, controller.process).automaton, controller.waiting)};
+        const CyclePremises premises(network, controller);
+        if (without_.timers || !premises.are_observed()) {
+            for (const Id<Network::Process> timer : premises.accepting_timers()) accepts_[timer.index] = cycles_.size();
             for (const Network::Timer& timer : controller.timers)
                 deferred_[timer.process.index] =
                     std::ranges::find(options.deferred, timer.process) != options.deferred.end();
         }
-        cycle.independent = requests.independent_locations();
+        cycle.independent = premises.independent_locations();
         cycle.waiting = controller.waiting.index;
         cycle.stable = machine.layout().variables[controller.stable.index];
-        for (const Id<Network::Variable> output : requests.dead_outputs())
+        for (const Id<Network::Variable> output : premises.dead_outputs())
             cycle.outputs.push_back({machine.layout().variables[output.index], network.variables[output].initial});
         cycles_.push_back(std::move(cycle));
     }

@@ -106,11 +106,6 @@ bool PropertyQueries::follow_edges() const {
     });
 }
 
-bool PropertyQueries::are_about_single_states() const {
-    return std::ranges::all_of(queries_,
-                               [](const PropertyQuery& query) { return is_about_states(query.property->pattern); });
-}
-
 void PropertyQueries::compile(PropertyQuery& query) {
     const Property& property = *query.property;
     switch (property.pattern) {

@@ -33,8 +33,6 @@ public:
     /// True if some selected property is `inevitable`, `leads to` or `always possible`; the verdicts on these
     /// properties depend on the edges of the graph, not only on single states.
     bool follow_edges() const;
-    /// True if the verdicts of all selected properties depend only on the reachable locations and variables.
-    bool are_about_single_states() const;
     /// Returns the verdicts after a search that ended for the reason `ended`.
     std::vector<Verdict> answers(Graph& graph, UnknownReason ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);

@@ -59,13 +59,11 @@ std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& op
 TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Limits limits(options);
     const Network flat = expand(network);
-    const bool macro_steps =
-        options.macro_steps.enabled &&
-        std::ranges::all_of(flat.properties,
-                            [&](const Property& property) {
-                                return is_about_states(property.pattern) || !timed::is_selected(options, property);
-                            }) &&
-        !options.timelock;
+    const bool about_single_states =
+        !options.timelock && std::ranges::all_of(flat.properties, [&](const Property& property) {
+            return is_about_states(property.pattern) || !timed::is_selected(options, property);
+        });
+    const bool macro_steps = options.macro_steps.enabled && about_single_states;
     timed::Machine machine(flat, options.choices, macro_steps ? timed::unread_variables(flat) : timed::VariableSet{});
     timed::PropertyMonitor monitor;
     timed::PropertyQueries queries(flat, machine, monitor, options.abstracted || !options.choices.empty());
@@ -84,7 +82,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
 
     timed::Graph graph(machine);
     graph.linked = options.keep_links && (options.premises || queries.follow_edges());
-    if (options.covering && !options.premises && queries.are_about_single_states()) {
+    if (options.covering && !options.premises && about_single_states) {
         auto covering =
             std::make_unique<timed::Covering>(flat, machine.layout(), machine.clocks(), options.covering_without);
         graph.covered = covering->applies();

@@ -49,7 +49,7 @@ private:
         ignore_clocks(automaton(id));
     }
 
-    /// Lets the times of an untimed timer elapse between two cycles only (InputAbstraction::deferred).
+    /// Adds the timer to InputAbstraction::deferred. A cycle may begin as if the timer had set EVOL_TI.
     void defer(Id<Network::Process> timer) {
         made_.deferred.push_back(timer);
         for (const Network::Edge& edge : automaton(timer).edges) {
