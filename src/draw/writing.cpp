@@ -6,6 +6,7 @@
 #include <ostream>
 #include <unordered_map>
 
+#include "support/text/encoding.hpp"
 #include "syntax/print/chart.hpp"
 #include "syntax/print/dialect.hpp"
 
@@ -24,8 +25,6 @@ constexpr int width_of_others = 1100;
 
 constexpr char over_begins = '\x0E', over_ends = '\x0F';  ///< markers around text with an overline, until it is split
                                                           ///< into runs
-
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 int thousandths(std::string_view text) {
     int sum = 0;

@@ -4,14 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "support/text/encoding.hpp"
+
 namespace grafverif::edit {
-
-namespace {
-
-/// True if `byte` is not the first byte of a UTF-8 character.
-bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
-
-}  // namespace
 
 void sort(std::vector<TextEdit>& edits) {
     std::ranges::stable_sort(edits, {}, [](const TextEdit& edit) { return std::pair(edit.begin, edit.end); });

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "support/text/encoding.hpp"
+
 namespace grafverif::lsp {
 
 namespace {
@@ -20,7 +22,7 @@ Character first_character(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[0]);
     const std::size_t most = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;
     std::size_t bytes = 1;
-    while (bytes < most && bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) ++bytes;
+    while (bytes < most && bytes < text.size() && continues_character(text[bytes])) ++bytes;
     return {bytes, bytes == 4 ? 2U : 1U};
 }
 

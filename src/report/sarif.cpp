@@ -11,6 +11,7 @@
 #include "report/terminal.hpp"
 #include "support/json_text.hpp"
 #include "support/text/documentation.hpp"
+#include "support/text/encoding.hpp"
 
 namespace grafverif {
 
@@ -36,8 +37,7 @@ std::string uri(std::string_view path) {
 std::size_t column(const Source& source, std::uint32_t offset) {
     const std::size_t bytes = place(source.text, offset).column - 1;
     const std::string_view line = line_at(source.text, offset).substr(0, bytes);
-    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-    return 1 + bytes - static_cast<std::size_t>(std::ranges::count_if(line, continues));
+    return 1 + bytes - static_cast<std::size_t>(std::ranges::count_if(line, continues_character));
 }
 
 Json location(Span where, const Sources& sources) {

@@ -13,6 +13,7 @@
 #include "support/printable.hpp"
 #include "support/render.hpp"
 #include "support/text/documentation.hpp"
+#include "support/text/encoding.hpp"
 
 namespace grafverif {
 
@@ -118,7 +119,7 @@ Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, s
     constexpr std::size_t near = 4096;  // in bytes; more bytes than are printed of any line
     std::size_t cut = column > near ? column - near : 0;
     // Advances to the start of a character.
-    while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;
+    while (cut < column && continues_character(line[cut])) ++cut;
     const bool continues = line.size() > column + near;
     line = line.substr(cut, column - cut + near);
     column -= cut;

@@ -2,6 +2,7 @@
 #include "app/serve/page_text.hpp"
 
 #include "edit/text_edit.hpp"
+#include "support/text/encoding.hpp"
 
 namespace grafverif::app {
 
@@ -46,9 +47,8 @@ PagePositions::PagePositions(std::string_view text) {
     std::uint32_t units = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {
         units_.push_back(units);
-        const auto byte = static_cast<unsigned char>(text[at]);
-        const bool counts = (byte & 0xC0U) != 0x80U && !is_double_end(text, at);
-        if (counts) units += byte >= 0xF0U ? 2 : 1;
+        if (continues_character(text[at]) || is_double_end(text, at)) continue;
+        units += static_cast<unsigned char>(text[at]) >= 0xF0U ? 2U : 1U;
     }
     units_.push_back(units);
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Conversion of other encodings to UTF-8.
+// Conversion of other encodings to UTF-8, and a test for the bytes of UTF-8 characters.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 namespace grafverif {
+
+/// True if the byte belongs to a UTF-8 character but is not its first byte.
+inline bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 /// True if `text` has the byte order mark of UTF-16, or if exactly one of its first two bytes is 0.
 bool is_utf16(std::string_view text);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "support/text/encoding.hpp"
+
 namespace grafverif::formulas {
 
 namespace {
@@ -58,7 +60,7 @@ void Reader::refuse_character() {
     const auto byte = static_cast<unsigned char>(text_[begin_]);
     if (byte == ';') return fail(begin_, begin_ + 1, "`;` would end the formula; write one formula per property");
     std::size_t end = begin_ + 1;
-    while (byte >= 0x80 && end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
+    while (byte >= 0x80 && end < text_.size() && continues_character(text_[end])) ++end;
     const bool printable = byte > 0x20 && byte != 0x7F;
     const std::string shown =
         printable ? fmt::format("`{}`", text_.substr(begin_, end - begin_)) : fmt::format("byte 0x{:02X}", byte);
