@@ -50,7 +50,7 @@ BackgroundChecker::BackgroundChecker(Callbacks callbacks, std::optional<std::chr
 
 BackgroundChecker::~BackgroundChecker() {
     {
-        const std::lock_guard hold(door_);
+        const std::lock_guard hold(mutex_);
         over_ = true;
         stop_ = true;
     }
@@ -59,14 +59,14 @@ BackgroundChecker::~BackgroundChecker() {
 }
 
 void BackgroundChecker::submit(Task task) {
-    const std::lock_guard hold(door_);
+    const std::lock_guard hold(mutex_);
     if (task.what == Task::What::Models) tasks_.push_front(std::move(task));
     else tasks_.push_back(std::move(task));
     wake_.notify_all();
 }
 
 void BackgroundChecker::keep(const std::function<bool(const Root&)>& current) {
-    const std::lock_guard hold(door_);
+    const std::lock_guard hold(mutex_);
     std::erase_if(tasks_, [&](const Task& task) { return !current(*task.root); });
     if (at_hand_ != nullptr && !current(*at_hand_)) stop_ = true;
 }
@@ -79,7 +79,7 @@ void BackgroundChecker::work() {
     for (;;) {
         Task task;
         {
-            std::unique_lock hold(door_);
+            std::unique_lock hold(mutex_);
             at_hand_ = nullptr;
             wake_.wait(hold, [this] { return over_ || !tasks_.empty(); });
             if (over_) return;
@@ -91,7 +91,7 @@ void BackgroundChecker::work() {
         try {
             if (task.what == Task::What::Models) make_models(task);
             else prove(task);
-            const std::lock_guard hold(door_);
+            const std::lock_guard hold(mutex_);
             const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
             if (std::ranges::none_of(tasks_, proves)) callbacks_.progress("");
         } catch (const std::bad_alloc&) {  // the failure is not reported, because a report requires memory

@@ -74,7 +74,7 @@ private:
 
     Callbacks callbacks_;
     std::optional<std::chrono::milliseconds> response_timeout_;
-    std::mutex door_ = {};
+    std::mutex mutex_ = {};
     std::condition_variable wake_ = {};
     std::deque<Task> tasks_ = {};
     std::shared_ptr<const Root> at_hand_ = {};

@@ -12,7 +12,7 @@ CallRunner::CallRunner(std::size_t most_running, std::size_t most_waiting)
 
 CallRunner::~CallRunner() {
     {
-        const std::lock_guard hold(door_);
+        const std::lock_guard hold(mutex_);
         over_ = true;
         waiting_.clear();
         for (const std::shared_ptr<Work>& work : running_) work->stop = true;
@@ -22,7 +22,7 @@ CallRunner::~CallRunner() {
 }
 
 bool CallRunner::submit(std::shared_ptr<Work> work) {
-    const std::lock_guard hold(door_);
+    const std::lock_guard hold(mutex_);
     std::erase_if(waiting_, [](const std::shared_ptr<Work>& each) { return each->stop.load(); });
     if (waiting_.size() >= most_waiting_) return false;
     if (running_.size() + waiting_.size() >= threads_.size() && threads_.size() < most_running_)
@@ -36,7 +36,7 @@ void CallRunner::execute() {
     for (;;) {
         std::shared_ptr<Work> work;
         {
-            std::unique_lock hold(door_);
+            std::unique_lock hold(mutex_);
             wake_.wait(hold, [this] { return over_ || !waiting_.empty(); });
             if (over_) return;
             work = std::move(waiting_.front());
@@ -44,7 +44,7 @@ void CallRunner::execute() {
             running_.push_back(work);
         }
         if (!work->stop) work->run(work->stop);
-        const std::lock_guard hold(door_);
+        const std::lock_guard hold(mutex_);
         std::erase(running_, work);
     }
 }

@@ -34,7 +34,7 @@ private:
     void execute();
 
     std::size_t most_running_, most_waiting_;
-    std::mutex door_ = {};
+    std::mutex mutex_ = {};
     std::condition_variable wake_ = {};
     std::deque<std::shared_ptr<Work>> waiting_ = {};
     std::vector<std::shared_ptr<Work>> running_ = {};

@@ -44,10 +44,10 @@ public:
     const std::atomic<bool>& closing() const { return closed_; }
 
 private:
-    mutable std::mutex door_ = {};
+    mutable std::mutex mutex_ = {};
     std::condition_variable wake_ = {};
     std::deque<Item> items_ = {};
-    std::atomic<bool> closed_ = false;  ///< written while `door_` is locked
+    std::atomic<bool> closed_ = false;  ///< written while `mutex_` is locked
 };
 
 }  // namespace grafverif::rpc

@@ -17,6 +17,7 @@
 
 #include "app/serve/page_text.hpp"
 #include "app/serve/play.hpp"
+#include "app/serve/request_json.hpp"
 #include "app/system/write_files.hpp"
 #include "pipeline/files.hpp"
 #include "support/json_text.hpp"
@@ -56,11 +57,6 @@ std::optional<std::uint32_t> number_in(const Json& json, const char* key) {
     if (!json.contains(key) || !json[key].is_number_unsigned() || json[key].get<std::uint64_t>() > largest_edited)
         return {};
     return json[key].get<std::uint32_t>();
-}
-
-Json parsed_json(const std::string& text) {
-    const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 3; };
-    return Json::parse(text, shallow, false);
 }
 
 /// Returns an operation, or an empty result if the request is malformed.
@@ -143,19 +139,19 @@ void EditedFile::begin(std::function<void()> changing, std::function<void()> cha
 
 void EditedFile::end() {
     {
-        const std::lock_guard hold(door_);
+        const std::lock_guard lock(mutex_);
         over_ = true;
     }
     wake_.notify_all();
     if (!thread_.joinable()) return;
     thread_.join();
-    const std::lock_guard hold(door_);
+    const std::lock_guard lock(mutex_);
     keep_unsaved();
 }
 
 void EditedFile::watch() {
-    std::unique_lock hold(door_);
-    while (!wake_.wait_for(hold, edited_poll_interval, [this] { return over_; })) {
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, edited_poll_interval, [this] { return over_; })) {
         const std::uint64_t before = version_;
         try {
             take_changes();
@@ -164,9 +160,9 @@ void EditedFile::watch() {
             continue;  // for example, memory is short; tried again after the interval
         }
         if (version_ == before) continue;
-        hold.unlock();
+        lock.unlock();
         changed_();
-        hold.lock();
+        lock.lock();
     }
 }
 
@@ -246,7 +242,7 @@ void EditedFile::restore() {
     const auto content = content_of_file(recovery_, why, largest_recovery);
     if (!content) return;
     recovered_ = *content;
-    const Json json = parsed_json(*content);
+    const Json json = shallow_json(*content, 3);
     const bool is_valid = json.is_object() && json.contains("text") && json["text"].is_string();
     Kept kept{text_in(json, "base"), text_in(json, "text")};
     if (!is_valid || !edit_obstacle(kept.text).empty()) {
@@ -309,17 +305,17 @@ std::string EditedFile::resolve(const std::string& choice) {
 }
 
 std::string EditedFile::unsaved() const {
-    const std::lock_guard hold(door_);
+    const std::lock_guard lock(mutex_);
     return modified() && is_kept() ? recovery_.string() : std::string();
 }
 
 std::string EditedFile::loss() const {
-    const std::lock_guard hold(door_);
+    const std::lock_guard lock(mutex_);
     return modified() && !is_kept() ? not_kept_ : std::string();
 }
 
 std::string EditedFile::text() const {
-    const std::lock_guard hold(door_);
+    const std::lock_guard lock(mutex_);
     return document_.text();
 }
 
@@ -339,10 +335,10 @@ bool EditedFile::handles(const std::string& path) {
 }
 
 std::string EditedFile::respond(const std::string& path, const std::string& body) {
-    const Json json = parsed_json(body);
+    const Json json = shallow_json(body, 3);
     if (!json.is_object()) return json_text(Json{{"problem", "malformed request; send a JSON object"}}, -1);
     const bool trial = path == "/edit" && json.contains("trial") && json["trial"] == true;
-    std::unique_lock hold(door_);
+    std::unique_lock lock(mutex_);
     if (!trial && path != "/save") changing_();
     edit::Change change;
     const std::string before = document_.text();
@@ -367,13 +363,13 @@ std::string EditedFile::respond(const std::string& path, const std::string& body
     if (change.selected)
         response += fmt::format(",\"selected\":{}", PagePositions(document_.text()).of(*change.selected));
     response += ",\"state\":" + state() + '}';
-    hold.unlock();
+    lock.unlock();
     changed_();
     return response;
 }
 
 std::optional<std::string> EditedFile::newer(std::uint64_t known) {
-    const std::lock_guard hold(door_);
+    const std::lock_guard lock(mutex_);
     return version_ == known ? std::nullopt : std::optional(state());
 }
 

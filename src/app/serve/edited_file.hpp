@@ -80,7 +80,7 @@ private:
     std::filesystem::path path_, recovery_;
     std::function<void()> changing_ = [] {}, changed_ = [] {};
 
-    mutable std::mutex door_ = {};
+    mutable std::mutex mutex_ = {};
     edit::Document document_;
     std::string disk_;                       ///< content of the file when it was last read or written
     std::optional<std::string> other_ = {};  ///< content that another program has written, until the user has chosen

@@ -80,17 +80,17 @@ public:
     ~Work() { end(); }
 
     std::optional<std::string> newer(std::uint64_t known) const {
-        const std::lock_guard hold(door_);
+        const std::lock_guard hold(mutex_);
         return version_ == known ? std::nullopt : std::optional(state_);
     }
 
     std::shared_ptr<const CheckedFile> checked_file() const {
-        const std::lock_guard hold(door_);
+        const std::lock_guard hold(mutex_);
         return piece_;
     }
 
     void refresh() {
-        const std::lock_guard hold(door_);
+        const std::lock_guard hold(mutex_);
         stale_ = true;
         wake_.notify_all();
     }
@@ -112,7 +112,7 @@ private:
 
     void end() {
         {
-            const std::lock_guard hold(door_);
+            const std::lock_guard hold(mutex_);
             over_ = stale_ = true;
         }
         wake_.notify_all();
@@ -129,7 +129,7 @@ private:
 
     /// Waits for `time`. Returns false if the checker must end.
     bool sleep(std::chrono::milliseconds time) {
-        std::unique_lock hold(door_);
+        std::unique_lock hold(mutex_);
         return !wake_.wait_for(hold, time, [this] { return over_.load(); });
     }
 
@@ -147,7 +147,7 @@ private:
             } catch (const std::system_error& failure) {
                 give_up(failure.what());
             }
-            std::unique_lock hold(door_);
+            std::unique_lock hold(mutex_);
             wake_.wait(hold, [this] { return stale_ || over_; });
         }
     }
@@ -180,7 +180,7 @@ private:
     }
 
     void begin() {
-        const std::lock_guard hold(door_);
+        const std::lock_guard hold(mutex_);
         stale_ = over_.load();  // stays true if the destructor has set `over_`
     }
 
@@ -308,7 +308,7 @@ private:
                       {"charts", std::move(charts)},
                       {"models", std::move(models)}};
         {
-            const std::lock_guard hold(door_);
+            const std::lock_guard hold(mutex_);
             state["version"] = ++version_;
             state_ = json_text(state, -1);
             piece_ = checked_file_;
@@ -320,10 +320,10 @@ private:
     std::function<void()> changed_;
     std::function<std::string()> text_;
 
-    std::mutex watching_ = {};  ///< locked before `door_` if a thread locks both mutexes
+    std::mutex watching_ = {};  ///< locked before `mutex_` if a thread locks both mutexes
     FileWatcher watch_ = {};
 
-    mutable std::mutex door_ = {};
+    mutable std::mutex mutex_ = {};
     std::condition_variable wake_ = {};
     std::atomic<bool> over_ = false, stale_ = false;
     std::uint64_t version_ = 0;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/serve/request_json.hpp"
 #include "grafverif/ir/drawing.hpp"
 #include "page/terms.hpp"
 #include "pipeline/chart_text.hpp"
@@ -34,9 +35,7 @@ struct PlayRequest {
 Json error_text(const std::string& words) { return {{"error", printable(words)}}; }
 
 std::optional<PlayRequest> parse_request(const std::string& request) {
-    // The parser throws no exceptions and rejects deep nesting. The result is empty for invalid input.
-    const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 4; };
-    const Json json = Json::parse(request, shallow, false);
+    const Json json = shallow_json(request, 4);
     if (!json.is_object()) return {};
     PlayRequest parsed;
     const auto text = [&](const char* key, std::string& into) {
