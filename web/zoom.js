@@ -5,7 +5,7 @@
 import {draw, make} from "./dom.js";
 import {savePicture} from "./picture.js";
 
-const least_zoom = 0.1, most_zoom = 8, steps_of_map = 60, size_of_map = 150, zoom_step = 1.25;
+const least_zoom = 0.01, most_zoom = 8, steps_of_map = 60, size_of_map = 150, zoom_step = 1.25;
 
 const isField = (target) => Boolean(target.closest?.("input, textarea, select, form, button, a, summary"));
 
@@ -78,7 +78,7 @@ export class Zoom {
     adapt() {
         const {width, height, across, down} = this.extent();
         this.width = this.view.offsetWidth;
-        if (this.width > 0 && this.mode === "width") this.scale = Math.min(1, Math.max(across / width, 0.6));
+        if (this.width > 0 && this.mode === "width") this.scale = Math.min(1, Math.max(across / width, 0.75));
         if (this.width > 0 && this.mode === "fit") this.scale = Math.min(1.5, Math.max(least_zoom, Math.min(across / width, down / height)));
         this.refresh();
         if (!this.position || this.width === 0) return;
