@@ -3,7 +3,7 @@
 // `/` focuses the field of the visible drawings.
 import {draw, make} from "./dom.js";
 
-const fields = new Set();  // the search fields of the page, in the order of the page
+const fields = new Set();  // the search fields of the page
 
 // Returns the name of the step or the transition that `group` draws; null for other elements.
 function nameIn(group, title) {
@@ -25,7 +25,7 @@ export class Find {
     // `place` contains the drawings. `found(group)` is called when a match is shown.
     constructor(place, found = () => {}) {
         Object.assign(this, {place, found, matches: [], current: -1, text: ""});
-        this.field = make("input", {type: "search", placeholder: "Find step or variable ( / )", "aria-label": "Find a step or a variable in the drawing (key /)",
+        this.field = make("input", {type: "search", placeholder: "Find (key /)", "aria-label": "Find a step or a variable in the drawing (key /)",
                                     autocomplete: "off", spellcheck: "false", oninput: () => this.search()});
         this.count = make("output", {class: "remark"});
         const button = (words, title, by) => make("button", {type: "button", "aria-label": title, title, onclick: () => this.go(by)}, words);
@@ -99,7 +99,8 @@ export class Find {
 
 document.addEventListener("keydown", (event) => {
     if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.("input:not([type=checkbox], [type=range]), textarea, select, dialog")) return;
-    const shown = [...fields].filter((each) => each.element.checkVisibility());
+    const shown = [...fields].filter((each) => each.element.checkVisibility())
+        .sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
     const inSight = (each) => { const {top, bottom} = each.place.getBoundingClientRect(); return bottom > 0 && top < window.innerHeight; };
     const wanted = shown.find((each) => each.place.contains(document.activeElement)) ?? shown.find(inSight) ?? shown[0];
     if (!wanted) return;

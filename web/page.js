@@ -18,7 +18,9 @@ export class Page {
             ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
         this.stage = make("div", {});
         this.problem = make("p", {class: "warning", role: "status", hidden: true});
-        this.place.replaceChildren(make("p", {class: "pick-run"}, make("label", {}, "Run: ", this.select), linkButton(() => this.link())), this.problem, this.stage);
+        this.tools = make("div", {});
+        this.place.replaceChildren(make("div", {class: "pick-run"}, make("label", {}, "Run: ", this.select), linkButton(() => this.link()), this.tools),
+                                   this.problem, this.stage);
         window.addEventListener("hashchange", () => this.follow(false));
         document.addEventListener("keydown", (event) => this.key(event));
         if (data.runs.length > 0 && !this.follow(true)) this.open(data.runs[0].name, null, true);
@@ -81,6 +83,7 @@ export class Page {
         this.player = this.players.get(name);
         this.select.value = name;
         this.stage.replaceChildren(this.player.element);
+        this.tools.replaceChildren(this.player.tools);
         const wanted = moment === null ? null : this.player.run.momentAt(moment);
         if (wanted === null) this.player.go(this.player.visited ? this.player.moment : this.player.decisive ?? 0);
         else this.player.go(wanted);

@@ -70,9 +70,10 @@ export class Player {
             drawn.length === 0 ? "" : make("p", {class: "remark"},
                 "Yellow: active steps and actions. Blue: enabled transitions. Red with a triangle: cleared transitions."),
             ...[...this.programs.values()].map((view) => view.element));
+        // Controls that the page shows next to the list of runs.
+        this.tools = make("div", {class: "tools"}, drawn.length === 0 ? "" : new Find(charts).element, this.everyMoveBox());
         this.element = make("div", {class: "player", tabindex: -1, onkeydown: (event) => this.key(event)},
             this.controls(), this.caption,
-            make("div", {class: "tools"}, drawn.length === 0 ? "" : new Find(charts).element, this.everyMoveBox()),
             make("div", {class: "stage"}, charts,
                 make("div", {class: "side"},
                     panel("Event", this.rows.element),

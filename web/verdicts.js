@@ -39,7 +39,7 @@ function modelElement(model, report) {
         running ? make("p", {class: "remark"}, running) : "",
         report && model.state === "done" ? make("p", {}, make("a", {href: reportAddress(model), target: "_blank", rel: "noopener"}, "Complete report with trace player")) : "",
         ...model.errors.map((error) => make("p", {class: "problem"}, `\u2717 ${error.message} [${error.code}]`)),
-        model.state === "done" && model.properties.length === 0 ? make("p", {class: "empty"}, "No properties are declared. Add one to the closed loop, for example ", make("code", {}, "property NAME: never A && B;")) : "",
+        model.state === "done" && model.kind === "loop" && !model.properties.some((property) => property.declared) ? make("p", {class: "empty"}, "No properties are declared. Add one to the closed loop, for example ", make("code", {}, "property NAME: never A && B;")) : "",
         ...[...model.properties].sort((a, b) => rank(a) - rank(b)).map((property) => propertyElement(property, report && model.state === "done" ? reportAddress(model) : "")));
 }
 
