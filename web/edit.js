@@ -4,7 +4,7 @@
 import {draw, make, prose} from "./dom.js";
 import {drawingElement, lightDrawings} from "./drawing.js";
 import {Find} from "./find.js";
-import {ask} from "./server.js";
+import {ask, gone} from "./server.js";
 import {Simulator} from "./simulator.js";
 import {modelsElements, showStatus, verdictWords} from "./verdicts.js";
 import {Zoom} from "./zoom.js";
@@ -559,7 +559,7 @@ class Page {
     // -- results of the server ----------------------------------------------------------------------------------------------
 
     lose(error) {
-        showStatus("bad", error instanceof TypeError ? "grafverif does not respond; restart it and open the address that it prints. It restores changes that were not saved." : error.message);
+        showStatus("bad", error.message === gone ? `${gone}. It restores changes that were not saved.` : error.message);
     }
 
     async showVerdicts(state) {

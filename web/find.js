@@ -50,7 +50,9 @@ export class Find {
     matching(text) {
         const ranked = [];
         for (const group of text === "" ? [] : this.place.querySelectorAll("svg.grafcet > g")) {
-            const title = group.querySelector(":scope > title")?.textContent;
+            // The title of an action contains its step, so that the displayed texts are searched instead.
+            const title = group.matches(".action, .forcing") ? [...group.querySelectorAll("text")].map((text) => text.textContent).join(" ")
+                                                             : group.querySelector(":scope > title")?.textContent;
             const rank = title && group.checkVisibility() ? rankOf(group, title, text) : null;
             if (rank !== null) ranked.push({group, rank});
         }

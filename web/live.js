@@ -16,6 +16,7 @@ class Drawings {
     constructor(place) {
         Object.assign(this, {place, reading: null, lit: [], fired: [], marks: [], zooms: new Map()});
         this.find = new Find(place);
+        this.find.element.hidden = true;
         place.closest("section").querySelector(".head").append(this.find.element);
     }
 
@@ -62,8 +63,10 @@ class Page {
         by("file").title = state.file;
         const [kind, words] = state.readable ? verdictWords(state) : ["bad", "the file has errors"];
         showStatus(kind, words);
-        if (!state.readable && by("charts").childElementCount === 0)
+        if (!state.readable && by("charts").childElementCount === 0) {
             by("charts").replaceChildren(make("p", {class: "empty"}, "The file has errors and cannot be drawn. Correct the errors above and save the file; this page then shows its charts."));
+            by("models").replaceChildren(make("p", {class: "empty"}, "A file with errors is not checked."));
+        }
         by("diagnostics").hidden = state.diagnostics === "";
         by("diagnostics").classList.toggle("errors", state.errors > 0);
         by("diagnostics-title").textContent = state.errors > 0 ? "Errors" : "Warnings";
@@ -84,7 +87,7 @@ class Page {
 
     lose(error) {
         this.age(true);
-        showStatus("bad", error instanceof TypeError ? "grafverif does not respond; restart it and open the address that it prints" : error.message);
+        showStatus("bad", error.message);
     }
 
     // Requests new results without end. A hidden page sends no requests, because browsers limit the number of

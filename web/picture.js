@@ -10,7 +10,7 @@ const longest_side = 16000, most_pixels = 1e8;  // limits of browsers for the si
 // Returns a copy of the drawing `svg` that needs no style sheet.
 export function pictureOf(svg) {
     const copy = svg.cloneNode(true), {width, height} = svg.viewBox.baseVal;
-    for (const mark of copy.querySelectorAll(".find, .choice")) mark.remove();
+    for (const mark of copy.querySelectorAll("rect.find, rect.choice")) mark.remove();
     copy.style.cssText = "";
     copy.setAttribute("width", width);
     copy.setAttribute("height", height);

@@ -59,7 +59,7 @@ export class Simulator {
             make("table", {},
                 make("thead", {}, make("tr", {}, ...["time", "event", "cleared", "situation", "outputs"].map((title) => make("th", {scope: "col"}, title)))),
                 this.rows));
-        this.empty = make("p", {class: "empty", hidden: true}, "There is nothing to simulate: the file declares no chart and no closed loop that can be simulated. After a correction, the simulator starts here.");
+        this.empty = make("p", {class: "empty", hidden: true});
         this.parts = make("div", {}, this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "History"), this.table);
         this.place.replaceChildren(this.empty, this.parts);
     }
@@ -71,6 +71,7 @@ export class Simulator {
         if (state.readable) this.offer(state);
         this.empty.hidden = this.of !== null;
         this.parts.hidden = this.of === null;
+        this.empty.textContent = state.readable ? "There is nothing to simulate. Declare a chart, or a closed loop with a chart and its plant." : "The simulator starts as soon as the file has no errors.";
         // If the file is unchanged, the new state only contains more verdicts, and the simulation remains valid.
         if (!first && known === this.seen && !this.changed(state)) return;
         this.seen = known;

@@ -5,7 +5,7 @@
 import {draw, make} from "./dom.js";
 import {savePicture} from "./picture.js";
 
-const least_zoom = 0.01, most_zoom = 8, steps_of_map = 60, size_of_map = 150, zoom_step = 1.25;
+const least_zoom = 0.01, most_zoom = 8, steps_of_map = 60, size_of_map = 130, zoom_step = 1.25;
 
 const isField = (target) => Boolean(target.closest?.("input, textarea, select, form, button, a, summary"));
 

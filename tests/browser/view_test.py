@@ -277,7 +277,7 @@ class Views(browser.Case):
         self.page.find("body").send_keys("/")
         self.page.press("вентилятор")
         self.assertTrue(self.visible("#charts"))
-        self.assertIn("continuous", self.here("#charts") or "")
+        self.assertIn("action", self.here("#charts") or "")
 
     def test_in_edit_a_click_selects_the_element_at_every_scale(self):
         self.serve(large(), "edit")
@@ -320,11 +320,12 @@ class Views(browser.Case):
         for part in ("The file has no chart", "There is nothing to check", "There is nothing to simulate"):
             self.assertIn(part, shown)
         self.assertFalse(self.page.find("#charts").find_elements("css selector", "svg"))
-        self.assertFalse(self.page.all(".find-bar")[0].is_displayed())
+        self.assertFalse(self.page.all(".find-bar")[0].is_displayed(), "there is nothing to find")
         self.file.write_text(SMALL.replace("property p: never LAMP;", ""))
         eventually(lambda: "No properties are declared" in (self.page.text("#models") or ""))
         self.server.stop()
         self.serve("grafcet {")
+        self.page.wait_for_text("#simulation", "as soon as the file has no errors")
         self.page.wait_for_text("#charts", "Correct the errors above")
         self.assertEqual(self.page.find("#status").get_attribute("class"), "bad")
         self.server.stop()
