@@ -453,7 +453,7 @@ class Page {
     age(old) {
         for (const place of [by("charts"), by("models")]) {
             place.classList.toggle("stale", old);
-            place.closest("section").querySelector(".before").hidden = !old || place.children.length === 0;
+            place.closest("section").querySelector(".before").hidden = !old || place.children.length === 0 || place.querySelector(":scope > .empty") !== null;
         }
     }
 

@@ -49,6 +49,11 @@ class Drawings {
     }
 }
 
+// Returns the lines of diagnostics. Messages wrap; lines of the file with their markers keep their columns.
+function diagnosticLines(text) {
+    return text.split(/(?<=\n)/).map((line) => (line.startsWith(" ") ? line : make("span", {class: "message"}, line)));
+}
+
 class Page {
     constructor() {
         this.known = 0;
@@ -70,7 +75,7 @@ class Page {
         by("diagnostics").hidden = state.diagnostics === "";
         by("diagnostics").classList.toggle("errors", state.errors > 0);
         by("diagnostics-title").textContent = state.errors > 0 ? "Errors" : "Warnings";
-        if (by("diagnostics-text").textContent !== state.diagnostics) by("diagnostics-text").textContent = state.diagnostics;
+        if (by("diagnostics-text").textContent !== state.diagnostics) by("diagnostics-text").replaceChildren(...diagnosticLines(state.diagnostics));
         this.drawings.show(state).catch((error) => this.lose(error));
         if (state.readable) by("models").replaceChildren(...modelsElements(state, true));
         this.age(!state.readable);

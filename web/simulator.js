@@ -61,7 +61,7 @@ export class Simulator {
                 this.rows));
         this.empty = make("p", {class: "empty", hidden: true});
         this.parts = make("div", {}, this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "History"), this.table);
-        this.place.replaceChildren(this.empty, this.parts);
+        this.place.replaceChildren(this.parts, this.empty);
     }
 
     // Updates the list of models, and executes the moves again after a change of the file.

@@ -19,7 +19,7 @@ function propertyElement(property, report) {
     const words = outcomes[property.verdict] + (property.vacuous ? " vacuously" : "") +
                   {ok: expected, expected, bad: ", unexpectedly", unknown: ""}[kind];
     return make("div", {class: `property ${kind}`},
-        make("p", {class: "verdict"}, make("span", {class: "mark", "aria-hidden": "true"}, mark), make("strong", {}, property.name), " ", make("span", {class: "outcome"}, words)),
+        make("p", {class: "verdict"}, make("span", {class: "mark", "aria-hidden": "true"}, mark), " ", make("strong", {}, property.name), " ", make("span", {class: "outcome"}, words)),
         property.text ? make("p", {}, property.text) : "",
         property.claim ? make("code", {}, property.claim) : "",
         property.reason ? make("p", {class: "remark"}, ...prose(property.reason)) : "",

@@ -78,7 +78,7 @@ export class Zoom {
     adapt() {
         const {width, height, across, down} = this.extent();
         this.width = this.view.offsetWidth;
-        if (this.width > 0 && this.mode === "width") this.scale = Math.min(1, Math.max(across / width, 0.75));
+        if (this.width > 0 && this.mode === "width") this.scale = Math.min(1, Math.max(across / width, 0.7));
         if (this.width > 0 && this.mode === "fit") this.scale = Math.min(1.5, Math.max(least_zoom, Math.min(across / width, down / height)));
         this.refresh();
         if (!this.position || this.width === 0) return;
