@@ -49,11 +49,12 @@ export class Find {
     // Returns the matches in the drawings, best matches first.
     matching(text) {
         const ranked = [];
-        for (const group of text === "" ? [] : this.place.querySelectorAll("svg.grafcet > g")) {
+        const drawings = text === "" ? [] : [...this.place.querySelectorAll("svg.grafcet")].filter((svg) => svg.checkVisibility());
+        for (const group of drawings.flatMap((svg) => [...svg.querySelectorAll(":scope > g")])) {
             // The title of an action contains its step, so that the displayed texts are searched instead.
             const title = group.matches(".action, .forcing") ? [...group.querySelectorAll("text")].map((text) => text.textContent).join(" ")
                                                              : group.querySelector(":scope > title")?.textContent;
-            const rank = title && group.checkVisibility() ? rankOf(group, title, text) : null;
+            const rank = title ? rankOf(group, title, text) : null;
             if (rank !== null) ranked.push({group, rank});
         }
         return ranked.sort((a, b) => a.rank - b.rank).map(({group}) => group);
@@ -72,10 +73,10 @@ export class Find {
         for (const old of this.place.querySelectorAll(".find")) old.remove();
         this.matches = matches;
         this.moves.hidden = matches.length < 2;
-        this.boxes = matches.map((group) => {
-            const {x, y, width, height} = group.getBBox();
-            return group.appendChild(draw("rect", {class: "find", x: x - 4, y: y - 4, width: width + 8, height: height + 8, rx: 4}));
-        });
+        // All sizes are read before the drawing is changed, because each change invalidates the layout.
+        const areas = matches.map((group) => group.getBBox());
+        this.boxes = areas.map(({x, y, width, height}) => draw("rect", {class: "find", x: x - 4, y: y - 4, width: width + 8, height: height + 8, rx: 4}));
+        matches.forEach((group, k) => group.append(this.boxes[k]));
     }
 
     go(by) {

@@ -275,7 +275,7 @@ void add_charts(const PageContent& content, Html& html) {
         html.open("figure", {{"id", "chart-" + std::to_string(k)}});
         html.put("figcaption", content.model.charts[each.chart].name);
         if (!each.drawing.empty()) html.open("div", {{"class", "drawing"}}).trusted(each.drawing).close("div");
-        else
+        else if (each.program)
             html.put("p", "The program contains no Sequential Function Chart, so that it has no drawing.",
                      {{"class", "empty"}});
         html.close("figure");
