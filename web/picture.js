@@ -21,14 +21,17 @@ export function pictureOf(svg) {
     const place = make("div", {class: `${svg.parentElement.className} light picture`, "aria-hidden": "true"}, copy);
     document.body.append(place);
     // The styles are read before the attributes are changed, because the attributes change the styles.
-    const styles = [copy, ...copy.querySelectorAll("*")].map((element) => {
-        const style = getComputedStyle(element), above = element === copy ? null : getComputedStyle(element.parentElement);
-        const changed = inherited.filter((name) => above === null || style.getPropertyValue(name) !== above.getPropertyValue(name));
-        return [element, changed.map((name) => [name, style.getPropertyValue(name)])];
-    });
+    const styles = new Map();  // for each element: the values of the inherited properties
+    for (const element of [copy, ...copy.querySelectorAll("*")]) {
+        const style = getComputedStyle(element);
+        styles.set(element, inherited.map((name) => style.getPropertyValue(name)));
+    }
     for (const [element, values] of styles) {
-        for (const name of inherited) element.removeAttribute(name);
-        for (const [name, value] of values) element.setAttribute(name, value);
+        const above = styles.get(element.parentElement);
+        inherited.forEach((name, k) => {
+            if (above?.[k] === values[k]) element.removeAttribute(name);
+            else element.setAttribute(name, values[k]);
+        });
         for (const name of ["class", "style", "role", "aria-label", "data-element"]) element.removeAttribute(name);
         if (!element.matches("marker")) element.removeAttribute("id");
     }
