@@ -250,6 +250,22 @@ class Views(browser.Case):
         self.report("#charts")
         self.assertFalse(self.page.find("#player > .warning").is_displayed(), "a section is not a run")
 
+    def test_a_verdict_of_serve_leads_to_its_counterexample(self):
+        self.serve(SMALL)
+        link = eventually(lambda: [a for a in self.page.all("#models .property.bad a") if "counterexample" in a.text], what="the link")[0]
+        self.page.open(link.get_attribute("href"))
+        self.page.wait_for(".player")
+        self.assertEqual(self.page.script("return page.current"), "p")
+        self.assertIn("violated here", self.page.text(".standing"))
+
+    def test_the_simulator_reports_that_the_server_has_ended(self):
+        self.serve(SMALL)
+        self.page.wait_for("#simulation [data-signal]")
+        self.server.stop()
+        self.page.find("#simulation [data-signal]").click()
+        self.page.wait_for_text("#simulation .problem", "grafverif does not respond; restart it")
+        self.allowed_errors = ("ERR_CONNECTION", "Failed to load resource")
+
     def test_verdicts_and_charts_are_printed_and_controls_are_not(self):
         self.page.scheme("dark")
         self.report("#далеко/4")
