@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ source that contains the text of each of FILES, the files of the pages of `serve` and `edit`. In an
-# HTML file, the first line is replaced by the text of HEAD, which all pages share.
+# Writes OUTPUT, a C++ source that contains the text of each of FILES, the files of the pages of `serve` and `edit`. In
+# an HTML file, the first line is replaced by the text of HEAD, which all pages share.
 include("${CMAKE_CURRENT_LIST_DIR}/literal.cmake")
 file(READ "${HEAD}" head)
 set(entries "")

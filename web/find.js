@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Search for a step, a transition or a variable in drawings. All matches are marked; Enter goes to the next match. The key
-// `/` focuses the field of the visible drawings.
+// Search for a step, a transition or a variable in drawings. All matches are marked; Enter goes to the next match. The
+// key `/` focuses the field of the visible drawings.
 import {draw, make} from "./dom.js";
 
 const fields = new Set();  // the search fields of the page
@@ -29,9 +29,10 @@ export class Find {
                                     autocomplete: "off", spellcheck: "false", oninput: () => this.search()});
         this.count = make("output", {class: "remark"});
         const button = (words, title, by) => make("button", {type: "button", "aria-label": title, title, onclick: () => this.go(by)}, words);
-        this.moves = make("span", {class: "moves", hidden: true}, button("\u2191", "Previous match (Shift+Enter)", -1), button("\u2193", "Next match (Enter)", 1));
-        this.element = make("form", {class: "find-bar", role: "search", onsubmit: (event) => event.preventDefault(), onkeydown: (event) => this.key(event)},
-                            this.field, this.count, this.moves);
+        this.moves = make("span", {class: "moves", hidden: true}, button("\u2191", "Previous match (Shift+Enter)", -1),
+                          button("\u2193", "Next match (Enter)", 1));
+        this.element = make("form", {class: "find-bar", role: "search", onsubmit: (event) => event.preventDefault(),
+                                     onkeydown: (event) => this.key(event)}, this.field, this.count, this.moves);
         fields.add(this);
     }
 
@@ -75,7 +76,8 @@ export class Find {
         this.moves.hidden = matches.length < 2;
         // All sizes are read before the drawing is changed, because each change invalidates the layout.
         const areas = matches.map((group) => group.getBBox());
-        this.boxes = areas.map(({x, y, width, height}) => draw("rect", {class: "find", x: x - 4, y: y - 4, width: width + 8, height: height + 8, rx: 4}));
+        this.boxes = areas.map(({x, y, width, height}) =>
+            draw("rect", {class: "find", x: x - 4, y: y - 4, width: width + 8, height: height + 8, rx: 4}));
         matches.forEach((group, k) => group.append(this.boxes[k]));
     }
 
@@ -101,7 +103,8 @@ export class Find {
 }
 
 document.addEventListener("keydown", (event) => {
-    if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.("input:not([type=checkbox], [type=range]), textarea, select, dialog")) return;
+    if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target.closest?.("input:not([type=checkbox], [type=range]), textarea, select, dialog")) return;
     const shown = [...fields].filter((each) => each.element.checkVisibility())
         .sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
     const inSight = (each) => { const {top, bottom} = each.place.getBoundingClientRect(); return bottom > 0 && top < window.innerHeight; };

@@ -13,7 +13,8 @@ export class Zoom {
     // `view` is the scrolling element with the drawings of `name`. `old` is the zoom of an earlier version of the view,
     // whose scale and position are kept. The element `element` replaces `view` in the page and contains it.
     constructor(view, name, old = null) {
-        Object.assign(this, {view, name, scale: old?.scale ?? 1, mode: old?.mode ?? "width", position: old?.view.isConnected ? [old.view.scrollLeft, old.view.scrollTop] : null});
+        Object.assign(this, {view, name, scale: old?.scale ?? 1, mode: old?.mode ?? "width"});
+        this.position = old?.view.isConnected ? [old.view.scrollLeft, old.view.scrollTop] : null;
         this.build();
         view.replaceWith(this.element);
         this.frame.prepend(view);
@@ -26,7 +27,8 @@ export class Zoom {
         view.addEventListener("scroll", () => this.frameMap());
         this.width = 0;
         new ResizeObserver(() => { if (view.offsetWidth !== this.width) this.adapt(); this.drawMap(); }).observe(view);
-        new MutationObserver(() => this.refresh()).observe(view, {subtree: true, childList: true, attributes: true, attributeFilter: ["class", "viewBox"]});
+        new MutationObserver(() => this.refresh())
+            .observe(view, {subtree: true, childList: true, attributeFilter: ["class", "viewBox"]});
         this.adapt();
     }
 
@@ -60,7 +62,8 @@ export class Zoom {
         try {
             for (const svg of this.svgs()) await savePicture(svg, svg.dataset.name ?? this.name, type);
         } catch {
-            this.problem.textContent = `The browser cannot write this drawing as ${type.toUpperCase()}; download it as ${type === "png" ? "SVG" : "PNG"}.`;
+            const other = type === "png" ? "SVG" : "PNG";
+            this.problem.textContent = `The browser cannot write this drawing as ${type.toUpperCase()}; download it as ${other}.`;
         }
     }
 
@@ -73,8 +76,8 @@ export class Zoom {
                 down: height - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom) - 6};
     }
 
-    // Computes the scale that belongs to the mode: `width` reduces a drawing that is wider than the panel while its texts
-    // remain readable, and `fit` shows the complete drawing. In the mode `free`, the user has selected the scale.
+    // Computes the scale that belongs to the mode: `width` reduces a drawing that is wider than the panel while its
+    // texts remain readable, and `fit` shows the complete drawing. In the mode `free`, the user has selected the scale.
     adapt() {
         const {width, height, across, down} = this.extent();
         this.width = this.view.offsetWidth;
@@ -91,8 +94,8 @@ export class Zoom {
         this.adapt();
     }
 
-    // Sets the scale. The point of the drawing at the position (x, y) of the window, by default in the middle of the view,
-    // keeps its position.
+    // Sets the scale. The point of the drawing at the position (x, y) of the window, by default in the middle of the
+    // view, keeps its position.
     to(scale, x, y) {
         const view = this.view.getBoundingClientRect(), svgs = this.svgs();
         if (svgs.length === 0) return;
@@ -148,7 +151,9 @@ export class Zoom {
     drag(event) {
         const {view} = this, box = view.getBoundingClientRect();
         if (event.pointerType === "touch" || event.button !== 0 || isField(event.target)) return;
-        if (event.clientX > box.left + view.clientLeft + view.clientWidth || event.clientY > box.top + view.clientTop + view.clientHeight) return;  // a scroll bar
+        // On a scroll bar, the pointer does not move the drawing.
+        if (event.clientX > box.left + view.clientLeft + view.clientWidth) return;
+        if (event.clientY > box.top + view.clientTop + view.clientHeight) return;
         const {clientX, clientY} = event, {scrollLeft, scrollTop} = view;
         let moved = false;
         const move = (to) => {
@@ -175,7 +180,8 @@ export class Zoom {
         if (event.ctrlKey || event.metaKey || event.altKey || isField(event.target)) return;
         const pan = event.shiftKey && {ArrowLeft: [-80, 0], ArrowRight: [80, 0], ArrowUp: [0, -80], ArrowDown: [0, 80]}[event.key];
         const run = pan ? () => this.view.scrollBy(...pan)
-                        : {"+": () => this.by(zoom_step), "=": () => this.by(zoom_step), "-": () => this.by(1 / zoom_step), "0": () => this.to(1), f: () => this.fit()}[event.key];
+                        : {"+": () => this.by(zoom_step), "=": () => this.by(zoom_step), "-": () => this.by(1 / zoom_step),
+                           "0": () => this.to(1), f: () => this.fit()}[event.key];
         if (!run) return;
         event.preventDefault();
         event.stopPropagation();
@@ -191,7 +197,10 @@ export class Zoom {
         this.map.classList.toggle("hidden", hidden);
         if (hidden) return;
         const box = view.getBoundingClientRect(), dx = view.scrollLeft - view.clientLeft - box.left, dy = view.scrollTop - view.clientTop - box.top;
-        const of = (step) => { const {left, top, width, height} = step.getBoundingClientRect(); return `M${left + dx} ${top + dy}h${width}v${height}h${-width}z`; };
+        const of = (step) => {
+            const {left, top, width, height} = step.getBoundingClientRect();
+            return `M${left + dx} ${top + dy}h${width}v${height}h${-width}z`;
+        };
         const side = Math.min(size_of_map, clientHeight * 0.4, clientWidth * 0.3), scale = Math.min(side / scrollWidth, side / scrollHeight);
         this.blocks.setAttribute("d", [...steps].map(of).join(""));
         this.live.setAttribute("d", [...steps].filter((step) => step.classList.contains("active")).map(of).join(""));
@@ -204,7 +213,8 @@ export class Zoom {
     // Moves the frame of the visible part.
     frameMap() {
         const {scrollLeft, scrollTop, clientWidth, clientHeight} = this.view;
-        for (const [name, value] of Object.entries({x: scrollLeft, y: scrollTop, width: clientWidth, height: clientHeight})) this.window.setAttribute(name, value);
+        for (const [name, value] of Object.entries({x: scrollLeft, y: scrollTop, width: clientWidth, height: clientHeight}))
+            this.window.setAttribute(name, value);
     }
 
     // Scrolls to the point of the map at the position of the pointer.
