@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ source with two texts: the style STYLE, and the modules SCRIPTS joined to one script. Each text
-# has its SHA-256 in base64, because a page permits only scripts and styles with these hashes. To join the modules,
-# `import` lines and `export` keywords are removed; therefore the names in all modules must be distinct.
+# Writes OUTPUT, a C++ source with two texts: the files STYLES joined to one style, and the modules SCRIPTS joined to
+# one script. Each text has its SHA-256 in base64, because a page permits only scripts and styles with these hashes. To
+# join the modules, `import` lines and `export` keywords are removed; therefore the names in all modules must be distinct.
 include("${CMAKE_CURRENT_LIST_DIR}/literal.cmake")
 
 function(base64_of hex result)
@@ -20,7 +20,11 @@ function(base64_of hex result)
     set(${result} "${text}=" PARENT_SCOPE)
 endfunction()
 
-file(READ "${STYLE}" style)
+set(style "")
+foreach(file IN LISTS STYLES)
+    file(READ "${file}" part)
+    string(APPEND style "${part}")
+endforeach()
 set(script "")
 set(modules "")  # one literal per module, because one literal for all modules may exceed the limit of compilers
 foreach(file IN LISTS SCRIPTS)

@@ -3,6 +3,7 @@
 // are highlighted.
 import {draw, make} from "./dom.js";
 import {follow, lightStep, lightTransition} from "./marks.js";
+import {Zoom} from "./zoom.js";
 
 export class ChartView {
     // `choose(place)` is called when the user clicks the transition with the index `place`.
@@ -10,8 +11,9 @@ export class ChartView {
         this.chart = chart;
         this.run = run;
         this.controller = run.controllers[controller];
-        const drawn = document.querySelector(`#${CSS.escape(chart.figure)} svg`);
-        this.svg = drawn ? drawn.cloneNode(true) : draw("svg");
+        const drawn = document.querySelector(`#${CSS.escape(chart.figure)} .drawing svg`);
+        this.svg = drawn ? drawn.cloneNode(true) : draw("svg", {viewBox: "0 0 1 1"});
+        for (const mark of this.svg.querySelectorAll(".find")) mark.remove();
         for (const each of this.svg.querySelectorAll("[id]")) {
             each.dataset.element = each.id;
             each.removeAttribute("id");
@@ -24,8 +26,8 @@ export class ChartView {
         this.conditions = chart.ids.conditions.map((id) => this.find(id));
         this.actions = chart.ids.continuous.map((id) => this.find(id));
         this.orders = chart.ids.forcing.map((id) => this.find(id));
-        this.element = make("div", {class: "chart-view", tabindex: 0, role: "region", "aria-label": `Drawing of ${chart.name}`},
-                            this.svg);
+        this.view = make("div", {class: "chart-view", tabindex: 0, role: "region", "aria-label": `Drawing of ${chart.name}`}, this.svg);
+        this.element = new Zoom(this.view, chart.name).element;
         this.transitions.forEach((group, place) => {
             for (const each of [group, this.conditions[place]]) this.offer(each, place, choose);
         });
@@ -59,5 +61,5 @@ export class ChartView {
 
     mark(group, name, on) { group?.classList.toggle(name, on); }
 
-    follow() { follow(this.element, this.steps); }
+    follow() { follow(this.view, this.steps); }
 }

@@ -7,10 +7,13 @@ import {follow, lightStep, lightTransition} from "./marks.js";
 export function drawingElement(name, text) {
     const svg = document.importNode(new DOMParser().parseFromString(text, "image/svg+xml").documentElement, true);
     svg.setAttribute("role", "img");
+    svg.dataset.name = name;
     svg.setAttribute("aria-label", `Chart ${name}; a dot marks active steps`);
     svg.removeAttribute("aria-labelledby");
     return make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${name}`}, svg);
 }
+
+const followed = new WeakMap();  // for each place: the active steps to which its drawings were scrolled
 
 // Highlights active steps, enabled transitions and cleared transitions of the drawings in `place`. `marks` are those of
 // the server.
@@ -28,5 +31,8 @@ export function lightDrawings(place, marks, lit, fired) {
                 document.getElementById(id)?.classList.toggle("enabled", lit.length > 0 && from.every((step) => active.has(step)));
         for (const {id, step} of actions) document.getElementById(id)?.classList.toggle("active", active.has(step));
     }
-    for (const view of place.querySelectorAll(".drawing")) follow(view, [...view.querySelectorAll(".step.active")]);
+    // If the active steps are unchanged, the user's position is kept.
+    if (followed.get(place) === String(lit)) return;
+    followed.set(place, String(lit));
+    for (const view of place.querySelectorAll(".drawing")) follow(view.closest(".zoomed") ?? view, [...view.querySelectorAll(".step.active")]);
 }

@@ -3,9 +3,11 @@
 // page sends the operations and the typed text, and shows the result. Texts of the file are never interpreted as markup.
 import {draw, make, prose} from "./dom.js";
 import {drawingElement, lightDrawings} from "./drawing.js";
-import {ask} from "./server.js";
+import {Find} from "./find.js";
+import {ask, gone} from "./server.js";
 import {Simulator} from "./simulator.js";
-import {modelElement, verdictWords} from "./verdicts.js";
+import {modelsElements, showStatus, verdictWords} from "./verdicts.js";
+import {Zoom} from "./zoom.js";
 
 const by = (id) => document.getElementById(id);
 const line_height = 20, padding = 8, typing_pause = 150;
@@ -28,7 +30,8 @@ const general_keys = [
     ["arrow keys", "select the next element in this direction"], ["Home", "select the first element"],
     ["Esc", "end editing in place or the choice of a target; otherwise select nothing"],
     ["Ctrl+Z", "undo"], ["Ctrl+Y, Ctrl+Shift+Z", "redo"], ["Ctrl+S", "save the file"],
-    ["Ctrl+E", "change between drawing and text"], ["F1", "show this table"],
+    ["/", "find a step or a variable in the drawing"], ["+, -, 0, F", "zoom in, zoom out, original size, fit the drawing"],
+    ["Ctrl+wheel", "zoom"], ["drag, Shift+arrow keys", "move the drawing"], ["Ctrl+E", "change between drawing and text"], ["F1", "show this table"],
 ];
 
 const titleOf = (element) => element.kind === "step" ? `step ${element.name}` : element.kind === "transition" ? `transition ${element.name}` : `action ${element.text}`;
@@ -52,20 +55,28 @@ class Drawing {
         place.addEventListener("click", (event) => this.click(event));
         place.addEventListener("dblclick", () => { if (this.selected) page.edit(); });
         place.addEventListener("keydown", (event) => this.key(event));
+        this.zoom = new Zoom(place, "the drawing");
+        this.find = new Find(place, (group) => {
+            const element = this.elements.find((each) => each.id === group.id || each.condition === group.id);
+            if (element) this.select(element, true, false);
+        });
+        place.closest("section").querySelector(".head").append(this.find.element);
         place.addEventListener("pointermove", (event) => { place.classList.toggle("pointing", this.elementAt(event) !== null); });
     }
 
     show(charts) {
         this.elements = charts.flatMap((chart, index) => chart.elements.map((element) => ({...element, chart: index})));
-        if (charts.length !== this.svgs.length) {
+        if (charts.length !== this.svgs.length || charts.length === 0) {
             this.svgs = [];
             this.known = [];
             this.place.replaceChildren(...charts.map(() => make("figure", {})));
+            if (charts.length === 0)
+                this.place.append(make("p", {class: "empty"}, "There is no chart to draw. Declare one in the text, for example ", make("code", {}, "grafcet lamp { initial step 0; }"), "."));
         }
         charts.forEach((chart, k) => {
             if (this.svgs[k] === chart.svg || this.update(k, chart.svg)) return;
             const many = charts.length > 1 ? make("figcaption", {}, make("h3", {}, chart.name)) : "";
-            const drawing = chart.svg === null ? make("p", {class: "remark"}, "The chart is too large to be drawn here.") : drawingElement(chart.name, chart.svg);
+            const drawing = chart.svg === null ? make("p", {class: "empty"}, "The chart is too large to be drawn here; edit its text.") : drawingElement(chart.name, chart.svg);
             drawing.removeAttribute("tabindex");
             this.place.children[k].replaceChildren(many, drawing);
             this.svgs[k] = chart.svg;
@@ -119,7 +130,7 @@ class Drawing {
         for (const [chart, figure] of [...this.place.children].entries()) {
             const box = figure.querySelector("svg")?.getBoundingClientRect();
             if (!box) continue;
-            const [px, py] = [event.clientX - box.left, event.clientY - box.top];
+            const {scale} = this.zoom, [px, py] = [(event.clientX - box.left) / scale, (event.clientY - box.top) / scale];
             for (const element of this.elements)
                 for (const [x, y, width, height] of element.chart === chart ? this.areas(element) : []) {
                     const pad = height < 12 ? 8 : 3;
@@ -137,22 +148,24 @@ class Drawing {
         this.page.report("");
     }
 
-    // Selects an element, or nothing. If `show_text` is true, also selects its text.
-    select(element, show_text = true) {
+    // Selects an element, or nothing. If `show_text` is true, also selects its text. If `scroll` is true, makes it visible.
+    select(element, show_text = true, scroll = true) {
         for (const old of this.place.querySelectorAll(".choice")) old.remove();
         this.selected = element;
         for (const [x, y, width, height] of element ? this.areas(element) : []) {
             const pad = height < 12 ? 8 : 4;
             this.svg(element)?.append(draw("rect", {class: "choice", x: x - 4, y: y - pad, width: width + 8, height: height + 2 * pad, rx: 3}));
         }
-        if (element) this.scrollTo(element);
+        if (element && scroll) this.scrollTo(element);
         this.page.showSelection(element, show_text);
     }
 
     // Returns the position of an area of an element in the window.
     position(element, area = element.area) {
         const box = this.svg(element)?.getBoundingClientRect();
-        return box && area ? {left: box.left + area[0], top: box.top + area[1], right: box.left + area[0] + area[2], bottom: box.top + area[1] + area[3]} : null;
+        if (!box || !area) return null;
+        const [x, y, width, height] = area.map((each) => each * this.zoom.scale);
+        return {left: box.left + x, top: box.top + y, right: box.left + x + width, bottom: box.top + y + height};
     }
 
     scrollTo(element) {
@@ -164,7 +177,7 @@ class Drawing {
 
     key(event) {
         if (event.target.closest("#in-place") || event.ctrlKey || event.metaKey || event.altKey) return;
-        const direction = {ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0]}[event.key];
+        const direction = !event.shiftKey && {ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0]}[event.key];
         const done = () => { event.preventDefault(); event.stopPropagation(); };
         if (direction) { this.move(direction); return done(); }
         if (event.key === "Home") { this.select(this.elements[0] ?? null); return done(); }
@@ -440,7 +453,7 @@ class Page {
     age(old) {
         for (const place of [by("charts"), by("models")]) {
             place.classList.toggle("stale", old);
-            place.previousElementSibling.hidden = !old || place.children.length === 0;
+            place.closest("section").querySelector(".before").hidden = !old || place.children.length === 0 || place.querySelector(":scope > .empty") !== null;
         }
     }
 
@@ -546,15 +559,13 @@ class Page {
     // -- results of the server ----------------------------------------------------------------------------------------------
 
     lose(error) {
-        by("status").className = "bad";
-        by("status").textContent = `\u2717 ${error instanceof TypeError ? "grafverif does not respond; restart it and open the address that it prints. It restores changes that were not saved." : error.message}`;
+        showStatus("bad", error.message === gone ? `${gone}. It restores changes that were not saved.` : error.message);
     }
 
     async showVerdicts(state) {
         const [kind, words] = state.readable ? verdictWords(state) : ["bad", "the text has errors"];
-        by("status").className = kind;
-        by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 ", unknown: "? "}[kind] ?? ""}${words}`;
-        if (state.readable) by("models").replaceChildren(...state.models.map((model) => modelElement(model, false)));
+        showStatus(kind, words);
+        if (state.readable) by("models").replaceChildren(...modelsElements(state, false));
         const refused = state.readable && state.models.some((model) => model.state === "refused");
         by("reasons").hidden = !refused;
         by("reasons").textContent = refused ? state.diagnostics : "";

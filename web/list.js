@@ -19,7 +19,7 @@ export class RowList {
             class: "rows", role: "listbox", tabindex: 0, "aria-label": label,
             onscroll: () => this.draw(), onclick: (event) => this.click(event),
         }, this.space);
-        new ResizeObserver(() => this.draw()).observe(this.element);
+        new ResizeObserver(() => this.show(this.current)).observe(this.element);
     }
 
     draw() {

@@ -2,8 +2,11 @@
 // The page of a report. The address of the page selects the run in the player and the event of this run. The element
 // `data` contains the data of the page (src/page/data.hpp).
 import {make} from "./dom.js";
+import {Find} from "./find.js";
+import {linkButton} from "./link.js";
 import {Player} from "./player.js";
 import {Decision} from "./terms.js";
+import {Zoom} from "./zoom.js";
 
 export class Page {
     constructor(data, place) {
@@ -14,7 +17,10 @@ export class Page {
         this.select = make("select", {"aria-label": "Trace to play", onchange: () => this.open(this.select.value)},
             ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
         this.stage = make("div", {});
-        this.place.replaceChildren(make("p", {class: "pick-run"}, make("label", {}, "Run: ", this.select)), this.stage);
+        this.problem = make("p", {class: "warning", role: "status", hidden: true});
+        this.tools = make("div", {});
+        this.place.replaceChildren(make("div", {class: "pick-run"}, make("label", {}, "Run: ", this.select), linkButton(() => this.link()), this.tools),
+                                   this.problem, this.stage);
         window.addEventListener("hashchange", () => this.follow(false));
         document.addEventListener("keydown", (event) => this.key(event));
         if (data.runs.length > 0 && !this.follow(true)) this.open(data.runs[0].name, null, true);
@@ -28,6 +34,10 @@ export class Page {
         if (top < window.innerHeight && bottom > 0) this.player.key(event);
     }
 
+    // Returns the address of the displayed run and event.
+    link() { return location.href.split("#")[0] + this.fragment(this.player.run.address(this.player.moment)); }
+    fragment(address) { return `#${encodeURIComponent(this.current)}/${address}`; }
+
     // Shows the run and the event that the address of the page names, such as `#P16/23`. Returns false if the address
     // names no run.
     follow(quiet) {
@@ -38,12 +48,28 @@ export class Page {
             return false;
         }
         const cut = address.lastIndexOf("/"), name = cut < 0 ? address : address.slice(0, cut);
-        if (!this.data.runs.some((run) => run.name === name)) return false;
+        this.problem.hidden = true;
+        if (!this.data.runs.some((run) => run.name === name)) {
+            this.miss(address, name);
+            return false;
+        }
         if (this.player && this.current === name && `#${address}` === this.written) return true;
         this.open(name, cut < 0 ? null : address.slice(cut + 1), quiet);
         this.place.closest("section")?.scrollIntoView();
         this.player.element.focus({preventScroll: true});  // so that the player receives keys
         return true;
+    }
+
+    // Shows the property of an address whose run is not on the page, or reports the address.
+    miss(address, name) {
+        const property = document.getElementById(`property-${name}`);
+        if (property) {
+            property.open = true;
+            return property.scrollIntoView();
+        }
+        if (address === "" || document.getElementById(address)) return;
+        this.problem.textContent = `The link refers to the run \u201c${name}\u201d, which this report does not contain. Select a run from the list, or create the report again with this property.`;
+        this.problem.hidden = false;
     }
 
     open(name, moment = null, quiet = false) {
@@ -57,6 +83,7 @@ export class Page {
         this.player = this.players.get(name);
         this.select.value = name;
         this.stage.replaceChildren(this.player.element);
+        this.tools.replaceChildren(this.player.tools);
         const wanted = moment === null ? null : this.player.run.momentAt(moment);
         if (wanted === null) this.player.go(this.player.visited ? this.player.moment : this.player.decisive ?? 0);
         else this.player.go(wanted);
@@ -67,11 +94,15 @@ export class Page {
 
     write(address) {
         if (this.quiet) return;
+        this.problem.hidden = true;
         this.written = `#${this.current}/${address}`;
-        history.replaceState(null, "", `#${encodeURIComponent(this.current)}/${address}`);
+        history.replaceState(null, "", this.fragment(address));
     }
 }
 
+for (const view of document.querySelectorAll("figure > .drawing")) new Zoom(view, view.parentElement.querySelector("figcaption")?.textContent.replace(/:.*/s, "") ?? "the chart");
+const drawings = document.getElementById("charts");
+if (drawings?.querySelector("svg.grafcet")) drawings.querySelector("h2").after(new Find(drawings).element);
 const element = document.getElementById("data"), place = document.getElementById("player");
 if (element && place) window.page = new Page(JSON.parse(element.textContent), place);
 for (const button of document.querySelectorAll("[data-run]")) {

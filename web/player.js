@@ -5,6 +5,7 @@ import {ChartView} from "./chart.js";
 import {Claims} from "./claims.js";
 import {make} from "./dom.js";
 import {InstanceView} from "./instance.js";
+import {Find} from "./find.js";
 import {RowList} from "./list.js";
 import {ProgramView} from "./program.js";
 import {Run} from "./run.js";
@@ -65,13 +66,15 @@ export class Player {
         this.rows = new RowList("Rows of the trace", this.run.shown.length, (k) => this.row(k),
                                 (k) => this.go(this.run.rowMoments[this.run.shown[k]]));
         this.timingPlace = make("div", {});
+        const charts = make("div", {class: "charts"}, ...drawn.map((view) => view.element),
+            drawn.length === 0 ? "" : make("p", {class: "remark"},
+                "Yellow: active steps and actions. Blue: enabled transitions. Red with a triangle: cleared transitions."),
+            ...[...this.programs.values()].map((view) => view.element));
+        // Controls that the page shows next to the list of runs.
+        this.tools = make("div", {class: "tools"}, drawn.length === 0 ? "" : new Find(charts).element, this.everyMoveBox());
         this.element = make("div", {class: "player", tabindex: -1, onkeydown: (event) => this.key(event)},
             this.controls(), this.caption,
-            make("div", {class: "stage"},
-                make("div", {class: "charts"}, ...drawn.map((view) => view.element),
-                    drawn.length === 0 ? "" : make("p", {class: "remark"},
-                        "Yellow: active steps and actions. Blue: enabled transitions. Red with a triangle: cleared transitions."),
-                    ...[...this.programs.values()].map((view) => view.element)),
+            make("div", {class: "stage"}, charts,
                 make("div", {class: "side"},
                     panel("Event", this.rows.element),
                     this.property?.operands.length > 0 ? panel(`Why: ${this.property.name}`, this.claim) : "",
@@ -91,10 +94,6 @@ export class Player {
         this.slider = make("input", {type: "range", min: 0, step: 1, "aria-label": "Position in the trace",
                                      oninput: () => this.go(this.stops[Number(this.slider.value)])});
         this.place = make("output", {class: "place"});
-        const moves = make("input", {type: "checkbox", onchange: () => { this.everyMove = moves.checked; this.restep(); }});
-        const whole = make("input", {type: "checkbox", onchange: () => {
-            for (const view of this.views) view.element.classList.toggle("whole", whole.checked);
-        }});
         const loop = this.run.loopMoment();
         return make("div", {class: "controls", role: "toolbar", "aria-label": "Player"},
             button("To the start", "|◀", () => this.go(0), "Home"),
@@ -104,9 +103,12 @@ export class Player {
             button("To the end", "▶|", () => this.go(this.run.last), "End"),
             loop === null ? "" : button("To the start of the loop", "↻ loop", () => this.go(loop)),
             this.decisive === null ? "" : button("Jump to the violation", "! jump to violation", () => this.go(this.decisive)),
-            this.slider, this.place,
-            make("label", {title: "Fit the drawing to its panel"}, whole, " whole chart"),
-            make("label", {title: "Show each phase of a PLC cycle and each evolution"}, moves, " every move"));
+            this.slider, this.place);
+    }
+
+    everyMoveBox() {
+        const moves = make("input", {type: "checkbox", onchange: () => { this.everyMove = moves.checked; this.restep(); }});
+        return make("label", {title: "Show each phase of a PLC cycle and each evolution"}, moves, " every move");
     }
 
     picker() {

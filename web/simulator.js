@@ -4,6 +4,7 @@
 // list. The address of the page contains the list.
 
 import {make, prose} from "./dom.js";
+import {linkButton} from "./link.js";
 
 const seconds = (milliseconds) => `${milliseconds / 1000} s`;
 
@@ -45,7 +46,7 @@ export class Simulator {
         this.warning = make("p", {class: "warning", role: "status"});
         const {restart, back, again, next, wait, random, save} = this.buttons;
         this.controls = make("div", {},
-            make("div", {class: "row"}, make("label", {}, "Simulate ", this.select), restart, back, again, save),
+            make("div", {class: "row"}, make("label", {}, "Simulate ", this.select), restart, back, again, save, linkButton(() => location.href)),
             make("div", {class: "row"}, next, wait, this.time, random, this.count),
             make("details", {class: "force"}, make("summary", {}, "Force a step (what-if run)"),
                 make("div", {class: "remark"}, "The simulation continues as a what-if run, which is not a run of the model. Forcing does not execute stored actions."),
@@ -58,7 +59,9 @@ export class Simulator {
             make("table", {},
                 make("thead", {}, make("tr", {}, ...["time", "event", "cleared", "situation", "outputs"].map((title) => make("th", {scope: "col"}, title)))),
                 this.rows));
-        this.place.replaceChildren(this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "History"), this.table);
+        this.empty = make("p", {class: "empty", hidden: true});
+        this.parts = make("div", {}, this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "History"), this.table);
+        this.place.replaceChildren(this.parts, this.empty);
     }
 
     // Updates the list of models, and executes the moves again after a change of the file.
@@ -66,6 +69,9 @@ export class Simulator {
         const known = JSON.stringify([state.readable, state.diagnostics, state.charts.map((chart) => chart.name), state.models.map((model) => model.name)]);
         const first = this.seen === undefined;
         if (state.readable) this.offer(state);
+        this.empty.hidden = this.of !== null;
+        this.parts.hidden = this.of === null;
+        this.empty.textContent = state.readable ? "There is nothing to simulate. Declare a chart, or a closed loop with a chart and its plant." : "The simulator starts as soon as the file has no errors.";
         // If the file is unchanged, the new state only contains more verdicts, and the simulation remains valid.
         if (!first && known === this.seen && !this.changed(state)) return;
         this.seen = known;

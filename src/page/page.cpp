@@ -13,10 +13,11 @@ namespace grafverif {
 
 namespace {
 
-/// Returns the content security policy of the page, which permits only the style and the script of the page itself.
+/// Returns the content security policy of the page, which permits only the style and the script of the page itself, and
+/// pictures that the script creates.
 std::string policy() {
     return "default-src 'none'; script-src 'sha256-" + std::string(page_script().sha256) + "'; style-src 'sha256-" +
-           std::string(page_style().sha256) + "'; base-uri 'none'; form-action 'none'";
+           std::string(page_style().sha256) + "'; img-src data:; base-uri 'none'; form-action 'none'";
 }
 
 void add_contents(const PageContent& content, Html& html) {

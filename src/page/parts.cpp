@@ -198,7 +198,12 @@ void add_coverage_of(const PageContent& content, std::size_t place, Html& html) 
 void add_verdicts(const PageContent& content, Html& html) {
     begin_section(html, "verdicts", "Properties");
     const std::vector<const Property*> without = left_out(content);
-    if (content.report.answers.empty() && without.empty()) html.put("p", "There are no properties.");
+    if (content.report.answers.empty() && without.empty())
+        html.open("p", {{"class", "empty"}})
+            .prose(
+                "There are no properties. Declare one in the closed loop, for example `property NAME: never A && B;`, "
+                "and create the report again.")
+            .close("p");
     for (const Property* property : without) {
         html.open("details", {{"class", "property unknown"}, {"id", "property-" + property->name}, {"open", ""}});
         html.open("summary").put("span", "?", {{"class", "mark"}, {"aria-hidden", "true"}});
@@ -270,6 +275,9 @@ void add_charts(const PageContent& content, Html& html) {
         html.open("figure", {{"id", "chart-" + std::to_string(k)}});
         html.put("figcaption", content.model.charts[each.chart].name);
         if (!each.drawing.empty()) html.open("div", {{"class", "drawing"}}).trusted(each.drawing).close("div");
+        else if (each.program)
+            html.put("p", "The program contains no Sequential Function Chart, so that it has no drawing.",
+                     {{"class", "empty"}});
         html.close("figure");
         if (each.program) add_listing(content, each, "program-" + std::to_string(k), html);
     }

@@ -110,7 +110,13 @@ void add_plant(const PageContent& content, Html& html) {
     if (!content.loop.valid()) return;
     const ClosedLoop& loop = content.model.loops[content.loop];
     html.open("section", {{"id", "plant"}}).put("h2", "Plant and environment");
-    begin_table(html, {"instance", "", "component", "begins", "bound to"});
+    if (loop.instances.empty())
+        html.open("p", {{"class", "empty"}})
+            .prose(
+                "The closed loop declares no plant and no environment. Add instances of components, for example "
+                "`environment Button = push_button(OUT = START);`.")
+            .close("p");
+    else begin_table(html, {"instance", "", "component", "begins", "bound to"});
     for (const ClosedLoop::Instance& instance : loop.instances) {
         const Component& component = content.model.components[instance.component];
         std::string bound;
@@ -119,7 +125,7 @@ void add_plant(const PageContent& content, Html& html) {
         add_row(html, {instance.name, instance.environment ? "environment" : "plant", component.name,
                        component.locations[instance.initial].name, bound});
     }
-    end_table(html);
+    if (!loop.instances.empty()) end_table(html);
     for (const ComponentContent& each : content.components)
         add_component(content.model.components[each.component], each, html);
     html.close("section");

@@ -211,7 +211,7 @@ class Report(browser.Case):
             self.assertEqual(self.page.text(".place").split(" · ")[0], f"row {row} of {rows}")
             self.assertEqual(self.page.find(".rows .row.current").get_attribute("aria-posinset"), str(row))
             self.page.press(Keys.ARROW_RIGHT)
-        self.page.all(".controls input[type=checkbox]")[1].click()
+        self.page.find(".tools input[type=checkbox]").click()
         counted = self.page.script("""return page.player.run.times.map((_, moment) => {
             page.player.go(moment);
             return [document.querySelector('.place').textContent.split(' · ')[0], page.player.rows.current];
@@ -314,7 +314,7 @@ class Report(browser.Case):
 
     def test_moves_inside_a_cycle_are_stepped_one_by_one(self):
         self.at("#P16/136")
-        self.page.script("document.querySelectorAll('.controls input[type=checkbox]')[1].click()")
+        self.page.script("document.querySelector('.tools input[type=checkbox]').click()")
         self.page.find(".chart-view").send_keys(Keys.ARROW_RIGHT)
         eventually(lambda: self.place() == "#P16/136+1")
         self.assertIn("a cycle begins", self.page.text(".caption"))

@@ -265,7 +265,7 @@ class Serve(browser.Case):
                    "closed_loop l { controller lamp with stability_search; environment A = push_button(OUT = ON);\n"
                    "property HOLDS: never X1 && X0; property EXPECTED expected violated: never LAMP; property BAD: never X1; }\n")
         browser.eventually(lambda: "not as expected" in self.page.text("#status"), what="the verdicts")
-        names = [words.split()[1] for words in self.page.texts(".property .outcome")]
+        names = self.page.texts(".property strong")
         self.assertEqual(names[:3], ["BAD", "EXPECTED", "HOLDS"])
         self.assertEqual(self.page.text("#diagnostics-title"), "Warnings")
         self.assertFalse(self.page.all("#diagnostics.errors"))

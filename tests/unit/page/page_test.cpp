@@ -76,6 +76,7 @@ TEST(Page, AllowsOnlyItsScriptAndStyleByTheirHashes) {
     EXPECT_EQ(hex_of_base64(between(policy, "style-src &apos;sha256-", "&apos;") +
                             between(policy, "style-src 'sha256-", "'")),
               sha256(between(page, "<style>", "</style>")));
+    EXPECT_NE(policy.find("img-src data:;"), std::string::npos) << "pictures of drawings, not of other machines";
     EXPECT_EQ(count_of(page, "<script"), 2U);
     EXPECT_EQ(count_of(page, " style="), 0U) << "the policy forbids them";
     for (const char* outside : {"http://", "https://", "src=", "@import", "url("}) {
@@ -175,6 +176,16 @@ TEST(Page, SummaryIsPositiveOnlyIfTheChartHasNoErrors) {
     content.charts[0].analysis.obstacle = "stopped at the time limit";
     EXPECT_EQ(glance(),
               "unknown\"><strong>Every property selected holds; the chart analysis is incomplete (see Findings).");
+}
+
+TEST(Page, StatesARemedyIfThereAreNoProperties) {
+    const ParseResult reading = read_string(press, "test.grafcet");
+    PageContent content{.model = *reading.model, .sources = reading.sources, .requested = {"none"}, .loop = {0}};
+    const std::string page = page_of(content);
+    EXPECT_NE(page.find("There are no properties. Declare one in the closed loop, for example <code>property NAME: "
+                        "never A &amp;&amp; B;</code>"),
+              std::string::npos);
+    EXPECT_EQ(page_of_text(press).page.find("There are no properties"), std::string::npos);
 }
 
 TEST(Page, CountsUsedStepsAndTransitions) {

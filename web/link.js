@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A button that copies the address of the displayed state.
+import {make} from "./dom.js";
+
+// Copies a text. Returns false if the browser does not permit it.
+async function copy(text) {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        const field = make("textarea", {readonly: true, class: "off-screen"});
+        field.value = text;
+        document.body.append(field);
+        field.select();
+        const done = document.execCommand("copy");
+        field.remove();
+        return done;
+    }
+}
+
+// `address()` returns the address to copy.
+export function linkButton(address) {
+    const words = "Copy link";
+    const button = make("button", {type: "button", title: "Copy the address of this state", "aria-live": "polite", onclick: async () => {
+        button.textContent = await copy(address()) ? "\u2713 Copied" : "Copy the address bar";
+        setTimeout(() => { button.textContent = words; }, 2000);
+    }}, words);
+    return button;
+}
