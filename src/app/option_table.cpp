@@ -284,6 +284,8 @@ std::vector<Option> options_for_checks() {
         list(OptionGroup::Faults, "property", "NAME", &Options::properties, "decide only this property; repeatable"),
         text(OptionGroup::Faults, "openpsa", "FILE", &Options::open_psa,
              "write the minimal combinations as a fault tree to FILE (Open-PSA Model Exchange Format)"),
+        text(OptionGroup::Faults, "report", "FILE", &Options::page,
+             "write an HTML report to FILE, with a player for the traces"),
         {OptionGroup::Faults, "jobs", "N", "check N models in parallel (default: one per core)", take_jobs},
         text(OptionGroup::Supervision, "marked", "TERM", &Options::marked,
              "condition that must remain reachable with the synthesized conditions (default: the initial situation)"),

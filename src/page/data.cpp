@@ -136,11 +136,12 @@ Json plant_json(const PageContent& content) {
     return figures;
 }
 
-Json initial_json(const PageContent& content) {
+Json initial_json(const PageContent& content, const Playable& playable) {
     Json places = Json::object();
     if (!content.loop.valid()) return places;
     for (const ClosedLoop::Instance& instance : content.model.loops[content.loop].instances)
         places[instance.name] = instance.initial.index;
+    for (const auto& [instance, location] : playable.initial) places[instance] = location;
     return places;
 }
 
@@ -184,6 +185,8 @@ std::vector<Playable> playable_runs(const PageContent& content) {
         add({"breakdown-" + std::to_string(k + 1), "breakdown", "model error: " + each.code, each.message, "",
              &each.trace, all});
     }
+    if (content.faults)
+        for (Playable& run : fault_runs(content, all)) add(std::move(run));
     for (const bool violated : {true, false})
         for (const PropertyResult& answer : content.report.answers) {
             const Verdict& verdict = answer.verdict;
@@ -230,7 +233,7 @@ std::string page_data(const PageContent& content) {
              {"property", property == properties.end() ? Json(nullptr) : Json(property - properties.begin())},
              {"charts", playable.charts},
              {"conditions", conditions_json(run)},
-             {"initial", initial_json(content)},
+             {"initial", initial_json(content, playable)},
              {"end", playable.end},
              {"violation", violation_json(violation)},
              {"inside", inside_json(run, playable)},

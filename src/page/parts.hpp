@@ -7,10 +7,20 @@
 
 namespace grafverif {
 
+/// The summary of a page. `kind` is the CSS class: `ok`, `bad` or `unknown`.
+struct SummaryItem {
+    const char* kind = "";
+    std::string words = {};
+};
+
+SummaryItem summary_of(const FaultAnalysis& analysis);
+
 /// Adds file, version, date, the summary verdict, assumptions and warnings.
 void add_head(const PageContent& content, Html& html);
 /// Adds every property. Properties that hold as expected are folded.
 void add_verdicts(const PageContent& content, Html& html);
+/// Adds the minimal combinations of faults for each property, and the effects of each fault.
+void add_faults(const PageContent& content, Html& html);
 /// Adds the element of the player. If JavaScript is disabled, the page shows the runs as text.
 void add_runs(const PageContent& content, Html& html);
 /// True if a controller is a chart, not a PLC program.

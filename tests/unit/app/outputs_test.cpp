@@ -419,6 +419,7 @@ std::string beginning_of(const std::string& option) {
     if (option == "junit" || option == "openpsa") return "<?xml";
     if (option == "sarif") return "{\n";
     if (option == "trace-svg") return "<svg";
+    if (option == "report") return "<!DOCTYPE html>";
     if (option == "trace-vcd") return "$comment";
     return option == "depfile" ? "x:" : "";
 }

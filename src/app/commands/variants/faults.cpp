@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/outputs.hpp"
+#include "app/reports.hpp"
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
 #include "check/shares.hpp"
@@ -82,9 +83,17 @@ ExitCode faults(CommandContext& job, const Streams& streams) {
     if (options.format == Format::Json) out << faults_json(*found, job.sources) << '\n';
     else print_faults(*found, options.verbose, out);
     deliver(std::move(out).str(), job, streams);
-    if (options.open_psa && !write_outputs({{*options.open_psa, open_psa_of(*found)}}, job, streams))
-        return ExitCode::Input;
-    return exit_code(*found);
+    const ExitCode code = exit_code(*found);
+    std::vector<OutputFile> files;
+    if (options.open_psa) files.push_back({*options.open_psa, open_psa_of(*found)});
+    if (options.page) {
+        PageContent content = drawn_content(*model, job.sources, *loop);
+        content.report.model = found->model;
+        content.report.settings = found->settings;
+        content.faults = std::move(*found);
+        files.push_back({*options.page, report_page(std::move(content), job)});
+    }
+    return files.empty() || write_outputs(files, job, streams) ? code : ExitCode::Input;
 }
 
 CliCommand faults_usage() {
@@ -98,12 +107,13 @@ CliCommand faults_usage() {
         "A fault makes an instance behave as another component, from power-on or from any later time. Prints the\n"
         "minimal combinations of at most --order faults, each with a run. Also prints the effects of each fault, and\n"
         "the steps and outputs that show the fault (docs/how-to/faults.md). Properties that are violated without\n"
-        "faults are not analysed.\n"
+        "faults are not analysed. --report writes these results as an HTML report, with a player for the runs.\n"
         "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error,\n"
         "or a property is violated without faults and not declared as `expected violated`; 3: some verdicts are\n"
         "unknown (--timeout, Ctrl-C).",
         {"grafverif faults station.grafcet", "grafverif faults station.grafcet --order 2 --openpsa tree.xml",
-         "grafverif faults station.grafcet --order 2 --property P15 --format json"},
+         "grafverif faults station.grafcet --order 2 --property P15 --format json",
+         "grafverif faults station.grafcet --order 2 --report faults.html"},
         {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,
          OptionGroup::Grain, OptionGroup::Faults, OptionGroup::Verbose, OptionGroup::Format}};
 }
