@@ -278,6 +278,8 @@ std::vector<Option> options_for_checks() {
         toggle(
             OptionGroup::Tuning, "every-point", [](Options & options) -> auto& { return options.tune.every_point; },
             "check the model of every combination of values separately, without reusing verdicts or traces"),
+        text(OptionGroup::Tuning, "report", "FILE", &Options::page,
+             "write an HTML report to FILE, with maps and a player for the traces"),
         number(
             OptionGroup::Faults, "order", "N", {}, [](Options & options) -> auto& { return options.faults.order; },
             "maximum number of faults in a combination (default: 1)"),

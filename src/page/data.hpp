@@ -56,6 +56,8 @@ struct Playable {
     std::vector<std::size_t> charts = {};  ///< index of the chart of each controller of the run
     /// Indices of the initial locations of instances, by name, if they are not those of the model.
     std::map<std::string, std::size_t> initial = {};
+    /// Model of the run if it is not the model of the page. Both models differ only in values of constants.
+    const Model* model = nullptr;
 };
 /// Maximum length of the runs on a page. It is limited because browsers are slow with large pages.
 inline constexpr std::size_t longest_playable = 100'000;  // number of events of all runs together
@@ -72,6 +74,9 @@ std::vector<Playable> playable_runs(const PageContent& content);
 
 /// Returns the runs of the fault analysis. `charts` contains the index of the chart of each controller.
 std::vector<Playable> fault_runs(const PageContent& content, const std::vector<std::size_t>& charts);
+
+/// Returns the runs at points of a grid. `charts` contains the index of the chart of each controller.
+std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<std::size_t>& charts);
 
 /// Returns the selected properties of the loop that have no verdict because the model cannot express them.
 std::vector<const Property*> left_out(const PageContent& content);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The results of a fault analysis on a page: the minimal combinations of faults for each property, and the effects of
 // each fault (FMEA).
+#include "report/charts/faults.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "page/data.hpp"
 #include "page/parts.hpp"
-#include "page/terms.hpp"
 #include "page/words.hpp"
-#include "report/charts/faults.hpp"
 #include "report/terminal.hpp"
 
 namespace grafverif {
@@ -40,15 +40,14 @@ std::map<std::string, std::size_t> initial_locations(const PageContent& content,
     return initial;
 }
 
-/// Returns the CSS class of a row and the symbol with the same meaning.
-std::pair<const char*, const char*> look_of(const FaultAnalysis::Row& row) {
+PropertyLook look_of(const FaultAnalysis::Row& row) {
     if (row.without_faults == Outcome::Violated) return {row.expected_violated ? "expected" : "bad", "✗"};
     if (row.without_faults == Outcome::Unknown) return {"unknown", "?"};
     if (!row.minimal.empty()) return {"bad", "✗"};
-    return row.open.empty() ? std::pair("ok", "✓") : std::pair("unknown", "?");
+    return row.open.empty() ? PropertyLook{"ok", "✓"} : PropertyLook{"unknown", "?"};
 }
 
-std::string outcome_text(const FaultAnalysis& analysis, const FaultAnalysis::Row& row) {
+std::string outcome_text(const FaultAnalysis::Row& row) {
     if (row.without_faults != Outcome::Holds)
         return fmt::format("{} without faults{}", word(row.without_faults),
                            row.without_faults == Outcome::Violated && row.expected_violated ? ", as expected" : "");
@@ -58,7 +57,7 @@ std::string outcome_text(const FaultAnalysis& analysis, const FaultAnalysis::Row
     if (!row.open.empty())
         text += fmt::format("{}unknown for {}", text.empty() ? "" : ", ",
                             counted(row.open.size(), "combination", "combinations"));
-    return text.empty() ? fmt::format("holds with at most {}", counted(analysis.order, "fault", "faults")) : text;
+    return text.empty() ? "holds for all combinations" : text;
 }
 
 void add_cut(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut, Html& html) {
@@ -73,11 +72,13 @@ void add_cut(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const
                   {"title", "Play a run that violates the property"}});
     else html.put("strong", names);
     std::string remark;
-    if (!cut.from_power_on.empty()) remark += " present from power-on: " + names_of(analysis, cut.from_power_on) + ";";
+    if (cut.from_power_on == cut.faults) remark += " present from power-on;";
+    else if (!cut.from_power_on.empty())
+        remark += " present from power-on: " + names_of(analysis, cut.from_power_on) + ";";
     if (!cut.result.trace) remark += " no run reaches a state that satisfies the property;";
     else if (!can_be_played(*cut.result.trace))
-        remark += fmt::format(" the run has {} steps, which is too many for the player;",
-                              cut.result.trace->moments.size());
+        remark +=
+            fmt::format(" the run has {} steps, which is too many for the player;", cut.result.trace->moments.size());
     if (const std::string note = unproved(analysis, cut); !note.empty()) remark += " " + note + ";";
     if (!remark.empty()) html.put("span", remark.substr(0, remark.size() - 1), {{"class", "remark"}});
     html.close("li");
@@ -95,16 +96,9 @@ void add_list(std::string_view title, const std::vector<std::string>& lines, Htm
 
 void add_row(const PageContent& content, const FaultAnalysis::Row& row, Html& html) {
     const FaultAnalysis& analysis = *content.faults;
-    const auto [kind, mark] = look_of(row);
-    Html::Attributes attributes = {{"class", std::string("property ") + kind}, {"id", "property-" + row.property}};
-    if (kind != std::string_view("ok")) attributes.emplace_back("open", "");
-    html.open("details", attributes).open("summary");
-    html.put("span", mark, {{"class", "mark"}, {"aria-hidden", "true"}}).put("strong", row.property);
-    if (!row.text.empty()) html.put("span", row.text, {{"class", "prose"}});
-    html.put("span", outcome_text(analysis, row), {{"class", "outcome"}}).close("summary");
-    if (const std::string formula = expectation_text(content.model, content.loop, row.property, content.sources);
-        !formula.empty())
-        html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
+    const PropertyLook look = look_of(row);
+    begin_property(look, row.property, row.text, outcome_text(row), look.kind == std::string_view("ok"), html);
+    add_formula(content, row.property, html);
     if (!row.declared && row.without_faults != Outcome::Unknown)
         html.put("p", "The model does not declare this property, or it was not selected; it is always checked.");
     if (row.without_faults != Outcome::Holds)
@@ -160,13 +154,14 @@ SummaryItem summary_of(const FaultAnalysis& analysis) {
     }
     std::string words;
     const auto add = [&](std::size_t count, std::string_view what) {
-        if (count != 0) words += (words.empty() ? "" : "; ") + counted(count, "property", "properties") + " " +
-                                 std::string(what);
+        if (count != 0)
+            words +=
+                (words.empty() ? "" : "; ") + counted(count, "property is", "properties are") + " " + std::string(what);
     };
     const std::string most = "at most " + counted(analysis.order, "fault", "faults");
     add(wrong, "violated without faults");
     add(violated, "violated by combinations of " + most);
-    add(open, "with unknown verdicts");
+    add(open, "unknown for some combinations");
     if (!words.empty()) return {wrong + violated != 0 ? "bad" : "unknown", words + "."};
     return {"ok", "No combination of " + most + " violates a property that holds without faults."};
 }
@@ -195,14 +190,14 @@ std::vector<Playable> fault_runs(const PageContent& content, const std::vector<s
 void add_faults(const PageContent& content, Html& html) {
     const FaultAnalysis& analysis = *content.faults;
     html.open("section", {{"id", "faults"}}).put("h2", "Faults");
-    html.put("p",
-             fmt::format("{}, {} of at most {}, {}. A property must hold if each fault of a combination occurs at "
-                         "power-on, at any later time, or never. For `reachable`, all faults of the combination are "
-                         "present from power-on.",
-                         counted(analysis.faults.size(), "fault", "faults"),
-                         counted(analysis.combinations, "combination", "combinations"), analysis.order,
-                         counted(analysis.checks, "check", "checks")),
-             {{"class", "remark"}});
+    html.open("p", {{"class", "remark"}})
+        .prose(fmt::format("{}, {} of at most {}, {}. A property must hold if each fault of a combination occurs at "
+                           "power-on, at any later time, or never. For `reachable`, all faults of the combination are "
+                           "present from power-on. Two faults of one instance are not combined.",
+                           counted(analysis.faults.size(), "fault", "faults"),
+                           counted(analysis.combinations, "combination", "combinations"), analysis.order,
+                           counted(analysis.checks, "check", "checks")))
+        .close("p");
     for (const FaultAnalysis::Row& row : analysis.rows)
         if (is_shown(row)) add_row(content, row, html);
     for (std::size_t k = 0; k < analysis.errors.size(); ++k) {

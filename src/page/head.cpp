@@ -44,6 +44,7 @@ std::string errors_text(const PageContent& content) {
 /// vacuously, and the analyses of the charts are complete and found no errors.
 SummaryItem glance_of(const PageContent& content) {
     if (content.faults) return summary_of(*content.faults);
+    if (content.tuning) return summary_of(*content.tuning);
     const Report& report = content.report;
     const Tally count = tally(report);
     const bool analysis_failed =
@@ -140,7 +141,7 @@ void add_head(const PageContent& content, Html& html) {
     html.close("p");
     const SummaryItem glance = glance_of(content);
     html.open("p", {{"class", std::string("glance ") + glance.kind}}).put("strong", glance.words);
-    if (!content.faults) html.put("span", tally_text(content));
+    if (is_about_verdicts(content)) html.put("span", tally_text(content));
     html.close("p");
     for (const ModelErrorTrace& each : content.report.error_traces)
         html.put("p", "Model error: " + each.message + " [" + each.code + "]", {{"class", "bad"}});

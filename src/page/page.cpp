@@ -24,8 +24,9 @@ void add_contents(const PageContent& content, Html& html) {
     const auto add = [&html](const char* id, const char* title) {
         html.open("li").put("a", title, {{"href", std::string("#") + id}}).close("li");
     };
-    const bool complete = !content.faults;
+    const bool complete = is_about_verdicts(content);
     if (content.faults) add("faults", "Faults");
+    else if (content.tuning) add("tuning", "Values of constants");
     else add("verdicts", "Properties");
     if (!playable_runs(content).empty()) add("runs", "Runs");
     add("charts", charts_title(content));
@@ -46,11 +47,16 @@ void add_cleared_transitions(PageContent& content) {
     for (PropertyResult& answer : content.report.answers)
         if (answer.trace) add(*answer.trace);
     for (ModelErrorTrace& each : content.report.error_traces) add(each.trace);
-    if (!content.faults) return;
-    for (FaultAnalysis::Error& each : content.faults->errors) add(each.trace.trace);
-    for (FaultAnalysis::Row& row : content.faults->rows)
-        for (FaultAnalysis::Cut& cut : row.minimal)
-            if (cut.result.trace) add(*cut.result.trace);
+    if (content.faults) {
+        for (FaultAnalysis::Error& each : content.faults->errors) add(each.trace.trace);
+        for (FaultAnalysis::Row& row : content.faults->rows)
+            for (FaultAnalysis::Cut& cut : row.minimal)
+                if (cut.result.trace) add(*cut.result.trace);
+    }
+    if (content.tuning)
+        for (Tuning::Row& row : content.tuning->rows)
+            for (auto& [_, result] : row.runs)
+                if (result.trace) add(*result.trace);
 }
 
 std::string written(const PageContent& content) {
@@ -67,8 +73,9 @@ std::string written(const PageContent& content) {
     add_head(content, html);
     add_contents(content, html);
     html.open("main");
-    const bool complete = !content.faults;
+    const bool complete = is_about_verdicts(content);
     if (content.faults) add_faults(content, html);
+    else if (content.tuning) add_tuning(content, html);
     else add_verdicts(content, html);
     add_runs(content, html);
     add_charts(content, html);

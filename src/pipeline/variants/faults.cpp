@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/variants/faults.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -17,6 +19,8 @@
 #include "pipeline/staged_search.hpp"
 #include "pipeline/variants/fault_model.hpp"
 #include "pipeline/variants/in_parallel.hpp"
+#include "support/messages_choice.hpp"
+#include "support/messages_fault.hpp"
 
 namespace grafverif {
 
@@ -469,6 +473,21 @@ std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order) {
     std::uint64_t sum = 0;
     for (std::size_t k = 1; k < counts.size(); ++k) sum = std::min(sum + counts[k], most_combinations + 1);
     return sum;
+}
+
+bool faults_can_be_combined(const ClosedLoop& loop, std::uint64_t order, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    if (loop.faults.empty()) diagnostics.add(messages::no_faults(loop.origin, loop.name));
+    if (order < 1 || order > most_faults)
+        diagnostics.add(messages::bad_values({}, fmt::format("`--order {}` is not in 1..{}", order, most_faults),
+                                             "use a number in this range"));
+    else if (combination_count(loop, order) > most_combinations)
+        diagnostics.add(messages::bad_values(loop.origin,
+                                             fmt::format("the faults of `{}` have more than {} combinations of at most "
+                                                         "{} faults",
+                                                         loop.name, most_combinations, order),
+                                             "reduce `--order`, or declare fewer faults"));
+    return diagnostics.errors() == errors;
 }
 
 std::optional<FaultAnalysis> analysed_faults(const Model& model, Id<ClosedLoop> loop, const FaultsRequest& request,

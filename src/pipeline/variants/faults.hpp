@@ -44,6 +44,10 @@ struct FaultsRequest {
 /// Returns the number of combinations of at most `order` faults, or more than most_combinations if there are too many.
 std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order);
 
+/// True if `loop` has faults, `order` is within the limit, and the number of combinations is within the limit.
+/// Otherwise, errors are added.
+bool faults_can_be_combined(const ClosedLoop& loop, std::uint64_t order, Diagnostics& diagnostics);
+
 /// Analyses the faults of `loop`. Requires that combination_count is at most most_combinations. The result is empty
 /// after an error: a property does not exist, or the model with a fault is rejected. If a limit is reached, the
 /// verdicts for combinations that were not checked are unknown.

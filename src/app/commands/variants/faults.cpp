@@ -2,8 +2,6 @@
 // `faults`: decides which combinations of faults of a closed loop violate its properties.
 #include "pipeline/variants/faults.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <ostream>
 #include <sstream>
@@ -16,29 +14,10 @@
 #include "app/system/watchdog.hpp"
 #include "check/shares.hpp"
 #include "report/charts/faults.hpp"
-#include "support/messages_choice.hpp"
-#include "support/messages_fault.hpp"
 
 namespace grafverif::app {
 
 namespace {
-
-/// Checks that the loop has faults, and that the number of their combinations is within the limit. Returns false after
-/// an error.
-bool is_feasible(const ClosedLoop& loop, CommandContext& job) {
-    const std::uint64_t order = job.options.faults.order;
-    if (loop.faults.empty()) job.diagnostics.add(messages::no_faults(loop.origin, loop.name));
-    if (order < 1 || order > most_faults)
-        job.diagnostics.add(messages::bad_values({}, fmt::format("`--order {}` is not in 1..{}", order, most_faults),
-                                                 "use a number in this range"));
-    else if (combination_count(loop, order) > most_combinations)
-        job.diagnostics.add(
-            messages::bad_values(loop.origin,
-                                 fmt::format("the faults of `{}` have more than {} combinations of at most {} faults",
-                                             loop.name, most_combinations, order),
-                                 "reduce `--order`, or declare fewer faults"));
-    return !job.diagnostics.has_errors();
-}
 
 /// Sets the reason of each combination that was not checked.
 void name_reasons(FaultAnalysis& analysis, const std::string& reason) {
@@ -66,7 +45,8 @@ ExitCode exit_code(const FaultAnalysis& analysis) {
 ExitCode faults(CommandContext& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
-    if (!loop || !is_feasible(model->loops[*loop], job)) return ExitCode::Input;
+    if (!loop || !faults_can_be_combined(model->loops[*loop], job.options.faults.order, job.diagnostics))
+        return ExitCode::Input;
     const Options& options = job.options;
     FaultsRequest request{.order = options.faults.order,
                           .properties = options.properties,
