@@ -38,6 +38,9 @@ struct FaultsRequest {
     bool visible = true;                       ///< also determine which steps and outputs each fault affects
     ModelOptions how = {};
     Limits limits = {};
+    /// Maximum number of states of the first search for a combination. Verdicts that no limit prevents do not depend on
+    /// it.
+    std::uint64_t first_states = std::uint64_t{1} << 17U;
     unsigned jobs = 0;  ///< threads; 0 selects one per core; the result does not depend on it
 };
 
