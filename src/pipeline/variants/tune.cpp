@@ -54,6 +54,7 @@ struct Job {
     bool exact = false;  ///< true: the relaxation is the network of each of the points
     Indices points = {}, rows = {};
     std::vector<Verdict> verdicts = {};
+    std::map<std::string, PropertyResult> violations = {};  ///< of an exact job: results with runs, by property
     std::vector<std::string> failures = {};
     std::optional<ClockFacts> facts = {};  ///< facts about the network; computed when they are first read
 };
@@ -161,7 +162,7 @@ private:
         const std::size_t point = tuning_.point(indices);
         if (!points_.known(point)) return;
         Job job = job_at(point);
-        for (const PropertyResult& answer : report.answers) job.verdicts.push_back(answer.verdict);
+        take_answers(report, job);
         apply(job);
     }
 
@@ -208,6 +209,8 @@ private:
         for (const std::size_t point : request_.every_point ? job.points : open_points(row, first))
             if (job.relaxation.is_exactly(points_.constants(point))) {
                 if (verdict.run) note_run(row, point, verdict, *verdict.run, job.exact);
+                else if (const auto found = job.violations.find(verdict.property); found != job.violations.end())
+                    runs_.add(row, point, found->second);
                 decide(row, point, made);
                 ++equal;
             }
@@ -448,8 +451,17 @@ private:
         options.limits.progress = {};
         const LoopToCheck loop{network, points_.charts(job.points.front())};
         Report report = check_without_causes(loop, options);
-        for (PropertyResult& answer : report.answers) job.verdicts.push_back(std::move(answer.verdict));
+        take_answers(report, job);
         job.failures = std::move(report.failures);
+    }
+
+    /// Copies the results of a check of the network of a point.
+    void take_answers(const Report& report, Job& job) const {
+        for (const PropertyResult& answer : report.answers) {
+            job.verdicts.push_back(answer.verdict);
+            if (request_.runs > 0 && answer.trace && answer.verdict.outcome == Outcome::Violated)
+                job.violations.emplace(answer.verdict.property, answer);
+        }
     }
 
     std::vector<std::string> names_of(const Indices& rows) const {

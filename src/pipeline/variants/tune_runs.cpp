@@ -51,6 +51,10 @@ void TuneRuns::add(std::size_t row, std::size_t point, const Verdict& verdict, R
     runs_.emplace(std::pair(row, point), std::move(known));
 }
 
+void TuneRuns::add(std::size_t row, std::size_t point, const PropertyResult& result) {
+    if (runs_.size() < most_stored) runs_.emplace(std::pair(row, point), Known{.result = result});
+}
+
 void TuneRuns::write(const TunePoints& points, std::size_t most, Tuning& tuning) const {
     for (std::size_t row = 0; row < tuning.rows.size(); ++row) {
         std::vector<std::pair<double, std::size_t>> nearest;
@@ -60,6 +64,10 @@ void TuneRuns::write(const TunePoints& points, std::size_t most, Tuning& tuning)
         nearest.resize(std::min(nearest.size(), most));
         for (const auto& [_, point] : nearest) {
             const Known& known = runs_.at({row, point});
+            if (known.result) {
+                tuning.rows[row].runs.emplace(point, *known.result);
+                continue;
+            }
             const Network network = seen_by(points.network(point), known.name, known.watched, known.exact);
             if (const auto found = disagreement(project(network, *known.verdict.run), points.charts(point))) {
                 tuning.failures.push_back(replay_failure(

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,10 @@ public:
     void add(std::size_t row, std::size_t point, const Verdict& verdict, Run run, std::string name, bool watched,
              bool exact);
 
+    /// Stores the result of the check of the model at a point, or of a model that is equal to it. The check has replayed
+    /// the run.
+    void add(std::size_t row, std::size_t point, const PropertyResult& result);
+
     /// Adds the runs to `rows` of `tuning`: for each row, the runs of the `most` points that are nearest to the current
     /// values. Each run is replayed on the charts of its point. A run that fails the replay becomes an internal error.
     void write(const TunePoints& points, std::size_t most, Tuning& tuning) const;
@@ -32,6 +37,7 @@ private:
         Verdict verdict = {};
         std::string name = {};
         bool watched = false, exact = false;
+        std::optional<PropertyResult> result = {};  ///< if present, the other members are not used
     };
     std::map<std::pair<std::size_t, std::size_t>, Known> runs_ = {};  ///< by row and point
 };

@@ -157,12 +157,13 @@ closed_loop press {
 )";
 
 /// Returns the page about the values of constants of the first loop of `text`.
-Made page_of_tuning(const std::string& text, std::vector<TunedConstant> constants, std::size_t runs = 24) {
+Made page_of_tuning(const std::string& text, std::vector<TunedConstant> constants, std::size_t runs = 24,
+                    bool every_point = false) {
     Made made{read_string(text, "press.grafcet")};
     EXPECT_TRUE(made.reading.model) << made.reading.diagnostics_text();
     const Model& model = *made.reading.model;
     const Id<Source> main = *made.reading.sources.ids().begin();
-    TuneRequest request{.constants = std::move(constants), .jobs = 1, .runs = runs};
+    TuneRequest request{.constants = std::move(constants), .jobs = 1, .runs = runs, .every_point = every_point};
     PageContent content = drawn_content(model, made.reading.sources, {0});
     content.tuning = tuned(model, {0}, main, made.reading.sources, request, made.reading.diagnostics);
     EXPECT_TRUE(content.tuning) << made.reading.diagnostics_text();
@@ -195,9 +196,10 @@ TEST(TuningPage, ShowsAMapOfTwoConstantsWithTheCurrentValues) {
 
 // The explanation of a run reads the property and the charts of its point. It shows independently of the engine that
 // the run violates the property at this point.
-TEST(TuningPage, EachRunViolatesThePropertyWithTheValuesOfItsPoint) {
+void expect_runs_of_each_point(bool every_point) {
     const Made made = page_of_tuning(
-        press_loop, {{"RAM", duration, 1000, 6000, 1000, 3000}, {"LIMIT", duration, 2000, 6000, 1000, 5000}});
+        press_loop, {{"RAM", duration, 1000, 6000, 1000, 3000}, {"LIMIT", duration, 2000, 6000, 1000, 5000}}, 24,
+        every_point);
     std::set<std::string> names;
     for (const auto& run : made.data.at("runs")) {
         const std::string name = run.at("name");
@@ -217,6 +219,18 @@ TEST(TuningPage, EachRunViolatesThePropertyWithTheValuesOfItsPoint) {
     EXPECT_EQ(names.size(), 10U);
     EXPECT_TRUE(names.contains("prompt: RAM = 6s, LIMIT = 5s"));
     EXPECT_EQ(count_of(made.page, "data-run=\"prompt: "), 10U);
+}
+
+TEST(TuningPage, EachRunViolatesThePropertyWithTheValuesOfItsPoint) { expect_runs_of_each_point(false); }
+TEST(TuningPage, RunsOfSeparateChecksViolateThePropertyToo) { expect_runs_of_each_point(true); }
+
+TEST(TuningPage, TheRunForTheCurrentValuesIsThatOfTheirCheck) {
+    std::string text = press_loop;
+    text.replace(text.find("RAM = 3s"), 8, "RAM = 7s");
+    const Made made = page_of_tuning(text, {{"RAM", duration, 5000, 8000, 1000, 7000}});
+    ASSERT_EQ(made.data.at("runs").size(), 3U);
+    EXPECT_NE(run_called(made.data, "prompt: RAM = 7s"), nullptr);
+    EXPECT_NE(made.page.find("<td class=\"violated current\""), std::string::npos);
 }
 
 TEST(TuningPage, OneConstantIsARowAndThreeConstantsAreATable) {
