@@ -364,7 +364,8 @@ class Margin:
 class TunedProperty:
     """The verdicts on one property for all values of the constants. It has no truth value."""
 
-    def __init__(self, document: dict[str, Any]):
+    def __init__(self, document: dict[str, Any], constants: list[dict[str, Any]]):
+        self._constants = constants
         self.name: str = document["name"]
         self.text: str | None = document["text"]
         self.expected: str = document["expected"]
@@ -378,11 +379,15 @@ class TunedProperty:
     def at(self, **values: int | str | timedelta) -> str:
         """The verdict at a point of the grid: `holds`, `violated` or `unknown`. `values` contains a value of each
         constant, such as `N=3, FILL="500ms"`."""
+        names = [each["name"] for each in self._constants]
+        if set(values) != set(names):
+            raise NotFoundError(f"give a value of each constant: {', '.join(names)}")
+        point = {name: _measure(value) for name, value in values.items()}
+        on_grid = all((point[each["name"]] - _measure(each["low"])) % _measure(each["step"]) == 0
+                      for each in self._constants)
         for box in self.boxes:
-            if set(values) != set(box.constants):
-                raise NotFoundError(f"give a value of each constant: {', '.join(box.constants)}")
-            if all(_measure(low) <= _measure(values[name]) <= _measure(high)
-                   for name, (low, high) in box.constants.items()):
+            if on_grid and all(_measure(low) <= point[name] <= _measure(high)
+                               for name, (low, high) in box.constants.items()):
                 return box.verdict
         raise NotFoundError("the values are not a point of the grid")
 
@@ -414,7 +419,8 @@ class Tuning(_Tabular):
         self.model: str = self.document["model"]
         self.points: int = self.document["points"]
         self.checks: int = self.document["checks"]  #: number of models that were checked
-        self.properties = [TunedProperty(each) for each in self.document["properties"]]
+        constants = self.document["constants"]
+        self.properties = [TunedProperty(each, constants) for each in self.document["properties"]]
 
     def __iter__(self) -> Iterator[TunedProperty]:
         return iter(self.properties)
@@ -462,7 +468,8 @@ class FaultCombination:
 
 
 class FaultedProperty:
-    """The combinations of faults that violate one property. It has no truth value."""
+    """The combinations of faults that violate one property. It has no truth value. The property holds for all
+    combinations only if `without_faults` is `holds`, and both `combinations` and `unknown` are empty."""
 
     def __init__(self, document: dict[str, Any], traces: Iterator[tuple[str, str]]):
         self.name: str = document["name"]

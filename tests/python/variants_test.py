@@ -66,6 +66,11 @@ def test_points_outside_of_the_grid_and_wrong_ranges_are_rejected(press):
     for values in ({"RAM": "4s"}, {}, {"RAM": "1s", "CLOSING": "1s"}):
         with pytest.raises(grafverif.NotFoundError):
             prompt.at(**values)
+    coarse = loop.tune({"RAM": ("1s", "5s", "2s")}, "prompt")["prompt"]
+    assert coarse.at(RAM="3s") == "holds"
+    for between in ("2s", "1500ms", "7s"):
+        with pytest.raises(grafverif.NotFoundError, match="not a point of the grid"):
+            coarse.at(RAM=between)
     with pytest.raises(TypeError, match="no truth value"):
         bool(prompt)
     with pytest.raises(ValueError, match="range"):
