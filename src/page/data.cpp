@@ -151,7 +151,8 @@ Json initial_json(const PageContent& content, const Playable& playable) {
     if (!content.loop.valid()) return places;
     for (const ClosedLoop::Instance& instance : content.model.loops[content.loop].instances)
         places[instance.name] = instance.initial.index;
-    for (const auto& [instance, location] : playable.initial) places[instance] = location;
+    for (const auto& [instance, location] : playable.initial)
+        places[instance] = location ? Json(*location) : Json(nullptr);
     return places;
 }
 

@@ -41,6 +41,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,8 +55,8 @@ struct Playable {
     std::string property = {};  ///< name of a property of the loop; may be empty
     const ChartRun* run = nullptr;
     std::vector<std::size_t> charts = {};  ///< index of the chart of each controller of the run
-    /// Indices of the initial locations of instances, by name, if they are not those of the model.
-    std::map<std::string, std::size_t> initial = {};
+    /// Indices of the initial locations of instances, by name, if they are not those of the model; nothing if unknown.
+    std::map<std::string, std::optional<std::size_t>> initial = {};
     /// Model of the run if it is not the model of the page. Both models differ only in values of constants.
     const Model* model = nullptr;
 };

@@ -28,9 +28,10 @@ std::string error_run_name(std::size_t index) { return "model error " + std::to_
 
 /// Returns the initial locations of the instances whose faults are present from power-on. In the model with a fault,
 /// the locations of the fault follow those of the instance (pipeline/variants/fault_model.hpp).
-std::map<std::string, std::size_t> initial_locations(const PageContent& content, const FaultSet& from_power_on) {
+std::map<std::string, std::optional<std::size_t>> initial_locations(const PageContent& content,
+                                                                    const FaultSet& from_power_on) {
     const ClosedLoop& loop = content.model.loops[content.loop];
-    std::map<std::string, std::size_t> initial;
+    std::map<std::string, std::optional<std::size_t>> initial;
     for (const std::size_t index : from_power_on) {
         const ClosedLoop::Fault& fault = loop.faults[{static_cast<std::uint32_t>(index)}];
         const ClosedLoop::Instance& instance = loop.instances[fault.of];
@@ -171,9 +172,16 @@ std::vector<Playable> fault_runs(const PageContent& content, const std::vector<s
     const FaultAnalysis& analysis = *content.faults;
     for (std::size_t k = 0; k < analysis.errors.size(); ++k) {
         const FaultAnalysis::Error& error = analysis.errors[k];
-        runs.push_back({error_run_name(k), "breakdown",
-                        fmt::format("model error with {}: {}", names_of(analysis, error.faults), error.trace.code),
-                        error.trace.message, "", &error.trace.trace, charts});
+        Playable run{error_run_name(k),
+                     "breakdown",
+                     fmt::format("model error with {}: {}", names_of(analysis, error.faults), error.trace.code),
+                     error.trace.message,
+                     "",
+                     &error.trace.trace,
+                     charts};
+        // The analysis does not state which of the faults are present from power-on.
+        for (auto& [instance, location] : run.initial = initial_locations(content, error.faults)) location.reset();
+        runs.push_back(std::move(run));
     }
     for (const FaultAnalysis::Row& row : analysis.rows)
         for (const FaultAnalysis::Cut& cut : row.minimal) {

@@ -113,6 +113,24 @@ TEST(FaultsPage, RunsBeginInTheLocationsOfTheFaultsFromPowerOn) {
     }
 }
 
+// The analysis does not state if the fault of a model error is present from power-on.
+TEST(FaultsPage, TheFirstLocationIsUnknownInTheRunOfAModelError) {
+    std::string text = lamp;
+    text.replace(text.find("closed_loop"), 0,
+                 "component level(output P: int 0..3) {\n    initial location still;\n}\n\n"
+                 "component runaway(output P: int 0..3) {\n    clock t;\n\n    initial location rising invariant t <= "
+                 "1s;\n\n    timed rising -> rising when t == 1s do P := P + 1, t := 0;\n}\n\n");
+    text.replace(text.find("    fault On_dead"), 0,
+                 "    plant Level = level(P = P);\n    fault Up of Level: runaway();\n");
+    const Made made = page_of_faults(text, 1);
+    const auto* const run = run_called(made.data, "model error 1");
+    ASSERT_NE(run, nullptr);
+    EXPECT_TRUE(run->at("initial").at("Level").is_null());
+    EXPECT_EQ(run->at("initial").at("On"), 0);
+    EXPECT_NE(made.page.find("<strong>Model error.</strong>"), std::string::npos);
+    EXPECT_NE(made.page.find("<details class=\"property unknown\" id=\"property-rare\""), std::string::npos);
+}
+
 TEST(FaultsPage, NamesOfTheUserAreText) {
     std::string text = lamp;
     text.replace(text.find("\"not both\""), 10, "\"</script><b>x\"");
