@@ -24,6 +24,7 @@
 
 #include "grafverif/grafverif.hpp"
 #include "report_page.hpp"
+#include "variants.hpp"
 
 namespace py = pybind11;
 
@@ -170,8 +171,43 @@ struct Moved {
     Simulator simulator;
 };
 
+/// Issues all warnings and notes as Python warnings.
+void warn(const Diagnostics& diagnostics) {
+    for (const Diagnostic& each : diagnostics.all())
+        if (PyErr_WarnEx(PyExc_UserWarning, (each.message + " [" + each.code + "]").c_str(), 2) != 0)
+            throw py::error_already_set();
+}
+
+/// A recording. Its methods keep the interpreter lock, because other Python threads may use the same recording.
+class Samples {
+public:
+    explicit Samples(std::unique_ptr<Recording> recording) : recording_(std::move(recording)) {}
+
+    bool add(const std::string& line) {
+        const bool is_open = recording_->add(line);
+        report_diagnostics();
+        return is_open;
+    }
+    Shown finish() {
+        auto shown = recording_->finish();
+        report_diagnostics();
+        if (!shown) throw py::value_error("the recording is already finished");
+        return std::move(*shown);
+    }
+    void report_diagnostics() {
+        const Diagnostics& all = recording_->diagnostics();
+        if (all.has_errors()) refuse(all, recording_->sources());
+        if (!std::exchange(warned_, !all.all().empty())) warn(all);
+    }
+
+private:
+    std::unique_ptr<Recording> recording_;
+    bool warned_ = false;  ///< warnings are only added with the first line
+};
+
 class File {
     std::shared_ptr<const ParseResult> reading_;
+    ReadOptions options_;
 
     const Model& model() const { return *reading_->model; }
 
@@ -182,18 +218,17 @@ class File {
         Diagnostics diagnostics;
         auto result = run_interruptibly([&](const std::atomic<bool>& stop) { return make(stop, diagnostics); });
         if (!result) refuse(diagnostics, reading_->sources);
-        for (const Diagnostic& each : diagnostics.all())
-            if (PyErr_WarnEx(PyExc_UserWarning, (each.message + " [" + each.code + "]").c_str(), 2) != 0)
-                throw py::error_already_set();
+        warn(diagnostics);
         return std::move(*result);
     }
 
 public:
     static File read(const std::string& path, const ReadOptions& options) {
-        return File(run_interruptibly([&](const std::atomic<bool>&) { return read_file(path, options); }));
+        return File(run_interruptibly([&](const std::atomic<bool>&) { return read_file(path, options); }), options);
     }
     static File parse(const std::string& text, const std::string& name, const ReadOptions& options) {
-        return File(run_interruptibly([&](const std::atomic<bool>&) { return read_string(text, name, options); }));
+        return File(run_interruptibly([&](const std::atomic<bool>&) { return read_string(text, name, options); }),
+                    options);
     }
 
     std::vector<std::string> charts() const { return names(model().charts); }
@@ -232,6 +267,34 @@ public:
             return analysis_of(model(), id, mode, bounds.limits(stop), diagnostics);
         });
         return {text_of(found, reading_->sources), json_of(found, reading_->sources)};
+    }
+    Shown tune(const std::string& loop, const How& how, const std::vector<std::string>& over,
+               const std::vector<std::string>& properties, const Bounds& bounds, bool every_point) const {
+        const ModelOptions options = how.options();
+        const Id<ClosedLoop> id = loop_of(loop);
+        return made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            return python::tune(*reading_, id, over, properties, options, options_, every_point, bounds.limits(stop),
+                                diagnostics);
+        });
+    }
+    Shown faults(const std::string& loop, const How& how, std::uint64_t order,
+                 const std::vector<std::string>& properties, const Bounds& bounds) const {
+        const ModelOptions options = how.options();
+        const Id<ClosedLoop> id = loop_of(loop);
+        return made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            return python::faults(*reading_, id, order, properties, options, bounds.limits(stop), diagnostics);
+        });
+    }
+    std::unique_ptr<Samples> recording(const std::vector<std::string>& charts, const How& how, std::int64_t jitter_ms,
+                                       const std::map<std::string, std::string>& map, bool stop_early) const {
+        if (jitter_ms < 0) throw py::value_error("jitter is in seconds, 0 or more");
+        std::vector<Id<Chart>> ids;
+        for (const std::string& chart : charts) ids.push_back(chart_of(chart));
+        auto made = std::make_unique<Samples>(std::make_unique<Recording>(
+            reading_, ids, mode_of(how.mode), jitter_ms,
+            std::vector<std::pair<std::string, std::string>>(map.begin(), map.end()), stop_early));
+        made->report_diagnostics();
+        return made;
     }
     std::string draw(const std::string& chart, const std::string& notation) const {
         DrawOptions options;
@@ -321,7 +384,8 @@ public:
     }
 
 private:
-    explicit File(ParseResult reading) : reading_(std::make_shared<const ParseResult>(std::move(reading))) {
+    File(ParseResult reading, const ReadOptions& options)
+        : reading_(std::make_shared<const ParseResult>(std::move(reading))), options_(options) {
         if (!reading_->model) refuse(reading_->diagnostics, reading_->sources);
     }
 
@@ -426,6 +490,9 @@ PYBIND11_MODULE(_core, module) {
         .def("svg", [](const Moved& moved) { return svg_of(moved.simulator.run(), moved.simulator.run().name); })
         .def("what_if_row", [](const Moved& moved) { return moved.simulator.what_if_row(); })
         .def("disagreement", [](const Moved& moved) { return moved.simulator.disagreement(); });
+    py::class_<Samples> samples(module, "Samples");
+    forbid_new(samples);
+    samples.def("add", &Samples::add).def("finish", &Samples::finish);
     py::class_<File> file_class(module, "File");
     forbid_new(file_class);
     file_class
@@ -457,6 +524,9 @@ PYBIND11_MODULE(_core, module) {
              })
         .def("check_chart", &File::check_chart)
         .def("analyse", &File::analyse)
+        .def("tune", &File::tune)
+        .def("faults", &File::faults)
+        .def("recording", &File::recording)
         .def("draw", &File::draw)
         .def("automaton", &File::automaton)
         .def("mealy", &File::mealy)

@@ -107,7 +107,8 @@ const element = document.getElementById("data"), place = document.getElementById
 if (element && place) window.page = new Page(JSON.parse(element.textContent), place);
 for (const button of document.querySelectorAll("[data-run]")) {
     button.disabled = !window.page?.data.runs.some((run) => run.name === button.dataset.run);
-    if (button.disabled) button.textContent = "Trace omitted: page size limit";
+    const omitted = "Trace omitted: page size limit";
+    if (button.disabled) button.textContent = button.dataset.name ? `${button.dataset.name} (${omitted})` : omitted;
     button.addEventListener("click", () => {
         window.page.open(button.dataset.run);
         place.closest("section").scrollIntoView();

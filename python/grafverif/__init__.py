@@ -23,9 +23,11 @@ from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Sequence, TypeV
 
 from . import _core
 
-__all__ = ["Analysis", "Automaton", "Chart", "Choice", "Diagnostic", "Drawing", "File", "Finding", "GrafverifError",
-           "Loop", "Mealy", "NotFoundError", "Report", "SimulationError", "Simulation", "Step", "TestSequence",
-           "TestStep", "Trace", "Verdict", "__version__", "parse", "read"]
+__all__ = ["Analysis", "Automaton", "Box", "Chart", "Choice", "Diagnostic", "Drawing", "Fault", "FaultAnalysis",
+           "FaultCombination", "FaultedProperty", "File", "Finding", "GrafverifError", "Loop", "Margin", "Mealy",
+           "NotFoundError", "Recording", "RecordingReport", "RecordingVerdict", "Report", "SimulationError",
+           "Simulation", "Step", "TestSequence", "TestStep", "Trace", "TunedProperty", "Tuning", "Verdict",
+           "__version__", "parse", "read"]
 
 __version__: str = _core.__version__
 
@@ -326,6 +328,278 @@ class Analysis(_Tabular):
                         "line": each.line, "accepted": each.accepted} for each in self.findings])
 
 
+_Shown = tuple[str, str, list[tuple[str, str]]]  #: text, JSON, and the text and drawing of each trace
+_Named = TypeVar("_Named", "TunedProperty", "FaultedProperty")
+
+
+def _property(properties: Iterable[_Named], name: str) -> _Named:
+    for each in properties:
+        if each.name == name:
+            return each
+    raise NotFoundError(f"unknown property `{name}`; choose one of {', '.join(each.name for each in properties)}")
+
+
+@dataclass(frozen=True)
+class Box:
+    """Points of a grid with the same verdict: for each constant, the first and the last value. Durations are strings
+    such as `3s`."""
+
+    constants: dict[str, tuple[int | str, int | str]]
+    points: int
+    verdict: str
+    reason: str | None  #: the reason for an unknown verdict
+
+
+@dataclass(frozen=True)
+class Margin:
+    """The nearest value of a constant with another verdict, while all other constants have their current values."""
+
+    constant: str
+    direction: str  #: `down` or `up`
+    value: int | str
+    distance: int | str
+    verdict: str
+
+
+class TunedProperty:
+    """The verdicts on one property for all values of the constants. It has no truth value."""
+
+    def __init__(self, document: dict[str, Any], constants: list[dict[str, Any]]):
+        self._constants = constants
+        self.name: str = document["name"]
+        self.text: str | None = document["text"]
+        self.expected: str = document["expected"]
+        self.current: str = document["current"]  #: the verdict for the current values
+        self.boxes = [Box({name: (low, high) for name, (low, high) in each["constants"].items()}, each["points"],
+                          each["verdict"], each["reason"]) for each in document["boxes"]]
+        self.margins = [Margin(each["constant"], each["direction"], each["value"], each["distance"], each["verdict"])
+                        for each in document["margins"]]
+        self.document = document
+
+    def at(self, **values: int | str | timedelta) -> str:
+        """The verdict at a point of the grid: `holds`, `violated` or `unknown`. `values` contains a value of each
+        constant, such as `N=3, FILL="500ms"`."""
+        names = [each["name"] for each in self._constants]
+        if set(values) != set(names):
+            raise NotFoundError(f"give a value of each constant: {', '.join(names)}")
+        point = {name: _measure(value) for name, value in values.items()}
+        on_grid = all((point[each["name"]] - _measure(each["low"])) % _measure(each["step"]) == 0
+                      for each in self._constants)
+        for box in self.boxes:
+            if on_grid and all(_measure(low) <= point[name] <= _measure(high)
+                               for name, (low, high) in box.constants.items()):
+                return box.verdict
+        raise NotFoundError("the values are not a point of the grid")
+
+    def __bool__(self) -> bool:
+        raise TypeError("the verdicts on a property have no truth value; use .at(), .boxes or .current")
+
+    def __repr__(self) -> str:
+        return f"<TunedProperty {self.name}: {', '.join(f'{each.verdict} at {each.points}' for each in self.boxes)}>"
+
+
+def _measure(value: int | str | timedelta) -> int:
+    """Returns the number, or the duration in milliseconds."""
+    if isinstance(value, timedelta):
+        return round(1000 * value.total_seconds())
+    if isinstance(value, int):
+        return value
+    for unit, factor in (("ms", 1), ("min", 60_000), ("s", 1000)):
+        if value.endswith(unit):
+            return int(value[:-len(unit)]) * factor
+    raise ValueError(f"`{value}` must be a number, a timedelta, or a duration such as '3s'")
+
+
+class Tuning(_Tabular):
+    """The verdicts on the properties of a closed loop for all values of some of its constants."""
+
+    def __init__(self, shown: _Shown):
+        self._text = shown[0]
+        self.document: dict[str, Any] = json.loads(shown[1])
+        self.model: str = self.document["model"]
+        self.points: int = self.document["points"]
+        self.checks: int = self.document["checks"]  #: number of models that were checked
+        constants = self.document["constants"]
+        self.properties = [TunedProperty(each, constants) for each in self.document["properties"]]
+
+    def __iter__(self) -> Iterator[TunedProperty]:
+        return iter(self.properties)
+
+    def __getitem__(self, name: str) -> TunedProperty:
+        return _property(self.properties, name)
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<Tuning of {self.model}: {self.points} points, {self.checks} models checked>"
+
+    def to_dataframe(self) -> Any:
+        """Returns a pandas DataFrame with one row per property and box."""
+        return _dataframe([{"property": each.name, **{name: f"{low}..{high}" if low != high else low
+                                                      for name, (low, high) in box.constants.items()},
+                            "points": box.points, "verdict": box.verdict, "reason": box.reason}
+                           for each in self.properties for box in each.boxes])
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A fault and its effects."""
+
+    name: str
+    instance: str
+    component: str
+    violates: tuple[str, ...]  #: properties that this fault violates without other faults
+    newly_true: tuple[str, ...]  #: steps and outputs that are true in some state with this fault, but never without
+    never_true: tuple[str, ...]  #: steps and outputs that are never true if the fault is present from power-on
+    #: True if an element of `newly_true` becomes true in every run with the fault from power-on; None if unknown
+    always_shown: bool | None
+    decided: bool  #: False if `newly_true` and `never_true` are incomplete
+
+
+@dataclass(frozen=True)
+class FaultCombination:
+    """A combination of faults that violates a property, and a run that violates it."""
+
+    faults: tuple[str, ...]
+    from_power_on: tuple[str, ...]  #: faults that are present from power-on in the run
+    minimal: bool  #: False if the verdict for a subset is unknown
+    trace: Trace | None = field(repr=False, compare=False)  #: None if no run satisfies a property `reachable`
+
+
+class FaultedProperty:
+    """The combinations of faults that violate one property. It has no truth value. The property holds for all
+    combinations only if `without_faults` is `holds`, and both `combinations` and `unknown` are empty."""
+
+    def __init__(self, document: dict[str, Any], traces: Iterator[tuple[str, str]]):
+        self.name: str = document["name"]
+        self.text: str | None = document["text"]
+        self.declared: bool = document["declared"]
+        self.without_faults: str = document["without_faults"]  #: the verdict without faults
+        self.combinations = [FaultCombination(
+            tuple(each["faults"]), tuple(each["from_power_on"]), not each["unknown_subsets"],
+            None if each["trace"] is None else Trace(each["trace"], *next(traces))) for each in document["minimal"]]
+        #: combinations with an unknown verdict, and the reason
+        self.unknown = [(tuple(each["faults"]), each["reason"]) for each in document["unknown"]]
+        self.document = document
+
+    def __bool__(self) -> bool:
+        raise TypeError("the combinations have no truth value; use .combinations, .unknown or .without_faults")
+
+    def __repr__(self) -> str:
+        names = ", ".join(" + ".join(each.faults) for each in self.combinations) or "none"
+        return f"<FaultedProperty {self.name}: {names}>"
+
+
+class FaultAnalysis(_Tabular):
+    """The minimal combinations of faults that violate properties, and the effects of each fault (FMEA)."""
+
+    def __init__(self, shown: _Shown):
+        self._text = shown[0]
+        self.document: dict[str, Any] = json.loads(shown[1])
+        self.model: str = self.document["model"]
+        self.order: int = self.document["order"]  #: maximum number of faults in a combination
+        self.faults = [Fault(each["name"], each["instance"], each["component"], tuple(each["violates"]),
+                             tuple(each["newly_true"]), tuple(each["never_true"]), each["always_shown"], each["decided"])
+                       for each in self.document["faults"]]
+        traces = iter(shown[2])
+        self.properties = [FaultedProperty(each, traces) for each in self.document["properties"]]
+        self.errors: list[dict[str, Any]] = self.document["errors"]  #: model errors
+
+    def __iter__(self) -> Iterator[FaultedProperty]:
+        return iter(self.properties)
+
+    def __getitem__(self, name: str) -> FaultedProperty:
+        return _property(self.properties, name)
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<FaultAnalysis of {self.model}: {len(self.faults)} faults, at most {self.order} in a combination>"
+
+    def to_dataframe(self) -> Any:
+        """Returns a pandas DataFrame with one row per fault (FMEA)."""
+        return _dataframe([{"fault": each.name, "instance": each.instance, "component": each.component,
+                            "violates": " ".join(each.violates), "newly_true": " ".join(each.newly_true),
+                            "never_true": " ".join(each.never_true), "always_shown": each.always_shown}
+                           for each in self.faults])
+
+
+class RecordingVerdict:
+    """The verdict on one chart. It has no truth value."""
+
+    def __init__(self, document: dict[str, Any], traces: Iterator[tuple[str, str]]):
+        self.chart: str = document["chart"]
+        self.verdict: str = document["verdict"]  #: `conforms`, `deviates` or `unknown`
+        self.reason: str | None = document["reason"]  #: the reason for an unknown verdict
+        deviation = document["deviation"]
+        self.time: float | None = deviation and deviation["time"]  #: time of the deviation in seconds
+        self.output: str | None = deviation and deviation["output"]  #: the output that deviates
+        #: the timing that explains most of the recording
+        self.trace = Trace(deviation["trace"], *next(traces)) if deviation else None
+        self.document = document
+
+    def __bool__(self) -> bool:
+        raise TypeError("a verdict has no truth value; use .verdict")
+
+    def __repr__(self) -> str:
+        return f"<RecordingVerdict {self.chart}: {self.verdict}>"
+
+
+class RecordingReport:
+    """The verdicts on a recording."""
+
+    def __init__(self, shown: _Shown):
+        self._text = shown[0]
+        self.document: dict[str, Any] = json.loads(shown[1])
+        self.samples: int = self.document["samples"]
+        traces = iter(shown[2])
+        self.verdicts = [RecordingVerdict(each, traces) for each in self.document["charts"]]
+        self.properties: list[dict[str, Any]] = self.document["properties"]  #: recorded state properties of the loops
+
+    def __iter__(self) -> Iterator[RecordingVerdict]:
+        return iter(self.verdicts)
+
+    def __getitem__(self, chart: str) -> RecordingVerdict:
+        for each in self.verdicts:
+            if each.chart == chart:
+                return each
+        raise NotFoundError(f"unknown chart `{chart}`; choose one of {', '.join(each.chart for each in self.verdicts)}")
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<RecordingReport: {', '.join(f'{each.chart} {each.verdict}' for each in self.verdicts)}>"
+
+
+class Recording:
+    """Checks samples of the inputs and outputs of a real controller against charts while they arrive, as `grafverif
+    monitor` does."""
+
+    def __init__(self, core: _core.Samples):
+        self._core = core
+        self._report: RecordingReport | None = None
+
+    def add(self, time: Duration, values: Mapping[str, bool | int] | None = None, **more: bool | int) -> bool:
+        """Adds a sample. `time` does not decrease; values with the same time are one sample. The first sample contains
+        a value of each recorded variable; later samples contain at least the values that changed. Returns True if
+        further samples can change the verdicts."""
+        sample = {**(values or {}), **more}
+        for name, value in sample.items():
+            if not isinstance(value, int):
+                raise TypeError(f"`{name}` must be a bool or an int; got {type(value).__name__}")
+        fields = ", ".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in sample.items())
+        return self._core.add(f'{{"time": {_seconds(time):.6f}{", " if fields else ""}{fields}}}')
+
+    def finish(self) -> RecordingReport:
+        """The verdicts on all samples. No sample can be added afterwards."""
+        if self._report is None:
+            self._report = RecordingReport(self._core.finish())
+        return self._report
+
+
 class _Machine:
     def __init__(self, shown: tuple[str, str, str]):
         self._text, text, svg = shown
@@ -572,6 +846,24 @@ class Loop:
         return Report(self._file.check(self.name, how, list(properties),
                                        _bounds(timeout, memory, states), whole, True))
 
+    def tune(self, over: Mapping[str, str | tuple[int | str, ...]], *properties: str, mode: str | None = None,
+             grain: str | None = None, timeout: Duration | None = None, memory: int | None = None,
+             every_point: bool = False) -> Tuning:
+        """Decides the given properties, or by default all, for ranges of constants of the loop, as `grafverif tune`
+        does. `over` contains the values of each constant: `(low, high)`, `(low, high, step)`, or text such as
+        `1s..20s:500ms`. If a limit is reached, the remaining verdicts are unknown."""
+        return Tuning(self._file.tune(self.name, _core.How(mode=mode, grain=grain), _ranges(over), list(properties),
+                                      _bounds(timeout, memory), every_point))
+
+    def faults(self, *properties: str, order: int = 1, mode: str | None = None, grain: str | None = None,
+               timeout: Duration | None = None, memory: int | None = None) -> FaultAnalysis:
+        """Finds the minimal combinations of at most `order` declared faults that violate the given properties, or by
+        default any property, as `grafverif faults` does."""
+        if order < 0:
+            raise ValueError("order is the maximum number of faults in a combination")
+        return FaultAnalysis(self._file.faults(self.name, _core.How(mode=mode, grain=grain), order, list(properties),
+                                               _bounds(timeout, memory)))
+
     def simulate(self, *, mode: str | None = None, grain: str | None = None) -> Simulation:
         return Simulation(self._file.simulate_loop(self.name, _core.How(mode=mode, grain=grain)))
 
@@ -587,6 +879,18 @@ class Loop:
               time: str | None = None, fairness: bool = False) -> str:
         return self._file.nusmv(self.name, _core.How(mode=mode, plant=plant, schedule=schedule, time=time,
                                                      fairness=fairness))
+
+
+def _ranges(over: Mapping[str, str | tuple[int | str, ...]]) -> list[str]:
+    """Converts ranges to values of `--over`."""
+    ranges = []
+    for name, values in over.items():
+        if not isinstance(values, str):
+            if len(values) not in (2, 3):
+                raise ValueError(f"`{name}` must have a range (low, high) or (low, high, step)")
+            values = f"{values[0]}..{values[1]}" + (f":{values[2]}" if len(values) == 3 else "")
+        ranges.append(f"{name}={values}")
+    return ranges
 
 
 _Thing = TypeVar("_Thing")
@@ -612,6 +916,15 @@ class File:
     def loop(self, name: str | None = None) -> Loop:
         """The closed loop called `name`, or by default the only closed loop of the file."""
         return self._one(self.loops, "closed loop", name)
+
+    def recording(self, *charts: str, mode: str | None = None, jitter: Duration = 0.02,
+                  map: Mapping[str, str] | None = None, stop_early: bool = False) -> Recording:
+        """Begins the check of a recording against the given charts, or by default all charts of the file. The recorded
+        times differ from the times in the controller by at most `jitter`. `map` maps names in samples to names of inputs
+        and outputs. With `stop_early`, the check ends at the first deviation or violated property, as `grafverif
+        monitor` does."""
+        return Recording(self._core.recording(list(charts) or list(self.charts), _core.How(mode=mode),
+                                              round(1000 * _seconds(jitter)), dict(map or {}), stop_early))
 
     @staticmethod
     def _one(things: dict[str, _Thing], what: str, name: str | None) -> _Thing:

@@ -278,12 +278,16 @@ std::vector<Option> options_for_checks() {
         toggle(
             OptionGroup::Tuning, "every-point", [](Options & options) -> auto& { return options.tune.every_point; },
             "check the model of every combination of values separately, without reusing verdicts or traces"),
+        text(OptionGroup::Tuning, "report", "FILE", &Options::page,
+             "write an HTML report to FILE, with maps and a player for the traces"),
         number(
             OptionGroup::Faults, "order", "N", {}, [](Options & options) -> auto& { return options.faults.order; },
             "maximum number of faults in a combination (default: 1)"),
         list(OptionGroup::Faults, "property", "NAME", &Options::properties, "decide only this property; repeatable"),
         text(OptionGroup::Faults, "openpsa", "FILE", &Options::open_psa,
              "write the minimal combinations as a fault tree to FILE (Open-PSA Model Exchange Format)"),
+        text(OptionGroup::Faults, "report", "FILE", &Options::page,
+             "write an HTML report to FILE, with a player for the traces"),
         {OptionGroup::Faults, "jobs", "N", "check N models in parallel (default: one per core)", take_jobs},
         text(OptionGroup::Supervision, "marked", "TERM", &Options::marked,
              "condition that must remain reachable with the synthesized conditions (default: the initial situation)"),

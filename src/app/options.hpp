@@ -155,6 +155,7 @@ struct Options {
     std::optional<std::uint64_t> response_timeout_ms = {};
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
     std::optional<std::string> open_psa = {};          ///< option of `faults`
+    std::optional<std::string> page = {};              ///< option of `faults` and `tune`: HTML report
     std::optional<std::string> log = {};               ///< option of `replay`
     std::optional<std::uint64_t> jitter_ms = {};       ///< option of `replay` and `monitor`
     std::optional<std::string> script = {};            ///< option of `simulate`
@@ -187,6 +188,7 @@ inline constexpr std::array path_options = {
     PathOption{"trace-vcd", &Options::trace_vcd, PathUse::Written},
     PathOption{"trace-svg", &Options::trace_svg, PathUse::Written},
     PathOption{"openpsa", &Options::open_psa, PathUse::Written},
+    PathOption{"report", &Options::page, PathUse::Written},
     PathOption{"depfile", &Options::depfile, PathUse::Written},
     PathOption{"state", &Options::state_file, PathUse::Updated},
     PathOption{"survivors", &Options::survivors, PathUse::WrittenFolder},

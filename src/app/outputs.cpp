@@ -48,8 +48,8 @@ bool is_no_input(const std::string& path, CommandContext& job) {
 }
 
 /// Returns the extension of `path` if it denotes a picture or document format that the command does not write;
-/// otherwise an empty string. `drawing` is true for `draw`, which writes SVG but not HTML. `page` is true for `report`,
-/// which writes HTML but not SVG.
+/// otherwise an empty string. `drawing` is true for `draw`, which writes SVG but not HTML. `page` is true for `report`
+/// and `--report`, which write HTML but not SVG.
 std::string foreign_format(const std::filesystem::path& path, bool drawing, bool page) {
     constexpr std::array<std::string_view, 13> never = {"png",  "jpg", "jpeg", "gif", "webp", "bmp", "tif",
                                                         "tiff", "pdf", "ps",   "eps", "emf",  "docx"};
@@ -98,8 +98,8 @@ bool outputs_differ(CommandContext& job) { return differ(outputs_of(job.options)
 
 bool formats_are_written(std::string_view verb, CommandContext& job) {
     bool fine = true;
-    const auto check = [&](const std::optional<std::string>& path, bool drawing) {
-        const std::string format = path ? foreign_format(*path, drawing, verb == "report") : std::string();
+    const auto check = [&](const std::optional<std::string>& path, bool drawing, bool page) {
+        const std::string format = path ? foreign_format(*path, drawing, page) : std::string();
         if (format.empty()) return;
         const std::string stem = std::filesystem::path(*path).replace_extension().string();
         const bool converts = format == "png" || format == "pdf" || format == "ps" || format == "eps";
@@ -109,7 +109,7 @@ bool formats_are_written(std::string_view verb, CommandContext& job) {
             written = "SVG";
             how = fmt::format("write `{}.svg`", stem);
             if (converts) how += fmt::format(" and convert it: `rsvg-convert -f {1} -o {0}.{1} {0}.svg`", stem, format);
-        } else if (verb == "report") {
+        } else if (page) {
             written = "HTML";
             how = fmt::format("write `{}.html`", stem);
             if (format == "pdf")
@@ -120,8 +120,9 @@ bool formats_are_written(std::string_view verb, CommandContext& job) {
         job.diagnostics.add(messages::other_format(*path, named, written, how));
         fine = false;
     };
-    check(job.options.output, verb == "draw");
-    check(job.options.trace_svg, true);
+    check(job.options.output, verb == "draw", verb == "report");
+    check(job.options.trace_svg, true, false);
+    check(job.options.page, false, true);
     return fine;
 }
 

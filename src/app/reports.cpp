@@ -76,9 +76,23 @@ std::string file_of(const CommandContext& job) {
 
 }  // namespace
 
+std::string report_page(PageContent content, const CommandContext& job) {
+    content.file = job.options.operands[0];
+    content.version = GRAFVERIF_VERSION;
+    content.date = job.options.date;
+    content.requested = job.options.properties;
+    std::vector<Diagnostic> warnings;
+    for (const Diagnostic& diagnostic : job.diagnostics.all())
+        if (diagnostic.severity != Severity::Error) warnings.push_back(diagnostic);
+    std::ostringstream text;
+    render_text(warnings, job.sources, Colour::Plain, text);
+    content.warnings = std::move(text).str();
+    return page_of(content);
+}
+
 void begin_reports(bool output, CommandContext& job) {
     const Options& options = job.options;
-    std::vector<std::optional<std::string>> others = {options.trace_vcd, options.trace_svg};
+    std::vector<std::optional<std::string>> others = {options.trace_vcd, options.trace_svg, options.page};
     if (output) others.push_back(options.output);
     for (const std::optional<std::string>& path : others)
         if (path && fs::exists(*path) && is_replaceable(*path, job)) fs::remove(fs::canonical(*path));

@@ -12,6 +12,7 @@
 #include "app/command_context.hpp"
 #include "app/decide.hpp"
 #include "app/system/write_files.hpp"
+#include "page/page.hpp"
 #include "report/sarif.hpp"
 
 namespace grafverif::app {
@@ -22,6 +23,9 @@ struct Reports {
     SarifLog sarif = {};
     std::vector<OutputFile> files = {};  ///< files of traces
 };
+
+/// Returns `content` as an HTML report with the file, the options and the warnings of the command.
+std::string report_page(PageContent content, const CommandContext& job);
 
 /// Prepares the report files. `output` is true if the file given by `-o` is also a report.
 void begin_reports(bool output, CommandContext& job);

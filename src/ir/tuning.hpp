@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,9 @@ struct Tuning {
         Span origin = {};
         PointVerdict current = {};                ///< the verdict for the current values
         std::vector<PointVerdict> verdicts = {};  ///< per point of the grid
+        /// For some points at which the property is violated: the result with the run that violates it. The property
+        /// and the charts of the run are those of the point.
+        std::map<std::size_t, PropertyResult> runs = {};
     };
 
     std::string model = {};  ///< name of the closed loop

@@ -13,11 +13,13 @@ namespace grafverif {
 
 namespace {
 
-ChartContent content_of_program(const Model& model, const Sources& sources, Id<Chart> id, bool single) {
+/// Returns the drawing of a chart or program, without equations and analysis.
+ChartContent drawn_chart_content(const Model& model, const Sources& sources, Id<Chart> id, bool single) {
     const Chart& chart = model.charts[id];
     ChartContent content{.chart = id, .prefix = single ? "" : chart.name + "."};
-    content.program = {drawn_chart(chart), listing_of(*chart.program, sources)};
-    if (!chart.steps.empty()) content.drawing = svg_of(drawing_of(model, id, {.prefix = content.prefix}, sources));
+    if (chart.program) content.program = {drawn_chart(chart), listing_of(*chart.program, sources)};
+    if (!chart.program || !chart.steps.empty())
+        content.drawing = svg_of(drawing_of(model, id, {.prefix = content.prefix}, sources));
     return content;
 }
 
@@ -25,13 +27,12 @@ ChartContent content_of_program(const Model& model, const Sources& sources, Id<C
 std::optional<ChartContent> content_of(const Model& model, const Sources& sources, Id<Chart> chart, bool single,
                                        std::optional<ExecutionMode> mode, const Limits& limits,
                                        Diagnostics& diagnostics) {
-    if (model.charts[chart].program) return content_of_program(model, sources, chart, single);
+    ChartContent content = drawn_chart_content(model, sources, chart, single);
+    if (content.program) return content;
     auto equations = equations_of(model, chart, diagnostics);
     if (!equations) return {};
     auto analysis = analysis_of(model, chart, mode, limits, diagnostics);
     if (!analysis) return {};
-    ChartContent content{.chart = chart, .prefix = single ? "" : model.charts[chart].name + "."};
-    content.drawing = svg_of(drawing_of(model, chart, {.prefix = content.prefix}, sources));
     content.equations = std::move(*equations);
     content.analysis = std::move(*analysis);
     return content;
@@ -52,6 +53,15 @@ std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> l
 }
 
 }  // namespace
+
+PageContent drawn_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop) {
+    PageContent content{.model = model, .sources = sources, .loop = loop};
+    const auto& controllers = model.loops[loop].controllers;
+    for (const ClosedLoop::Controller& controller : controllers)
+        content.charts.push_back(drawn_chart_content(model, sources, controller.chart, controllers.size() == 1));
+    content.components = components_of(model, loop);
+    return content;
+}
 
 std::optional<PageContent> page_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop,
                                         Id<Chart> chart, std::optional<ExecutionMode> mode, const Limits& limits,

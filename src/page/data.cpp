@@ -22,20 +22,25 @@ using Json = nlohmann::ordered_json;
 /// For each chart or program of the page: the values of its statements; empty for a chart.
 using AllScans = std::vector<std::optional<ProgramScans>>;
 
+/// Returns the data of the chart at `place` on the page. `chart` is this chart, possibly with other values of constants.
+Json chart_entry(std::size_t place, const ChartContent& content, const Chart& chart) {
+    const ElementIds ids = element_ids(chart, content.prefix);
+    Json one = {{"figure", "chart-" + std::to_string(place)},
+                {"ids",
+                 {{"steps", ids.steps},
+                  {"transitions", ids.transitions},
+                  {"conditions", ids.conditions},
+                  {"continuous", ids.continuous},
+                  {"stored", ids.stored},
+                  {"forcing", ids.forcing}}}};
+    one.update(chart_json(chart));
+    return one;
+}
+
 Json charts_json(const PageContent& content, const AllScans& programs) {
     Json list = Json::array();
     for (const ChartContent& each : content.charts) {
-        const Chart& chart = drawn_chart(content, each);
-        const ElementIds ids = element_ids(chart, each.prefix);
-        Json one = {{"figure", "chart-" + std::to_string(list.size())},
-                    {"ids",
-                     {{"steps", ids.steps},
-                      {"transitions", ids.transitions},
-                      {"conditions", ids.conditions},
-                      {"continuous", ids.continuous},
-                      {"stored", ids.stored},
-                      {"forcing", ids.forcing}}}};
-        one.update(chart_json(chart));
+        Json one = chart_entry(list.size(), each, drawn_chart(content, each));
         if (const auto& program = programs[list.size()]) {
             for (Json& transition : one["transitions"]) transition.erase("condition");
             one["program"] = program->json();
@@ -84,13 +89,18 @@ Json inside_json(const ChartRun& run, const Playable& playable) {
     return list;
 }
 
+const Model& model_of(const PageContent& content, const Playable& playable) {
+    return playable.model != nullptr ? *playable.model : content.model;
+}
+
 std::optional<SentenceViolation> violation_in(const PageContent& content, const Playable& playable) {
     if (playable.kind != "counterexample" || !content.loop.valid()) return {};
-    const ClosedLoop& loop = content.model.loops[content.loop];
+    const Model& model = model_of(content, playable);
+    const ClosedLoop& loop = model.loops[content.loop];
     const auto property = std::ranges::find(loop.properties, playable.property, &Property::name);
     if (property == loop.properties.end() || property->pattern != Pattern::Watched) return {};
     std::vector<std::string> terms;
-    for (const Id<Expr> operand : property->operands) terms.push_back(term_text(content.model, loop, operand));
+    for (const Id<Expr> operand : property->operands) terms.push_back(term_text(model, loop, operand));
     return violation_of(property->watch, terms, *playable.run);
 }
 
@@ -136,11 +146,13 @@ Json plant_json(const PageContent& content) {
     return figures;
 }
 
-Json initial_json(const PageContent& content) {
+Json initial_json(const PageContent& content, const Playable& playable) {
     Json places = Json::object();
     if (!content.loop.valid()) return places;
     for (const ClosedLoop::Instance& instance : content.model.loops[content.loop].instances)
         places[instance.name] = instance.initial.index;
+    for (const auto& [instance, location] : playable.initial)
+        places[instance] = location ? Json(*location) : Json(nullptr);
     return places;
 }
 
@@ -184,6 +196,10 @@ std::vector<Playable> playable_runs(const PageContent& content) {
         add({"breakdown-" + std::to_string(k + 1), "breakdown", "model error: " + each.code, each.message, "",
              &each.trace, all});
     }
+    if (content.faults)
+        for (Playable& run : fault_runs(content, all)) add(std::move(run));
+    if (content.tuning)
+        for (Playable& run : tuning_runs(content, all)) add(std::move(run));
     for (const bool violated : {true, false})
         for (const PropertyResult& answer : content.report.answers) {
             const Verdict& verdict = answer.verdict;
@@ -205,8 +221,46 @@ std::vector<Playable> playable_runs(const PageContent& content) {
     return runs;
 }
 
+namespace {
+
+/// Returns the index of `value` in `list`, to which it is added if it is missing.
+std::size_t add_once(Json value, Json& list) {
+    const auto known = std::ranges::find(list, value);
+    const auto index = static_cast<std::size_t>(known - list.begin());
+    if (known == list.end()) list.push_back(std::move(value));
+    return index;
+}
+
+/// Returns the index of the property of a run. The property of a run with other values of constants is added.
+std::optional<std::size_t> add_property(const PageContent& content, const Playable& playable, Json& properties) {
+    if (!content.loop.valid()) return {};
+    const Model& model = model_of(content, playable);
+    const ClosedLoop& loop = model.loops[content.loop];
+    const auto found = std::ranges::find(loop.properties, playable.property, &Property::name);
+    if (found == loop.properties.end()) return {};
+    return add_once(property_json(model, loop, *found), properties);
+}
+
+/// Returns the indices of the charts of a run. A chart with other values of constants is added to `varied`, whose charts
+/// follow the charts of the page.
+Json chart_indices(const PageContent& content, const Playable& playable, Json& varied) {
+    if (playable.model == nullptr) return playable.charts;
+    Json indices = Json::array();
+    for (const std::size_t place : playable.charts) {
+        const ChartContent& drawn = content.charts[place];
+        const Id<ClosedLoop::Controller> controller{static_cast<std::uint32_t>(place)};
+        const Chart& chart = playable.model->charts[playable.model->loops[content.loop].controllers[controller].chart];
+        Json one = drawn.program ? Json() : chart_entry(place, drawn, chart);
+        const bool same = drawn.program || one == chart_entry(place, drawn, drawn_chart(content, drawn));
+        indices.push_back(same ? place : content.charts.size() + add_once(std::move(one), varied));
+    }
+    return indices;
+}
+
+}  // namespace
+
 std::string page_data(const PageContent& content) {
-    Json properties = Json::array(), runs = Json::array();
+    Json properties = Json::array(), runs = Json::array(), varied = Json::array();
     AllScans programs;
     for (const ChartContent& each : content.charts)
         if (each.program) programs.emplace_back(ProgramScans(content.model.charts[each.chart], each.program->listing));
@@ -218,29 +272,29 @@ std::string page_data(const PageContent& content) {
             properties.push_back(property_json(content.model, loop, property));
     }
     for (const Playable& playable : playable_runs(content)) {
-        const auto named = [&](const Json& property) { return property["name"] == playable.property; };
-        const auto property = std::ranges::find_if(properties, named);
+        const std::optional<std::size_t> property = add_property(content, playable, properties);
         ChartRun run = *playable.run;
         std::optional<SentenceViolation> violation = violation_in(content, playable);
         omit_observers(run, violation);
-        runs.push_back(
-            {{"name", playable.name},
-             {"kind", playable.kind},
-             {"title", playable.title},
-             {"property", property == properties.end() ? Json(nullptr) : Json(property - properties.begin())},
-             {"charts", playable.charts},
-             {"conditions", conditions_json(run)},
-             {"initial", initial_json(content)},
-             {"end", playable.end},
-             {"violation", violation_json(violation)},
-             {"inside", inside_json(run, playable)},
-             {"loop_from", run.loop_from ? Json(*run.loop_from) : Json(nullptr)},
-             {"rows", rows_json(run)},
-             {"scans", scans_json(run, playable, programs, remaining)},
-             {"run", run_json(run)}});
+        runs.push_back({{"name", playable.name},
+                        {"kind", playable.kind},
+                        {"title", playable.title},
+                        {"property", property ? Json(*property) : Json(nullptr)},
+                        {"charts", chart_indices(content, playable, varied)},
+                        {"conditions", conditions_json(run)},
+                        {"initial", initial_json(content, playable)},
+                        {"end", playable.end},
+                        {"violation", violation_json(violation)},
+                        {"inside", inside_json(run, playable)},
+                        {"loop_from", run.loop_from ? Json(*run.loop_from) : Json(nullptr)},
+                        {"rows", rows_json(run)},
+                        {"scans", scans_json(run, playable, programs, remaining)},
+                        {"run", run_json(run)}});
     }
+    Json charts = charts_json(content, programs);
+    charts.insert(charts.end(), varied.begin(), varied.end());
     const std::string text = json_text({{"version", 1},
-                                        {"charts", charts_json(content, programs)},
+                                        {"charts", std::move(charts)},
                                         {"properties", std::move(properties)},
                                         {"plant", plant_json(content)},
                                         {"runs", std::move(runs)}},

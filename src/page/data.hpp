@@ -40,6 +40,8 @@
 //                 `loop_from` is the index of the first row that repeats forever, or null
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,10 @@ struct Playable {
     std::string property = {};  ///< name of a property of the loop; may be empty
     const ChartRun* run = nullptr;
     std::vector<std::size_t> charts = {};  ///< index of the chart of each controller of the run
+    /// Indices of the initial locations of instances, by name, if they are not those of the model; nothing if unknown.
+    std::map<std::string, std::optional<std::size_t>> initial = {};
+    /// Model of the run if it is not the model of the page. Both models differ only in values of constants.
+    const Model* model = nullptr;
 };
 /// Maximum length of the runs on a page. It is limited because browsers are slow with large pages.
 inline constexpr std::size_t longest_playable = 100'000;  // number of events of all runs together
@@ -66,6 +72,12 @@ inline bool can_be_played(const ChartRun& run) {
 /// Returns the runs of the content that can be played, up to the limit, in this order: model errors, violated
 /// properties, witnesses, runs of findings, test sequences.
 std::vector<Playable> playable_runs(const PageContent& content);
+
+/// Returns the runs of the fault analysis. `charts` contains the index of the chart of each controller.
+std::vector<Playable> fault_runs(const PageContent& content, const std::vector<std::size_t>& charts);
+
+/// Returns the runs at points of a grid. `charts` contains the index of the chart of each controller.
+std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<std::size_t>& charts);
 
 /// Returns the selected properties of the loop that have no verdict because the model cannot express them.
 std::vector<const Property*> left_out(const PageContent& content);

@@ -16,11 +16,6 @@ namespace grafverif {
 
 namespace {
 
-struct SummaryItem {
-    const char* kind = "";
-    std::string words = {};
-};
-
 std::size_t undecided(const PageContent& content) {
     const Tally count = tally(content.report);
     return count.unknown + count.undeclared_unknown + left_out(content).size();
@@ -48,6 +43,8 @@ std::string errors_text(const PageContent& content) {
 /// Returns the summary of the page. The summary is positive only if every verdict is as expected, no property holds
 /// vacuously, and the analyses of the charts are complete and found no errors.
 SummaryItem glance_of(const PageContent& content) {
+    if (content.faults) return summary_of(*content.faults);
+    if (content.tuning) return summary_of(*content.tuning);
     const Report& report = content.report;
     const Tally count = tally(report);
     const bool analysis_failed =
@@ -144,7 +141,8 @@ void add_head(const PageContent& content, Html& html) {
     html.close("p");
     const SummaryItem glance = glance_of(content);
     html.open("p", {{"class", std::string("glance ") + glance.kind}}).put("strong", glance.words);
-    html.put("span", tally_text(content)).close("p");
+    if (is_about_verdicts(content)) html.put("span", tally_text(content));
+    html.close("p");
     for (const ModelErrorTrace& each : content.report.error_traces)
         html.put("p", "Model error: " + each.message + " [" + each.code + "]", {{"class", "bad"}});
     for (const std::string& failure : content.report.failures) html.put("p", failure, {{"class", "bad"}});

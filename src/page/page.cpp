@@ -25,13 +25,16 @@ void add_contents(const PageContent& content, Html& html) {
     const auto add = [&html](const char* id, const char* title) {
         html.open("li").put("a", title, {{"href", std::string("#") + id}}).close("li");
     };
-    add("verdicts", "Properties");
+    const bool complete = is_about_verdicts(content);
+    if (content.faults) add("faults", "Faults");
+    else if (content.tuning) add("tuning", "Values of constants");
+    else add("verdicts", "Properties");
     if (!playable_runs(content).empty()) add("runs", "Runs");
     add("charts", charts_title(content));
-    if (has_charts(content)) add("findings", "Findings");
+    if (complete && has_charts(content)) add("findings", "Findings");
     if (content.loop.valid()) add("plant", "Plant");
-    if (has_charts(content)) add("equations", "Equations");
-    if (has_steps(content)) add("coverage", "Coverage");
+    if (complete && has_charts(content)) add("equations", "Equations");
+    if (complete && has_steps(content)) add("coverage", "Coverage");
     html.close("ul").close("nav");
 }
 
@@ -45,6 +48,16 @@ void add_cleared_transitions(PageContent& content) {
     for (PropertyResult& answer : content.report.answers)
         if (answer.trace) add(*answer.trace);
     for (ModelErrorTrace& each : content.report.error_traces) add(each.trace);
+    if (content.faults) {
+        for (FaultAnalysis::Error& each : content.faults->errors) add(each.trace.trace);
+        for (FaultAnalysis::Row& row : content.faults->rows)
+            for (FaultAnalysis::Cut& cut : row.minimal)
+                if (cut.result.trace) add(*cut.result.trace);
+    }
+    if (content.tuning)
+        for (Tuning::Row& row : content.tuning->rows)
+            for (auto& [_, result] : row.runs)
+                if (result.trace) add(*result.trace);
 }
 
 std::string written(const PageContent& content) {
@@ -61,13 +74,16 @@ std::string written(const PageContent& content) {
     add_head(content, html);
     add_contents(content, html);
     html.open("main");
-    add_verdicts(content, html);
+    const bool complete = is_about_verdicts(content);
+    if (content.faults) add_faults(content, html);
+    else if (content.tuning) add_tuning(content, html);
+    else add_verdicts(content, html);
     add_runs(content, html);
     add_charts(content, html);
-    if (has_charts(content)) add_findings(content, html);
+    if (complete && has_charts(content)) add_findings(content, html);
     add_plant(content, html);
-    if (has_charts(content)) add_equations(content, html);
-    if (has_steps(content)) add_coverage(content, html);
+    if (complete && has_charts(content)) add_equations(content, html);
+    if (complete && has_steps(content)) add_coverage(content, html);
     html.close("main");
     html.open("script", {{"type", "application/json"}, {"id", "data"}}).trusted(page_data(content)).close("script");
     html.open("script", {{"type", "module"}}).trusted(page_script().text).close("script");

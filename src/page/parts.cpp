@@ -46,8 +46,7 @@ std::string outcome_text(const Verdict& verdict) {
     return words;
 }
 
-/// Returns the CSS class of a verdict and the symbol with the same meaning.
-std::pair<const char*, const char*> look_of(const Verdict& verdict) {
+PropertyLook look_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return {"unknown", "?"};
     const char* const mark = verdict.outcome == Outcome::Holds ? "✓" : "✗";
     if (!as_expected(verdict)) return {"bad", mark};
@@ -56,18 +55,9 @@ std::pair<const char*, const char*> look_of(const Verdict& verdict) {
 
 void add_result(const PageContent& content, const PropertyResult& answer, Html& html) {
     const Verdict& verdict = answer.verdict;
-    const auto [kind, mark] = look_of(verdict);
     const bool folded = verdict.outcome == Outcome::Holds && as_expected(verdict) && !verdict.vacuous;
-    Html::Attributes attributes = {{"class", std::string("property ") + kind}, {"id", "property-" + verdict.property}};
-    if (!folded) attributes.emplace_back("open", "");
-    html.open("details", attributes).open("summary");
-    html.put("span", mark, {{"class", "mark"}, {"aria-hidden", "true"}});
-    html.open("strong").text(verdict.property).close("strong");
-    if (!answer.text.empty()) html.put("span", answer.text, {{"class", "prose"}});
-    html.put("span", outcome_text(verdict), {{"class", "outcome"}}).close("summary");
-    if (const std::string formula = expectation_text(content.model, content.loop, verdict.property, content.sources);
-        !formula.empty())
-        html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
+    begin_property(look_of(verdict), verdict.property, answer.text, outcome_text(verdict), folded, html);
+    add_formula(content, verdict.property, html);
     if (!verdict.declared && verdict.outcome != Outcome::Unknown)
         html.put("p", "The model does not declare this property; it is always checked.");
     if (!verdict.reason.empty()) html.open("p").text("Why: ").prose(verdict.reason).close("p");
@@ -195,6 +185,21 @@ void add_coverage_of(const PageContent& content, std::size_t place, Html& html) 
 
 }  // namespace
 
+void begin_property(const PropertyLook& look, const std::string& name, std::string_view text, std::string_view outcome,
+                    bool folded, Html& html) {
+    Html::Attributes attributes = {{"class", std::string("property ") + look.kind}, {"id", "property-" + name}};
+    if (!folded) attributes.emplace_back("open", "");
+    html.open("details", attributes).open("summary");
+    html.put("span", look.mark, {{"class", "mark"}, {"aria-hidden", "true"}}).put("strong", name);
+    if (!text.empty()) html.put("span", text, {{"class", "prose"}});
+    html.put("span", outcome, {{"class", "outcome"}}).close("summary");
+}
+
+void add_formula(const PageContent& content, const std::string& property, Html& html) {
+    const std::string formula = expectation_text(content.model, content.loop, property, content.sources);
+    if (!formula.empty()) html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
+}
+
 void add_verdicts(const PageContent& content, Html& html) {
     begin_section(html, "verdicts", "Properties");
     const std::vector<const Property*> without = left_out(content);
@@ -212,10 +217,10 @@ void add_verdicts(const PageContent& content, Html& html) {
         html.put("p", "This model does not support the property; see the warnings.").close("details");
     }
     for (const PropertyResult& answer : content.report.answers)
-        if (look_of(answer.verdict).first != std::string_view("ok")) add_result(content, answer, html);
+        if (look_of(answer.verdict).kind != std::string_view("ok")) add_result(content, answer, html);
     add_remedies(content, html);
     for (const PropertyResult& answer : content.report.answers)
-        if (look_of(answer.verdict).first == std::string_view("ok")) add_result(content, answer, html);
+        if (look_of(answer.verdict).kind == std::string_view("ok")) add_result(content, answer, html);
     html.close("section");
 }
 

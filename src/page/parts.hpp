@@ -7,10 +7,35 @@
 
 namespace grafverif {
 
+/// The summary of a page. `kind` is the CSS class: `ok`, `bad` or `unknown`.
+struct SummaryItem {
+    const char* kind = "";
+    std::string words = {};
+};
+
+SummaryItem summary_of(const FaultAnalysis& analysis);
+SummaryItem summary_of(const Tuning& tuning);
+
+/// The CSS class of a property and the symbol with the same meaning.
+struct PropertyLook {
+    const char* kind = "";
+    const char* mark = "";
+};
+
+/// Begins the element `details` of a property, with its summary.
+void begin_property(const PropertyLook& look, const std::string& name, std::string_view text, std::string_view outcome,
+                    bool folded, Html& html);
+/// Adds the formula of a property.
+void add_formula(const PageContent& content, const std::string& property, Html& html);
+
 /// Adds file, version, date, the summary verdict, assumptions and warnings.
 void add_head(const PageContent& content, Html& html);
 /// Adds every property. Properties that hold as expected are folded.
 void add_verdicts(const PageContent& content, Html& html);
+/// Adds the minimal combinations of faults for each property, and the effects of each fault.
+void add_faults(const PageContent& content, Html& html);
+/// Adds for each property the map of the grid or a table of boxes, and the margins of the current values.
+void add_tuning(const PageContent& content, Html& html);
 /// Adds the element of the player. If JavaScript is disabled, the page shows the runs as text.
 void add_runs(const PageContent& content, Html& html);
 /// True if a controller is a chart, not a PLC program.

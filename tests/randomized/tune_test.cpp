@@ -11,6 +11,7 @@
 #include <map>
 #include <random>
 
+#include "explain/violation.hpp"
 #include "grafverif/grafverif.hpp"
 #include "report/charts/tuning.hpp"
 #include "support/test_size.hpp"
@@ -136,16 +137,31 @@ std::optional<Read> read(const std::string& text, const std::map<std::string, st
 }
 
 struct Seen {
-    int loops = 0, verdicts = 0, holds = 0, violated = 0, fewer = 0, faulty = 0;
+    int loops = 0, verdicts = 0, holds = 0, violated = 0, fewer = 0, faulty = 0, runs = 0, watched_runs = 0, traces = 0;
     std::size_t points = 0, checks = 0;
 };
 
 std::optional<Tuning> tuned_at(const Read& read, const std::vector<TunedConstant>& constants, bool every_point,
                                unsigned jobs) {
     Diagnostics diagnostics;
-    const TuneRequest request{.constants = constants, .jobs = jobs, .every_point = every_point};
+    const TuneRequest request{.constants = constants, .jobs = jobs, .runs = 1000, .every_point = every_point};
     return tuned(*read.result.model, read.loop, *read.result.sources.ids().begin(), read.result.sources, request,
                  diagnostics);
+}
+
+/// Each run at a point belongs to a violation, and violates a property with an observer with the values of the point.
+/// The command has already replayed each run on the charts of its point.
+void compare_run(const Tuning::Row& row, std::size_t point, const Read& at, Seen& seen) {
+    const auto found = row.runs.find(point);
+    if (found == row.runs.end()) return;
+    ++seen.runs;
+    EXPECT_EQ(word(row.verdicts[point].outcome), "violated") << row.property;
+    ASSERT_TRUE(found->second.trace.has_value());
+    for (const Property& property : at.result.model->loops[at.loop].properties) {
+        if (property.name != row.property || property.pattern != Pattern::Watched) continue;
+        ++seen.watched_runs;
+        EXPECT_TRUE(violation_of(property.watch, {"a", "b"}, *found->second.trace).has_value()) << row.property;
+    }
 }
 
 /// Compares the verdicts with those of a separate check of each point.
@@ -167,6 +183,8 @@ void compare_with_checks(const std::string& text, const Tuning& tuning, Seen& se
             if (verdict.obstacle == UnknownReason::Inexact) continue;  // the time unit of `tune` may be finer
             EXPECT_EQ(word(tuning.rows[row].verdicts[point].outcome), word(verdict.outcome))
                 << verdict.property << " at " << point_text(tuning, point) << ": " << verdict.reason;
+            compare_run(tuning.rows[row], point, *at, seen);
+            if (verdict.outcome == Outcome::Violated && report->answers[row].trace) ++seen.traces;
             ++seen.verdicts;
             seen.holds += verdict.outcome == Outcome::Holds ? 1 : 0;
             seen.violated += verdict.outcome == Outcome::Violated ? 1 : 0;
@@ -211,6 +229,8 @@ TEST(RandomizedTune, EveryVerdictIsTheVerdictOfASeparateCheck) {
     EXPECT_GT(seen.fewer, cases / 4);
     EXPECT_GT(seen.holds, seen.verdicts / 10);
     EXPECT_GT(seen.violated, seen.verdicts / 10);
+    EXPECT_EQ(seen.runs, seen.traces) << "each violation that has a run in a separate check has one";
+    EXPECT_GT(seen.watched_runs, 0);
     if (std::getenv("GRAFVERIF_TEST_COUNTS") != nullptr)
         std::printf(
             "%d loops, %zu points, %zu checks, %d with fewer checks; %d verdicts, %d hold, %d violated, %d faulty\n",

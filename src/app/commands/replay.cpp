@@ -36,16 +36,8 @@ std::vector<Id<Chart>> recorded_charts(const Model& model, CommandContext& job) 
     } else {
         for (const Id<Chart> id : model.charts.ids()) charts.push_back(id);
     }
-    for (const Id<Chart> id : charts) {
-        if (!equations_of(model, id, job)) return {};
-        if (execution_mode(model, id, job) == ExecutionMode::StabilitySearch) continue;
-        job.diagnostics.add(messages::not_comparable(
-            model.charts[id].origin,
-            fmt::format("`{}` writes outputs in every cycle, and a recording does not contain the cycles",
-                        model.charts[id].name),
-            "pass `--mode stability-search`"));
-        return {};
-    }
+    for (const Id<Chart> id : charts)
+        if (!can_be_recorded(model, id, job.options.mode, job.diagnostics)) return {};
     return charts;
 }
 

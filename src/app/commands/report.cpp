@@ -3,7 +3,6 @@
 #include "report/report.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/decide.hpp"
@@ -37,15 +36,6 @@ std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vec
     return runs_of(model.charts[charts.front()], *test);
 }
 
-std::string warnings_of(const CommandContext& job) {
-    std::vector<Diagnostic> warnings;
-    for (const Diagnostic& diagnostic : job.diagnostics.all())
-        if (diagnostic.severity != Severity::Error) warnings.push_back(diagnostic);
-    std::ostringstream text;
-    render_text(warnings, job.sources, Colour::Plain, text);
-    return std::move(text).str();
-}
-
 }  // namespace
 
 ExitCode report(CommandContext& job, const Streams& streams) {
@@ -68,18 +58,14 @@ ExitCode report(CommandContext& job, const Streams& streams) {
         if (!tests) return ExitCode::Input;
         content.tests = std::move(*tests);
     }
-    content.file = job.options.operands[0];
-    content.version = GRAFVERIF_VERSION;
-    content.date = job.options.date;
-    content.requested = job.options.properties;
     note(*decided, *model, job);
     content.report = std::move(decided->report);
     content.trials = std::move(decided->trials);
-    content.warnings = warnings_of(job);
-    deliver(page_of(content), job, streams);
     const bool faulty =
         std::ranges::any_of(content.charts, [](const ChartContent& chart) { return !chart.analysis.failures.empty(); });
-    return faulty ? ExitCode::Failure : exit_code(content.report, bounds.interrupted());
+    const ExitCode code = faulty ? ExitCode::Failure : exit_code(content.report, bounds.interrupted());
+    deliver(report_page(std::move(content), job), job, streams);
+    return code;
 }
 
 CliCommand report_usage() {

@@ -36,16 +36,7 @@ std::vector<std::string> names_of(const Chart& chart, const std::vector<Variable
     return names;
 }
 
-/// A chart that is checked against the recording.
-struct CheckedChart {
-    const Chart* chart = nullptr;
-    std::vector<Variable> variable_of = {};    ///< for each column: its variable, or an invalid id
-    std::vector<std::size_t> column_of = {};   ///< for each variable: its column + 1, or 0
-    std::vector<std::string> unrecorded = {};  ///< names of the outputs without a column
-    std::unique_ptr<RecordingCheck> check = {};
-    RecordedSample sample = {};  ///< the values of all rows with the time of the last row
-    bool decided = false;
-};
+}  // namespace
 
 class RecordingReader {
 public:
@@ -59,18 +50,29 @@ public:
         report_.jitter_us = options.jitter_ms * 1000;
     }
 
-    std::optional<RecordingReport> run(const Model& model, const std::vector<Id<Chart>>& charts) {
+    /// Reads the names of the variables. Returns false after an error.
+    bool open(const Model& model, const std::vector<Id<Chart>>& charts) {
         if (options_.stop_early) reader_.stop_at_error();
-        if (!reader_.open()) return {};
+        if (!reader_.open()) return false;
         for (const Id<Chart> id : charts) charts_.push_back(bound(model.charts[id]));
         check_names();
-        if (failed()) return {};
+        if (failed()) return false;
         std::vector<std::string> names;
         for (std::size_t k = 0; k < reader_.columns().size(); ++k)
             names.push_back(is_used(k) ? mapped(reader_.columns()[k].name) : "");
         properties_.emplace(model, names, report_.jitter_us);
-        LogRow row;
-        while (!is_decided() && !stopped() && reader_.next(row)) add(row);
+        return true;
+    }
+
+    /// Reads the next row. Returns false if there is none, or if all verdicts are final.
+    bool read_row() {
+        if (is_decided() || stopped() || !reader_.next(row_)) return false;
+        add(row_);
+        return true;
+    }
+
+    /// Returns the verdicts; empty after an error.
+    std::optional<RecordingReport> finish() {
         if (report_.samples == 0 && !failed())
             diagnostics_.add(messages::bad_log(reader_.where(), "the log has no sample; add at least one row"));
         finish_sample();
@@ -80,8 +82,26 @@ public:
         return std::move(report_);
     }
 
-private:
     bool failed() const { return diagnostics_.errors() != errors_; }
+
+    bool is_decided() const {
+        const auto decided = [](const CheckedChart& checked) { return checked.decided; };
+        if (!options_.stop_early) return std::ranges::all_of(charts_, decided);
+        return std::ranges::any_of(charts_, decided) ||
+               std::ranges::any_of(properties_->results(), &RecordedProperty::violated);
+    }
+
+private:
+    /// A chart that is checked against the recording.
+    struct CheckedChart {
+        const Chart* chart = nullptr;
+        std::vector<Variable> variable_of = {};    ///< for each column: its variable, or an invalid id
+        std::vector<std::size_t> column_of = {};   ///< for each variable: its column + 1, or 0
+        std::vector<std::string> unrecorded = {};  ///< names of the outputs without a column
+        std::unique_ptr<RecordingCheck> check = {};
+        RecordedSample sample = {};  ///< the values of all rows with the time of the last row
+        bool decided = false;
+    };
 
     void collect_verdicts() {
         for (CheckedChart& checked : charts_) {
@@ -222,31 +242,65 @@ private:
                 first_row_, fmt::format("the first sample has no value of {}; add it", list_of(names))));
     }
 
-    bool is_decided() const {
-        const auto decided = [](const CheckedChart& checked) { return checked.decided; };
-        if (!options_.stop_early) return std::ranges::all_of(charts_, decided);
-        return std::ranges::any_of(charts_, decided) ||
-               std::ranges::any_of(properties_->results(), &RecordedProperty::violated);
-    }
-
     bool stopped() const { return is_over(options_.limits.deadline, options_.limits.stop); }
 
     LogReader reader_;
     const RecordingOptions& options_;
     Diagnostics& diagnostics_;
     std::size_t errors_;  ///< number of errors before the check
+    LogRow row_ = {};
     Span first_row_ = {};
     RecordingReport report_ = {};
     std::vector<CheckedChart> charts_ = {};
     std::optional<RecordedProperties> properties_ = {};
 };
 
-}  // namespace
+bool can_be_recorded(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode, Diagnostics& diagnostics) {
+    if (!equations_of(model, chart, diagnostics)) return false;
+    if (execution_mode(model, chart, mode) == ExecutionMode::StabilitySearch) return true;
+    diagnostics.add(messages::not_comparable(
+        model.charts[chart].origin,
+        fmt::format("`{}` writes outputs in every cycle, and a recording does not contain the cycles",
+                    model.charts[chart].name),
+        "pass `--mode stability-search`"));
+    return false;
+}
+
+RecordingMonitor::RecordingMonitor(const Model& model, std::vector<Id<Chart>> charts, const std::string& name,
+                                   RecordingOptions options, Sources& sources, Diagnostics& diagnostics)
+    : model_(model), charts_(std::move(charts)), options_(std::move(options)) {
+    const auto next_line = [this](std::string& block) {
+        block = std::move(line_);
+        line_.clear();
+        return !block.empty();
+    };
+    reader_ = std::make_unique<RecordingReader>(next_line, name, options_, sources, diagnostics);
+}
+
+RecordingMonitor::~RecordingMonitor() = default;
+
+bool RecordingMonitor::add(const std::string& line) {
+    if (reader_->failed() || (open_ && reader_->is_decided())) return false;
+    line_ = line + '\n';
+    if (!open_ && !reader_->open(model_, charts_)) return false;
+    open_ = true;
+    reader_->read_row();
+    return !reader_->failed() && !reader_->is_decided();
+}
+
+std::optional<RecordingReport> RecordingMonitor::finish() {
+    if (!open_ && !add("")) return {};
+    return reader_->finish();
+}
 
 std::optional<RecordingReport> check_recording(const Model& model, const std::vector<Id<Chart>>& charts, LogBlocks log,
                                                const std::string& name, const RecordingOptions& options,
                                                Sources& sources, Diagnostics& diagnostics) {
-    return RecordingReader(std::move(log), name, options, sources, diagnostics).run(model, charts);
+    RecordingReader reader(std::move(log), name, options, sources, diagnostics);
+    if (!reader.open(model, charts)) return {};
+    while (reader.read_row()) {
+    }
+    return reader.finish();
 }
 
 }  // namespace grafverif

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,6 +25,38 @@ struct RecordingOptions {
     /// lines.
     bool stop_early = false;
     Limits limits = {};
+};
+
+/// True if recordings can be checked against the chart: it has equations, and its mode is stability search. Otherwise,
+/// an error is added.
+bool can_be_recorded(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode, Diagnostics& diagnostics);
+
+class RecordingReader;
+
+/// Checks a recording whose lines arrive one by one. All references must outlive the object.
+class RecordingMonitor {
+public:
+    RecordingMonitor(const Model& model, std::vector<Id<Chart>> charts, const std::string& name,
+                     RecordingOptions options, Sources& sources, Diagnostics& diagnostics);
+    ~RecordingMonitor();
+    RecordingMonitor(const RecordingMonitor&) = delete;
+    RecordingMonitor& operator=(const RecordingMonitor&) = delete;
+
+    /// Adds a line of a log in JSON lines; the first line determines the columns. Returns true if further lines can
+    /// change the verdicts. Returns false if all verdicts are final, or after an error. A sample is complete when a line
+    /// with a later time is added.
+    bool add(const std::string& line);
+    /// Returns the verdicts on the lines so far. The result is empty if at least one error was added to `diagnostics`.
+    /// Must be called at most once, after the last line.
+    std::optional<RecordingReport> finish();
+
+private:
+    const Model& model_;
+    const std::vector<Id<Chart>> charts_;
+    const RecordingOptions options_;
+    std::string line_ = {};  ///< the line that the reader reads next
+    bool open_ = false;
+    std::unique_ptr<RecordingReader> reader_;
 };
 
 /// Reads `log` until the verdict of each chart is final. The sources of diagnostics about `log`, which has the name

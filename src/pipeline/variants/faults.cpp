@@ -2,12 +2,12 @@
 #include "pipeline/variants/faults.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <iterator>
 #include <mutex>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "check/shares.hpp"
@@ -24,10 +24,8 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// For each pass of a check: the maximum number of states, and a flag that is true if only the complete network is
-/// searched.
-constexpr std::array<std::pair<std::optional<std::uint64_t>, bool>, 3> passes = {
-    {{std::uint64_t{1} << 17U, false}, {std::uint64_t{1} << 22U, true}, {{}, false}}};
+/// Maximum number of states of the second pass, which searches only the complete network.
+constexpr std::uint64_t second_states = std::uint64_t{1} << 22U;
 
 bool is_about_existence(Pattern pattern) {
     return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
@@ -87,8 +85,17 @@ struct CombinationCheck {
     std::vector<std::pair<std::size_t, std::string>> unknown = {};  ///< rows with unknown verdicts, and the reasons
     std::vector<ModelErrorTrace> errors = {};
     std::vector<std::string> failures = {};
+    double states = 0;  ///< number of states of the model in which the faults may occur at any time; 0 if unknown
     bool done = false;
 };
+
+/// Returns the maximum number of states of a search.
+double states_of(const Report& report) {
+    double most = 0;
+    for (const PropertyResult& result : report.answers)
+        most = std::max(most, static_cast<double>(std::stoull("0" + result.verdict.states)));
+    return most;
+}
 
 class FaultAnalyzer {
 public:
@@ -105,6 +112,7 @@ public:
         for (std::size_t size = 1; size <= request_.order; ++size) check_combinations(size);
         if (request_.visible) find_visible(*network);
         analysis_.checks = checks_;
+        analysis_.skipped = skipped_;
         return std::move(analysis_);
     }
 
@@ -140,19 +148,35 @@ private:
 
     /// Checks the network in passes, each for the properties that are still undecided. A network with faults often has
     /// only a few more states than the limit above which localization is used. Therefore the second pass searches the
-    /// complete network, which then needs less time than localization.
-    Report report_on(const Model& model, const Network& network, CheckOptions options, bool timelock) const {
+    /// complete network, which then needs less time than localization. The first pass is skipped if the network is
+    /// expected to have more states than the first pass explores, but not more than the second pass explores. Skipping
+    /// is sound for every expectation, because each pass decides properties independently of other passes.
+    Report report_on(const Model& model, const Network& network, CheckOptions options, bool timelock,
+                     double expected = 0) const {
         ++checks_;
         const LoopToCheck loop = loop_to_check(model, loop_, network);
         Report report;
-        for (const auto& [states, whole] : passes) {
-            options.limits.states = states;
-            options.whole = whole;
+        const bool skips = expected > static_cast<double>(request_.first_states) && expected <= second_states;
+        if (skips) ++skipped_;
+        for (int pass = skips ? 2 : 1; pass <= 3; ++pass) {
+            if (pass == 3) options.limits.states.reset();
+            else options.limits.states = pass == 1 ? request_.first_states : second_states;
+            options.whole = pass == 2;
             merge(check_without_causes(loop, options), report);
             options.properties = to_check_again(report, timelock);
             if (options.properties.empty() || stopped()) break;
         }
         return report;
+    }
+
+    /// Returns the expected number of states of the model in which the faults of a combination may occur at any time.
+    /// Each fault multiplies the number of states by the factor by which it multiplies the states of the loop without
+    /// other faults. The result is 0 if the number of states with a single fault is unknown.
+    double expected_states(const FaultSet& faults) const {
+        double states = states_without_faults_;
+        for (const std::size_t fault : faults)
+            states *= fault < states_.size() ? states_[fault] / states_without_faults_ : 0;
+        return faults.size() > 1 && states_without_faults_ > 0 ? states : 0;
     }
 
     /// True if the property of the row is requested. A check also decides `no timelock` if this property is not
@@ -166,6 +190,7 @@ private:
     void check_without_faults(const Network& network) {
         Report report = report_on(model_, network, options(request_.jobs), true);
         analysis_.settings = report.settings;
+        states_without_faults_ = states_of(report);
         analysis_.failures = std::move(report.failures);
         for (ModelErrorTrace& each : report.error_traces) analysis_.errors.push_back({{}, std::move(each)});
         for (const PropertyResult& result : report.answers) {
@@ -228,7 +253,11 @@ private:
                            std::to_string(size) + " faults";
                 }});
             });
-        for (CombinationCheck& job : jobs) apply(job);
+        if (size == 1) states_.resize(faults().size());
+        for (CombinationCheck& job : jobs) {
+            if (size == 1) states_[job.faults.front()] = job.states;
+            apply(job);
+        }
     }
 
     /// Checks the models of a combination: first the model in which all faults occur at any time, then models in which
@@ -276,7 +305,8 @@ private:
                 how.properties.push_back(name);
         const bool timelock = std::ranges::any_of(
             rows, [&](std::size_t row) { return analysis_.rows[row].pattern == Pattern::NoTimelock; });
-        Report report = report_on(made, *network, how, timelock);
+        Report report = report_on(made, *network, how, timelock, present == 0 ? expected_states(job.faults) : 0);
+        if (present == 0) job.states = states_of(report);
         std::ranges::move(report.failures, std::back_inserter(job.failures));
         add_errors(std::move(report.error_traces), job.errors);
         for (PropertyResult& result : report.answers)
@@ -451,25 +481,12 @@ private:
     const FaultsRequest& request_;
     Diagnostics& diagnostics_;
     FaultAnalysis analysis_ = {};
-    mutable std::atomic<std::size_t> checks_ = 0;
+    double states_without_faults_ = 0;
+    std::vector<double> states_ = {};  ///< for each fault: number of states with this fault only
+    mutable std::atomic<std::size_t> checks_ = 0, skipped_ = 0;
 };
 
 }  // namespace
-
-std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order) {
-    std::vector<std::uint64_t> per_instance(loop.instances.size());
-    for (const ClosedLoop::Fault& fault : loop.faults) ++per_instance[fault.of.index];
-    // Entry k: number of combinations of k faults of the instances that were visited; values above the limit are
-    // replaced by the limit plus one.
-    std::vector<std::uint64_t> counts(std::min<std::size_t>(order, loop.instances.size()) + 1);
-    counts[0] = 1;
-    for (const std::uint64_t faults : per_instance)
-        for (std::size_t k = counts.size(); k-- > 1;)
-            counts[k] = std::min(counts[k] + counts[k - 1] * faults, most_combinations + 1);
-    std::uint64_t sum = 0;
-    for (std::size_t k = 1; k < counts.size(); ++k) sum = std::min(sum + counts[k], most_combinations + 1);
-    return sum;
-}
 
 std::optional<FaultAnalysis> analysed_faults(const Model& model, Id<ClosedLoop> loop, const FaultsRequest& request,
                                              Diagnostics& diagnostics) {

@@ -38,11 +38,18 @@ struct FaultsRequest {
     bool visible = true;                       ///< also determine which steps and outputs each fault affects
     ModelOptions how = {};
     Limits limits = {};
+    /// Maximum number of states of the first search for a combination. Verdicts that no limit prevents do not depend on
+    /// it.
+    std::uint64_t first_states = std::uint64_t{1} << 17U;
     unsigned jobs = 0;  ///< threads; 0 selects one per core; the result does not depend on it
 };
 
 /// Returns the number of combinations of at most `order` faults, or more than most_combinations if there are too many.
 std::uint64_t combination_count(const ClosedLoop& loop, std::size_t order);
+
+/// True if `loop` has faults, `order` is within the limit, and the number of combinations is within the limit.
+/// Otherwise, errors are added.
+bool faults_can_be_combined(const ClosedLoop& loop, std::uint64_t order, Diagnostics& diagnostics);
 
 /// Analyses the faults of `loop`. Requires that combination_count is at most most_combinations. The result is empty
 /// after an error: a property does not exist, or the model with a fault is rejected. If a limit is reached, the

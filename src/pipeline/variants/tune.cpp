@@ -12,13 +12,13 @@
 #include <set>
 #include <utility>
 
-#include "compose/observe.hpp"
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/staged_search.hpp"
 #include "pipeline/variants/in_parallel.hpp"
 #include "pipeline/variants/tune_points.hpp"
+#include "pipeline/variants/tune_runs.hpp"
 #include "pipeline/variants/variant_search.hpp"
 #include "run/retiming.hpp"
 
@@ -54,6 +54,7 @@ struct Job {
     bool exact = false;  ///< true: the relaxation is the network of each of the points
     Indices points = {}, rows = {};
     std::vector<Verdict> verdicts = {};
+    std::map<std::string, PropertyResult> violations = {};  ///< of an exact job: results with runs, by property
     std::vector<std::string> failures = {};
     std::optional<ClockFacts> facts = {};  ///< facts about the network; computed when they are first read
 };
@@ -89,6 +90,7 @@ public:
             if (points_.time_unit_ms() > 0) tuning_.settings.time_unit_ms = points_.time_unit_ms();
             note_current(report);
             search();
+            runs_.write(points_, request_.runs, tuning_);
         } catch (const std::bad_alloc&) {
             tuning_.reasons.front() = "the memory limit was reached";
         }
@@ -160,7 +162,7 @@ private:
         const std::size_t point = tuning_.point(indices);
         if (!points_.known(point)) return;
         Job job = job_at(point);
-        for (const PropertyResult& answer : report.answers) job.verdicts.push_back(answer.verdict);
+        take_answers(report, job);
         apply(job);
     }
 
@@ -171,13 +173,14 @@ private:
 
     std::size_t agreement(std::size_t row, std::size_t point) { return points_.agreement(point, kinds_[row].base); }
 
-    /// Returns the network that decides the property of a row. An observer has probes only in the network of a point.
     Network seen_by(std::size_t row, Network network, bool exact) const {
-        if (!kinds_[row].watched) return network;
-        const Vacuity vacuity = exact ? Vacuity::Probed : Vacuity::Ignored;
-        for (const Id<Property> id : watched(network))
-            if (network.properties[id].name == kinds_[row].base) return expand(observed(network, {id}, vacuity));
-        return network;
+        return grafverif::seen_by(std::move(network), kinds_[row].base, kinds_[row].watched, exact);
+    }
+
+    /// Stores the run of a violation at a point for the result.
+    void note_run(std::size_t row, std::size_t point, const Verdict& verdict, const Run& run, bool exact) {
+        if (request_.runs > 0 && verdict.outcome == Outcome::Violated)
+            runs_.add(row, point, verdict, run, kinds_[row].base, kinds_[row].watched, exact);
     }
 
     /// Returns the undecided points that agree with `point` on the property of the row (TunePoints::agreement).
@@ -205,6 +208,9 @@ private:
         std::size_t equal = 0;
         for (const std::size_t point : request_.every_point ? job.points : open_points(row, first))
             if (job.relaxation.is_exactly(points_.constants(point))) {
+                if (verdict.run) note_run(row, point, verdict, *verdict.run, job.exact);
+                else if (const auto found = job.violations.find(verdict.property); found != job.violations.end())
+                    runs_.add(row, point, found->second);
                 decide(row, point, made);
                 ++equal;
             }
@@ -227,6 +233,7 @@ private:
                 ++failed;
                 continue;
             }
+            note_run(row, point, verdict, *run, job.exact);
             decide(row, point, {verdict.outcome});
             ++tuning_.transferred;
             ++found;
@@ -392,7 +399,7 @@ private:
             });
             return;
         }
-        const std::size_t k = axis_of(box);
+        const std::size_t k = points_.axis_of(box);
         const std::size_t middle = (box.first[k] + box.last[k]) / 2;
         OpenBox lower{box, misses, checked}, upper{box, misses, checked};
         lower.box.last[k] = middle;
@@ -407,25 +414,6 @@ private:
             for (const std::size_t row : open_rows(point)) only = only && kinds_[row].pointwise;
         });
         return only;
-    }
-
-    /// Returns the constant along which a box is split: the constant with the most values. Constants that change more
-    /// than the constants of clock constraints have priority.
-    std::size_t axis_of(const GridBox& box) const {
-        std::size_t best = 0;
-        std::pair<bool, std::size_t> most{false, 0};
-        for (std::size_t k = 0; k < box.first.size(); ++k) {
-            Indices end = box.first;
-            end[k] = box.last[k];
-            const std::size_t a = tuning_.point(box.first), b = tuning_.point(end);
-            const bool changes = points_.known(a) && points_.known(b) && &points_.frame(a) != &points_.frame(b);
-            const std::pair<bool, std::size_t> here{changes, box.last[k] - box.first[k]};
-            if (here.second > 0 && here > most) {
-                most = here;
-                best = k;
-            }
-        }
-        return best;
     }
 
     void check(std::vector<Job>& jobs) {
@@ -463,8 +451,17 @@ private:
         options.limits.progress = {};
         const LoopToCheck loop{network, points_.charts(job.points.front())};
         Report report = check_without_causes(loop, options);
-        for (PropertyResult& answer : report.answers) job.verdicts.push_back(std::move(answer.verdict));
+        take_answers(report, job);
         job.failures = std::move(report.failures);
+    }
+
+    /// Copies the results of a check of the network of a point.
+    void take_answers(const Report& report, Job& job) const {
+        for (const PropertyResult& answer : report.answers) {
+            job.verdicts.push_back(answer.verdict);
+            if (request_.runs > 0 && answer.trace && answer.verdict.outcome == Outcome::Violated)
+                job.violations.emplace(answer.verdict.property, answer);
+        }
     }
 
     std::vector<std::string> names_of(const Indices& rows) const {
@@ -480,6 +477,7 @@ private:
     Diagnostics& diagnostics_;
     Tuning tuning_ = {};
     TunePoints points_;
+    TuneRuns runs_ = {};
     std::vector<RowKind> kinds_ = {};
     std::vector<std::size_t> open_ = {};  ///< for each row: number of undecided points
     std::size_t decided_ = 0;             ///< number of decided verdicts

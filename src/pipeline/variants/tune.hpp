@@ -30,6 +30,7 @@ struct TuneRequest {
     ReadOptions read = {};  ///< options with which the model was read
     Limits limits = {};
     unsigned jobs = 0;         ///< threads; 0 selects one per core; the result does not depend on it
+    std::size_t runs = 0;      ///< for each property: maximum number of violated points with a run in the result
     bool every_point = false;  ///< true: check each point, and do not derive verdicts from other checks
 };
 

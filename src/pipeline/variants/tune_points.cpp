@@ -25,6 +25,15 @@ void add_timelock(Network& network) {
 
 }  // namespace
 
+std::optional<Model> model_at(const Tuning& tuning, std::size_t point, Id<Source> main, const Sources& sources,
+                              ReadOptions options, Sources& to, Diagnostics& diagnostics) {
+    const std::vector<std::size_t> indices = tuning.indices(point);
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        options.constants[tuning.constants[k].name] =
+            value_text(tuning.constants[k], tuning.constants[k].value(indices[k]));
+    return read_again(main, {}, sources, to, options, diagnostics);
+}
+
 TunePoints::TunePoints(const Model& model, Id<ClosedLoop> loop, Id<Source> main, const Sources& sources,
                        const TuneRequest& request, const Tuning& tuning)
     : model_(model), loop_(loop), main_(main), sources_(sources), request_(request), tuning_(tuning) {}
@@ -40,12 +49,7 @@ std::size_t TunePoints::FrameSet::add(Network frame) {
 }
 
 void TunePoints::read_point(std::size_t point, std::optional<std::int64_t> unit_ms, Read& read) const {
-    ReadOptions options = request_.read;
-    const std::vector<std::size_t> indices = tuning_.indices(point);
-    for (std::size_t k = 0; k < indices.size(); ++k)
-        options.constants[tuning_.constants[k].name] =
-            value_text(tuning_.constants[k], tuning_.constants[k].value(indices[k]));
-    auto model = read_again(main_, {}, sources_, read.sources, options, read.diagnostics);
+    auto model = model_at(tuning_, point, main_, sources_, request_.read, read.sources, read.diagnostics);
     const auto loop = model ? find_loop(*model, model_.loops[loop_].name) : std::nullopt;
     if (!loop) return;
     if (unit_ms) model->loops[*loop].time_unit_ms = unit_ms;
@@ -114,6 +118,23 @@ const ClockFacts& TunePoints::facts(std::size_t point) {
     Point& at = points_[point];
     if (!at.facts) at.facts.emplace(network(point));
     return *at.facts;
+}
+
+std::size_t TunePoints::axis_of(const GridBox& box) const {
+    std::size_t best = 0;
+    std::pair<bool, std::size_t> most{false, 0};
+    for (std::size_t k = 0; k < box.first.size(); ++k) {
+        std::vector<std::size_t> end = box.first;
+        end[k] = box.last[k];
+        const std::size_t a = tuning_.point(box.first), b = tuning_.point(end);
+        const bool changes = known(a) && known(b) && &frame(a) != &frame(b);
+        const std::pair<bool, std::size_t> here{changes, box.last[k] - box.first[k]};
+        if (here.second > 0 && here > most) {
+            most = here;
+            best = k;
+        }
+    }
+    return best;
 }
 
 std::size_t TunePoints::agreement(std::size_t point, const std::string& property) {

@@ -13,6 +13,11 @@
 
 namespace grafverif {
 
+/// Reads the model again with the values at a point of the grid. Adds the sources to `to`. The result is empty after an
+/// error.
+std::optional<Model> model_at(const Tuning& tuning, std::size_t point, Id<Source> main, const Sources& sources,
+                              ReadOptions options, Sources& to, Diagnostics& diagnostics);
+
 class TunePoints {
 public:
     /// All references must outlive this object. `tuning` contains the constants.
@@ -32,6 +37,10 @@ public:
     const ClockFacts& facts(std::size_t point);
     /// Returns the charts of the controllers. The constants determine those of the charts that are instances.
     std::vector<const Chart*> charts(std::size_t point) const;
+
+    /// Returns the constant along which a box is split: the constant with the most values. Constants that change more
+    /// than the constants of clock constraints have priority.
+    std::size_t axis_of(const GridBox& box) const;
 
     /// Returns a number that is equal for two points if they agree on the processes, apart from the constants of clock
     /// constraints, and on the property.

@@ -36,32 +36,11 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`.
-std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults) {
-    std::string text;
-    for (const std::size_t fault : faults) text += (text.empty() ? "" : " + ") + printable(analysis.faults[fault].name);
-    return text.empty() ? "no fault" : text;
-}
-
 /// Returns the names of several combinations, such as `V_stuck, V_stuck + H_stuck`.
 std::string names_of(const FaultAnalysis& analysis, const std::vector<FaultSet>& sets) {
     std::string text;
     for (const FaultSet& faults : sets) text += (text.empty() ? "" : ", ") + names_of(analysis, faults);
     return text;
-}
-
-/// Returns text such as `minimality is unproved: V_stuck, H_stuck have the verdict unknown`; empty if the
-/// combination is proved to be minimal.
-std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut) {
-    if (cut.unknown_subsets.empty()) return "";
-    return "minimality is unproved: " + names_of(analysis, cut.unknown_subsets) +
-           (cut.unknown_subsets.size() == 1 ? " has" : " have") + " the verdict unknown";
-}
-
-/// True if the row of a property is printed. The row of an undeclared `no timelock` is omitted if this property holds
-/// without faults and for all checked combinations.
-bool is_shown(const FaultAnalysis::Row& row) {
-    return row.declared || row.without_faults != Outcome::Holds || !row.minimal.empty() || !row.open.empty();
 }
 
 void print_table(const FaultAnalysis& analysis, std::ostream& out) {
@@ -142,31 +121,17 @@ bool is_decided(const FaultAnalysis& analysis, std::size_t fault) {
 
 void print_effects(const FaultAnalysis& analysis, std::size_t index, std::ostream& out) {
     const FaultAnalysis::Fault& fault = analysis.faults[index];
-    const auto line = [&](std::string_view head, const std::vector<std::string>& names, std::string_view tail) {
-        if (names.empty()) return;
-        std::string prefix = "    ";
-        for (const std::string& part :
-             wrapped(std::string(head) + joined(names) + std::string(tail), widest_line - 8)) {
-            out << prefix << part << '\n';
-            prefix = "        ";
-        }
-    };
     out << fmt::format("\n{}: {} behaves as {}\n", printable(fault.name), printable(fault.instance),
                        printable(fault.component));
-    const std::vector<std::string> alone = violated_by(analysis, index);
-    const std::vector<std::string> with_others = violated_with_others(analysis, index);
-    line("violates ", alone, "");
-    line("violates with other faults ", with_others, "");
-    if (alone.empty() && with_others.empty())
-        out << (is_decided(analysis, index) ? "    violates no property\n"
-                                            : "    no violation found, but verdicts are unknown\n");
-    if (!fault.visible.decided) return void(out << "    visible effects: unknown\n");
-    const std::string_view shown =
-        fault.visible.always_shown == Outcome::Holds ? "; in every run, if the fault is present from power-on" : "";
-    line("true in some state with this fault, but never without faults: ", fault.visible.newly_true, shown);
-    line("never true if this fault is present from power-on: ", fault.visible.never_true, "");
-    if (fault.visible.newly_true.empty() && fault.visible.never_true.empty())
-        out << "    with and without the fault, the same steps and outputs can become true\n";
+    const FaultEffects effects = effects_of(analysis, index);
+    for (const auto* const sentences : {&effects.on_properties, &effects.visible})
+        for (const std::string& sentence : *sentences) {
+            std::string prefix = "    ";
+            for (const std::string& part : wrapped(sentence, widest_line - 8)) {
+                out << prefix << part << '\n';
+                prefix = "        ";
+            }
+        }
 }
 
 void print_run(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut,
@@ -230,6 +195,47 @@ Json row_json(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, cons
 }
 
 }  // namespace
+
+std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults) {
+    std::string text;
+    for (const std::size_t fault : faults) text += (text.empty() ? "" : " + ") + printable(analysis.faults[fault].name);
+    return text.empty() ? "no fault" : text;
+}
+
+std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut) {
+    if (cut.unknown_subsets.empty()) return "";
+    return "minimality is unproved: " + names_of(analysis, cut.unknown_subsets) +
+           (cut.unknown_subsets.size() == 1 ? " has" : " have") + " the verdict unknown";
+}
+
+bool is_shown(const FaultAnalysis::Row& row) {
+    return row.declared || row.without_faults != Outcome::Holds || !row.minimal.empty() || !row.open.empty();
+}
+
+FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t index) {
+    FaultEffects effects;
+    const auto add = [](std::vector<std::string>& to, std::string_view head, const std::vector<std::string>& names,
+                        std::string_view tail = "") {
+        if (!names.empty()) to.push_back(std::string(head) + joined(names) + std::string(tail));
+    };
+    add(effects.on_properties, "violates ", violated_by(analysis, index));
+    add(effects.on_properties, "violates with other faults ", violated_with_others(analysis, index));
+    if (effects.on_properties.empty())
+        effects.on_properties.push_back(is_decided(analysis, index) ? "violates no property"
+                                                                    : "no violation found, but verdicts are unknown");
+    const FaultAnalysis::Visible& visible = analysis.faults[index].visible;
+    if (!visible.decided) {
+        effects.visible.push_back("visible effects: unknown");
+        return effects;
+    }
+    const std::string_view always =
+        visible.always_shown == Outcome::Holds ? "; in every run, if the fault is present from power-on" : "";
+    add(effects.visible, "true in some state with this fault, but never without faults: ", visible.newly_true, always);
+    add(effects.visible, "never true if this fault is present from power-on: ", visible.never_true);
+    if (effects.visible.empty())
+        effects.visible.push_back("with and without the fault, the same steps and outputs can become true");
+    return effects;
+}
 
 void print_faults(const FaultAnalysis& analysis, bool all_runs, std::ostream& out) {
     out << fmt::format("{}: {} faults, {} combinations of at most {}, {} checks\n{}\n", printable(analysis.model),

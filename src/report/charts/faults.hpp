@@ -14,13 +14,31 @@
 //   CUT       {"faults", "from_power_on", "unknown_subsets":[["F"]], "trace"}; minimal if `unknown_subsets` is empty
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "grafverif/support/source.hpp"
 #include "ir/fault_analysis.hpp"
 
 namespace grafverif {
+
+/// Returns the names of the faults of a combination, such as `V_stuck + H_stuck`; `no fault` if it is empty.
+std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults);
+/// Returns text such as `minimality is unproved: V_stuck, H_stuck have the verdict unknown`; empty if the combination
+/// is proved to be minimal.
+std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut);
+/// True if the results for a property are shown. The row of an undeclared `no timelock` is omitted if this property
+/// holds without faults and for all checked combinations.
+bool is_shown(const FaultAnalysis::Row& row);
+
+/// The effects of a fault, one sentence each.
+struct FaultEffects {
+    std::vector<std::string> on_properties = {};
+    std::vector<std::string> visible = {};  ///< effects on steps and outputs
+};
+FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t fault);
 
 /// If `all_runs` is true, prints a run for each minimal combination, otherwise only for the first minimal combination
 /// of each property.

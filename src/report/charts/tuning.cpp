@@ -25,24 +25,6 @@ using Row = Tuning::Row;
 using Indices = std::vector<std::size_t>;
 using Json = nlohmann::ordered_json;
 
-/// Maximum number of columns and of rows of a map; each point of the grid is one character. Larger grids are printed as
-/// tables of boxes.
-constexpr std::size_t widest_map = 40, tallest_map = 60;
-
-std::string range_text(const TunedConstant& constant, std::size_t first, std::size_t last) {
-    const std::string low = value_text(constant, constant.value(first));
-    return first == last ? low : low + ".." + value_text(constant, constant.value(last));
-}
-
-bool is_uniform(const Row& row) {
-    return std::ranges::all_of(row.verdicts, [&](const PointVerdict& each) { return each == row.verdicts.front(); });
-}
-
-std::string verdict_text(const Tuning& tuning, const PointVerdict& verdict) {
-    const std::string text(word(verdict.outcome));
-    return verdict.outcome == Outcome::Unknown ? text + ": " + printable(tuning.reasons[verdict.reason]) : text;
-}
-
 char symbol(const PointVerdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return '?';
     return verdict.outcome == Outcome::Holds ? '+' : '-';
@@ -93,17 +75,6 @@ void print_map(const Tuning& tuning, const Row& row, std::ostream& out) {
     }
 }
 
-void print_margins(const Tuning& tuning, const Row& row, std::ostream& out) {
-    const std::vector<Margin> margins = margins_of(tuning, row);
-    for (const Margin& margin : margins) {
-        const TunedConstant& constant = tuning.constants[margin.constant];
-        out << fmt::format("    {} at {} = {}, {} {} the current value {}\n", word(margin.verdict.outcome),
-                           printable(constant.name), value_text(constant, margin.value),
-                           value_text(constant, margin.distance), margin.up ? "above" : "below",
-                           value_text(constant, constant.current));
-    }
-}
-
 /// Prints the reasons of the unknown verdicts of a map. The map itself has only one character per point.
 void print_reasons(const Tuning& tuning, const Row& row, std::ostream& out) {
     std::set<std::uint32_t> reasons;
@@ -111,15 +82,6 @@ void print_reasons(const Tuning& tuning, const Row& row, std::ostream& out) {
         if (each.outcome == Outcome::Unknown) reasons.insert(each.reason);
     for (const std::uint32_t reason : reasons)
         out << fmt::format("    unknown: {}\n", printable(tuning.reasons[reason]));
-}
-
-/// True if the row of a property must be printed. The row of an undeclared `no timelock` is printed only if it is
-/// violated at a point, or if a model error makes its verdict at a point unknown.
-bool is_shown(const Tuning& tuning, const Row& row) {
-    return row.declared || std::ranges::any_of(row.verdicts, [&](const PointVerdict& each) {
-               return each.outcome == Outcome::Violated ||
-                      (tuning.model_error && each.outcome == Outcome::Unknown && each.reason > 0);
-           });
 }
 
 void print_row(const Tuning& tuning, const Row& row, bool map, std::ostream& out) {
@@ -140,13 +102,52 @@ void print_row(const Tuning& tuning, const Row& row, bool map, std::ostream& out
             print_boxes(tuning, row, out);
         }
     }
-    print_margins(tuning, row, out);
+    for (const std::string& sentence : margin_sentences(tuning, row)) out << "    " << sentence << '\n';
 }
 
 }  // namespace
 
 std::string value_text(const TunedConstant& constant, std::int64_t value) {
     return value_text(NamedConstant{.name = constant.name, .kind = constant.kind, .value = value});
+}
+
+std::string grid_text(const TunedConstant& constant) {
+    return fmt::format("{} = {} in steps of {}; current value {}", printable(constant.name),
+                       range_text(constant, 0, constant.size() - 1), value_text(constant, constant.step),
+                       value_text(constant, constant.current));
+}
+
+std::string range_text(const TunedConstant& constant, std::size_t first, std::size_t last) {
+    const std::string low = value_text(constant, constant.value(first));
+    return first == last ? low : low + ".." + value_text(constant, constant.value(last));
+}
+
+bool is_uniform(const Row& row) {
+    return std::ranges::all_of(row.verdicts, [&](const PointVerdict& each) { return each == row.verdicts.front(); });
+}
+
+std::string verdict_text(const Tuning& tuning, const PointVerdict& verdict) {
+    const std::string text(word(verdict.outcome));
+    return verdict.outcome == Outcome::Unknown ? text + ": " + printable(tuning.reasons[verdict.reason]) : text;
+}
+
+bool is_shown(const Tuning& tuning, const Row& row) {
+    return row.declared || std::ranges::any_of(row.verdicts, [&](const PointVerdict& each) {
+               return each.outcome == Outcome::Violated ||
+                      (tuning.model_error && each.outcome == Outcome::Unknown && each.reason > 0);
+           });
+}
+
+std::vector<std::string> margin_sentences(const Tuning& tuning, const Row& row) {
+    std::vector<std::string> sentences;
+    for (const Margin& margin : margins_of(tuning, row)) {
+        const TunedConstant& constant = tuning.constants[margin.constant];
+        sentences.push_back(fmt::format("{} at {} = {}, {} {} the current value {}", word(margin.verdict.outcome),
+                                        printable(constant.name), value_text(constant, margin.value),
+                                        value_text(constant, margin.distance), margin.up ? "above" : "below",
+                                        value_text(constant, constant.current)));
+    }
+    return sentences;
 }
 
 std::string point_text(const Tuning& tuning, std::size_t point) {
@@ -209,10 +210,7 @@ std::vector<Margin> margins_of(const Tuning& tuning, const Row& row) {
 void print_tuning(const Tuning& tuning, std::ostream& out) {
     out << fmt::format("{}: {} points, {} models checked\n{}\n", printable(tuning.model), tuning.points, tuning.checks,
                        shared_settings({tuning.model, tuning.settings}, {}).shared);
-    for (const TunedConstant& constant : tuning.constants)
-        out << fmt::format("{} = {} in steps of {}; current value {}\n", printable(constant.name),
-                           range_text(constant, 0, constant.size() - 1), value_text(constant, constant.step),
-                           value_text(constant, constant.current));
+    for (const TunedConstant& constant : tuning.constants) out << grid_text(constant) << '\n';
     const bool map = tuning.constants.size() == 2 && tuning.constants[0].size() <= tallest_map &&
                      tuning.constants[1].size() <= widest_map;
     bool any_map = false;

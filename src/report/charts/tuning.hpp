@@ -31,6 +31,20 @@ std::string value_text(const TunedConstant& constant, std::int64_t value);
 /// Returns the values at a point as text: `N = 3, FILL = 2s`.
 std::string point_text(const Tuning& tuning, std::size_t point);
 
+/// Returns the values from `first` to `last`, which are indices, as text: `1s..6s`, `4`.
+std::string range_text(const TunedConstant& constant, std::size_t first, std::size_t last);
+/// Returns text such as `RAM = 1s..12s in steps of 1s; current value 3s`.
+std::string grid_text(const TunedConstant& constant);
+/// Returns the verdict as text; for an unknown verdict, with its reason.
+std::string verdict_text(const Tuning& tuning, const PointVerdict& verdict);
+/// True if the results for a property are shown. The row of an undeclared `no timelock` is shown only if it is violated
+/// at a point, or if a model error makes its verdict at a point unknown.
+bool is_shown(const Tuning& tuning, const Tuning::Row& row);
+/// True if the verdicts are the same at all points.
+bool is_uniform(const Tuning::Row& row);
+/// Maximum number of columns and of rows of a map. Larger grids are shown as tables of boxes.
+inline constexpr std::size_t widest_map = 40, tallest_map = 60;
+
 /// Returns disjoint boxes that cover the grid, each with one verdict on the property of `row`, in the order of their
 /// first points.
 std::vector<GridBox> boxes_of(const Tuning& tuning, const Tuning::Row& row);
@@ -46,6 +60,8 @@ struct Margin {
 /// Returns the margins of a property. A constant has no margins if the current value of another constant is not on the
 /// grid.
 std::vector<Margin> margins_of(const Tuning& tuning, const Tuning::Row& row);
+/// Returns a sentence per margin, such as `violated at RAM = 7s, 4s above the current value 3s`.
+std::vector<std::string> margin_sentences(const Tuning& tuning, const Tuning::Row& row);
 
 void print_tuning(const Tuning& tuning, std::ostream& out);
 std::string tuning_json(const Tuning& tuning, const Sources& sources);

@@ -335,6 +335,8 @@ TEST(Outputs, RejectNamesOfFormatsThatAreNotWrittenWithRemedy) {
         {{"report", file, "-o", x + ".pdf"},
          ".pdf` would contain HTML, not PDF; write `" + x + ".html` and print it: `chromium --headless "},
         {{"report", file, "-o", x + ".svg"}, ".svg` would contain HTML, not SVG; write `" + x + ".html` ["},
+        {{"faults", file, "--report", x + ".svg"}, ".svg` would contain HTML, not SVG; write `" + x + ".html` ["},
+        {{"tune", file, "--report", x + ".pdf"}, ".pdf` would contain HTML, not PDF; write `"},
         {{"equations", file, "-o", x + ".pdf"}, ".pdf` would contain text, not PDF; choose another name"}};
     for (const auto& [arguments, message] : cases) {
         SCOPED_TRACE(arguments.back());
@@ -419,6 +421,7 @@ std::string beginning_of(const std::string& option) {
     if (option == "junit" || option == "openpsa") return "<?xml";
     if (option == "sarif") return "{\n";
     if (option == "trace-svg") return "<svg";
+    if (option == "report") return "<!DOCTYPE html>";
     if (option == "trace-vcd") return "$comment";
     return option == "depfile" ? "x:" : "";
 }

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <random>
+#include <utility>
 
+#include "pipeline/recording/recording.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -372,6 +375,61 @@ TEST(Monitor, EndsAtTheDeviationOfOneOfSeveralChartsOrAViolatedProperty) {
                                       head + "1,1,,1,,4\n2,,,,,\nnot read\n");
     EXPECT_EQ(violated.code, ExitCode::Verdict) << violated.err;
     EXPECT_NE(violated.out.find("property P: violated\n"), std::string::npos) << violated.out;
+}
+
+/// Returns a random recording of the pump in JSON lines. Most changes of outputs are those of the chart.
+std::vector<std::string> random_samples(std::mt19937_64& random) {
+    std::vector<std::string> lines = {
+        R"({"time": 0, "START": false, "STOP": false, "PUMP": false, "HORN": false, "LEVEL": 0})"};
+    std::int64_t ms = 0;
+    const auto add = [&](std::int64_t wait, const std::string& values) {
+        ms += wait;
+        lines.push_back("{\"time\": \"" + std::to_string(ms) + "ms\"" + (values.empty() ? "" : ", ") + values + "}");
+    };
+    for (int round = 0; round < 3; ++round) {
+        add(1000 + static_cast<std::int64_t>(random() % 1000), R"("START": true)");
+        add(static_cast<std::int64_t>(random() % 24), R"("PUMP": true, "LEVEL": 4)");
+        add(500, random() % 2 == 0 ? "" : R"("START": false)");
+        add(300, R"("STOP": true)");
+        add(random() % 5 == 0 ? 200 : static_cast<std::int64_t>(random() % 24), R"("PUMP": false)");
+        add(400, R"("START": false, "STOP": false)");
+    }
+    add(2000, random() % 8 == 0 ? R"("PUMP": 7)" : "");
+    return lines;
+}
+
+// Samples that are added one by one have the verdicts of the complete recording.
+TEST(RecordingMonitor, HasTheReportOfTheCompleteRecording) {
+    ParseResult read = read_string(pump, "pump.grafcet");
+    ASSERT_TRUE(read.model.has_value());
+    std::mt19937_64 random(1);
+    int conforming = 0, deviating = 0, rejected = 0;
+    for (int k = 0; k < 60; ++k) {
+        const std::vector<std::string> lines = random_samples(random);
+        const RecordingOptions options{.stop_early = k % 2 == 0};
+        std::string log;
+        for (const std::string& line : lines) log += line + '\n';
+        const auto once = [log](std::string& block) mutable {
+            block = std::exchange(log, "");
+            return !block.empty();
+        };
+        Sources sources, sources_by_line;
+        Diagnostics diagnostics, diagnostics_by_line;
+        const auto whole = check_recording(*read.model, {{0}}, once, "log", options, sources, diagnostics);
+        RecordingMonitor monitor(*read.model, {{0}}, "log", options, sources_by_line, diagnostics_by_line);
+        bool open = true;
+        for (const std::string& line : lines) open = open && monitor.add(line);
+        EXPECT_EQ(whole, monitor.finish()) << k;
+        EXPECT_EQ(diagnostics.errors(), diagnostics_by_line.errors()) << k;
+        rejected += diagnostics.has_errors() ? 1 : 0;
+        if (!whole) continue;
+        const bool deviates = whole->verdicts[0].kind == RecordingVerdict::Kind::Deviates;
+        EXPECT_FALSE(open && deviates && k % 2 == 0) << k;
+        ++(deviates ? deviating : conforming);
+    }
+    EXPECT_GT(conforming, 10);
+    EXPECT_GT(deviating, 5);
+    EXPECT_GT(rejected, 2);
 }
 
 }  // namespace

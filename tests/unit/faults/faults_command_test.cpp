@@ -77,6 +77,19 @@ TEST_F(FaultsCommand, WritesAFaultTree) {
         EXPECT_NE(xml.find(part), std::string::npos) << part << '\n' << xml;
 }
 
+TEST_F(FaultsCommand, WritesAnHtmlReportWithTheRunsOfTheText) {
+    const std::string page = folder_.file("faults.html"), tree = folder_.file("tree.xml");
+    const Result result = run({"--order", "2", "--report", page, "--openpsa", tree});
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_EQ(result.out, run({"--order", "2"}).out);
+    const std::string html = folder_.read("faults.html");
+    EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
+    EXPECT_NE(html.find("data-run=\"never_both: Off_held\""), std::string::npos);
+    EXPECT_NE(html.find("2 properties are violated by combinations of at most 2 faults."), std::string::npos);
+    EXPECT_NE(folder_.read("tree.xml").find("<opsa-mef>"), std::string::npos);
+    EXPECT_EQ(run({"--report", folder_.file("none/faults.html")}).code, ExitCode::Input);
+}
+
 TEST_F(FaultsCommand, ExitCodeIsZeroIfNoCombinationViolatesAProperty) {
     const Result result = run({"--order", "2", "--property", "rare"});
     EXPECT_EQ(result.code, ExitCode::Done);

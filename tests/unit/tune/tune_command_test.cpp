@@ -63,6 +63,22 @@ TEST_F(TuneCommand, PrintsAMapOfTwoConstants) {
     EXPECT_NE(result.out.find("+ holds, - violated, ? unknown"), std::string::npos);
 }
 
+TEST_F(TuneCommand, WritesAnHtmlReportWithTheVerdictsOfTheText) {
+    const std::string page = folder_.file("map.html");
+    const std::vector<std::string> over = {"--over", "GAP=1s..2s", "--over", "HIGH=3s..7s:2s"};
+    std::vector<std::string> with_page = over;
+    with_page.insert(with_page.end(), {"--report", page});
+    const Result result = tune(with_page);
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_EQ(result.out, tune(over).out);
+    const std::string html = folder_.read("map.html");
+    EXPECT_NE(html.find("1 property has an unexpected verdict at some point."), std::string::npos);
+    EXPECT_NE(html.find("holds at 4, violated at 2 of 6 points"), std::string::npos);
+    for (const char* const gap : {"1s", "2s"})
+        EXPECT_NE(html.find("data-run=\"soon: GAP = " + std::string(gap) + ", HIGH = 7s\""), std::string::npos) << gap;
+    EXPECT_NE(html.find("violated at HIGH = 7s, 4s above the current value 3s"), std::string::npos);
+}
+
 TEST_F(TuneCommand, ExitCodeIsZeroIfEachVerdictIsExpected) {
     const Result result = tune({"--over", "N=1..6", "--over", "HIGH=1s..5s"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;

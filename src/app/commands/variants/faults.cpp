@@ -2,8 +2,6 @@
 // `faults`: decides which combinations of faults of a closed loop violate its properties.
 #include "pipeline/variants/faults.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <ostream>
 #include <sstream>
@@ -11,33 +9,15 @@
 
 #include "app/commands.hpp"
 #include "app/outputs.hpp"
+#include "app/reports.hpp"
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
 #include "check/shares.hpp"
 #include "report/charts/faults.hpp"
-#include "support/messages_choice.hpp"
-#include "support/messages_fault.hpp"
 
 namespace grafverif::app {
 
 namespace {
-
-/// Checks that the loop has faults, and that the number of their combinations is within the limit. Returns false after
-/// an error.
-bool is_feasible(const ClosedLoop& loop, CommandContext& job) {
-    const std::uint64_t order = job.options.faults.order;
-    if (loop.faults.empty()) job.diagnostics.add(messages::no_faults(loop.origin, loop.name));
-    if (order < 1 || order > most_faults)
-        job.diagnostics.add(messages::bad_values({}, fmt::format("`--order {}` is not in 1..{}", order, most_faults),
-                                                 "use a number in this range"));
-    else if (combination_count(loop, order) > most_combinations)
-        job.diagnostics.add(
-            messages::bad_values(loop.origin,
-                                 fmt::format("the faults of `{}` have more than {} combinations of at most {} faults",
-                                             loop.name, most_combinations, order),
-                                 "reduce `--order`, or declare fewer faults"));
-    return !job.diagnostics.has_errors();
-}
 
 /// Sets the reason of each combination that was not checked.
 void name_reasons(FaultAnalysis& analysis, const std::string& reason) {
@@ -65,7 +45,8 @@ ExitCode exit_code(const FaultAnalysis& analysis) {
 ExitCode faults(CommandContext& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
-    if (!loop || !is_feasible(model->loops[*loop], job)) return ExitCode::Input;
+    if (!loop || !faults_can_be_combined(model->loops[*loop], job.options.faults.order, job.diagnostics))
+        return ExitCode::Input;
     const Options& options = job.options;
     FaultsRequest request{.order = options.faults.order,
                           .properties = options.properties,
@@ -82,9 +63,17 @@ ExitCode faults(CommandContext& job, const Streams& streams) {
     if (options.format == Format::Json) out << faults_json(*found, job.sources) << '\n';
     else print_faults(*found, options.verbose, out);
     deliver(std::move(out).str(), job, streams);
-    if (options.open_psa && !write_outputs({{*options.open_psa, open_psa_of(*found)}}, job, streams))
-        return ExitCode::Input;
-    return exit_code(*found);
+    const ExitCode code = exit_code(*found);
+    std::vector<OutputFile> files;
+    if (options.open_psa) files.push_back({*options.open_psa, open_psa_of(*found)});
+    if (options.page) {
+        PageContent content = drawn_content(*model, job.sources, *loop);
+        content.report.model = found->model;
+        content.report.settings = found->settings;
+        content.faults = std::move(*found);
+        files.push_back({*options.page, report_page(std::move(content), job)});
+    }
+    return files.empty() || write_outputs(files, job, streams) ? code : ExitCode::Input;
 }
 
 CliCommand faults_usage() {
@@ -98,12 +87,13 @@ CliCommand faults_usage() {
         "A fault makes an instance behave as another component, from power-on or from any later time. Prints the\n"
         "minimal combinations of at most --order faults, each with a run. Also prints the effects of each fault, and\n"
         "the steps and outputs that show the fault (docs/how-to/faults.md). Properties that are violated without\n"
-        "faults are not analysed.\n"
+        "faults are not analysed. --report writes these results as an HTML report, with a player for the runs.\n"
         "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error,\n"
         "or a property is violated without faults and not declared as `expected violated`; 3: some verdicts are\n"
         "unknown (--timeout, Ctrl-C).",
         {"grafverif faults station.grafcet", "grafverif faults station.grafcet --order 2 --openpsa tree.xml",
-         "grafverif faults station.grafcet --order 2 --property P15 --format json"},
+         "grafverif faults station.grafcet --order 2 --property P15 --format json",
+         "grafverif faults station.grafcet --order 2 --report faults.html"},
         {OptionGroup::Within, OptionGroup::Output, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Mode,
          OptionGroup::Grain, OptionGroup::Faults, OptionGroup::Verbose, OptionGroup::Format}};
 }

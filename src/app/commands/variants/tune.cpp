@@ -2,147 +2,23 @@
 // `tune`: decides for which values of constants of a closed loop its properties hold.
 #include "pipeline/variants/tune.hpp"
 
-#include <fmt/format.h>
-
 #include <ostream>
-#include <set>
 #include <sstream>
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/outputs.hpp"
+#include "app/reports.hpp"
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
 #include "check/shares.hpp"
+#include "pipeline/variants/tune_points.hpp"
+#include "pipeline/variants/tune_ranges.hpp"
 #include "report/charts/tuning.hpp"
-#include "support/messages.hpp"
-#include "support/messages_choice.hpp"
-#include "support/printable.hpp"
-#include "syntax/print/constants.hpp"
-#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
 
 namespace {
-
-/// A value of `--over`: `NAME=LOW..HIGH` or `NAME=LOW..HIGH:STEP`.
-struct WrittenRange {
-    std::string name = {}, low = {}, high = {}, step = {};
-    std::string values() const { return low + ".." + high; }
-};
-
-std::optional<WrittenRange> split(const std::string& text) {
-    const std::size_t sign = text.find('='), dots = text.find("..", sign == std::string::npos ? 0 : sign);
-    if (sign == std::string::npos || dots == std::string::npos) return {};
-    const std::size_t colon = text.find(':', dots);
-    const bool has_step = colon != std::string::npos;
-    WrittenRange written{text.substr(0, sign), text.substr(sign + 1, dots - sign - 1),
-                         text.substr(dots + 2, has_step ? colon - dots - 2 : colon),
-                         has_step ? text.substr(colon + 1) : ""};
-    const bool complete =
-        !written.name.empty() && !written.low.empty() && !written.high.empty() && has_step == !written.step.empty();
-    return complete ? std::optional(written) : std::nullopt;
-}
-
-/// Reads the values of `--over`.
-class RangeReader {
-public:
-    RangeReader(const ClosedLoop& loop, CommandContext& job) : loop_(loop), job_(job) {}
-
-    /// Returns the constants that `--over` names. The result is empty after an error; all errors are reported.
-    std::vector<TunedConstant> read() {
-        const std::size_t errors = job_.diagnostics.errors();
-        std::vector<TunedConstant> constants;
-        std::set<std::string> names;
-        for (const std::string& text : job_.options.tune.ranges) {
-            const auto written = split(text);
-            if (!written) {
-                fail({}, fmt::format("invalid value `{}` of `--over`", printable(text)),
-                     "name a constant and its values, as in `--over N=1..8` or `--over FILL=1s..20s:500ms`");
-                continue;
-            }
-            if (!names.insert(written->name).second)
-                fail({}, fmt::format("`--over` names `{}` twice", printable(written->name)), "remove one");
-            if (job_.options.constants.contains(written->name))
-                fail({}, fmt::format("`--set` and `--over` both name `{}`", printable(written->name)), "remove one");
-            if (auto constant = read(*written)) constants.push_back(std::move(*constant));
-        }
-        if (job_.options.tune.ranges.empty())
-            fail({}, "`tune` needs the values of at least one constant",
-                 "pass `--over`, as in `--over N=1..8` or `--over FILL=1s..20s:500ms`");
-        if (job_.diagnostics.errors() == errors) check_size(constants);
-        return job_.diagnostics.errors() == errors ? constants : std::vector<TunedConstant>{};
-    }
-
-private:
-    void fail(Span where, std::string_view problem, std::string_view remedy) {
-        job_.diagnostics.add(messages::bad_values(where, problem, remedy));
-    }
-
-    std::optional<TunedConstant> read(const WrittenRange& written) {
-        std::vector<std::string> names;
-        for (const NamedConstant& constant : loop_.constants) {
-            if (constant.name == written.name) return read(written, constant);
-            names.push_back(constant.name);
-        }
-        job_.diagnostics.add(
-            messages::no_such_constant(loop_.origin, loop_.name, written.name, nearest_of(written.name, names)));
-        return {};
-    }
-
-    std::optional<TunedConstant> read(const WrittenRange& written, const NamedConstant& constant) {
-        const bool duration = constant.kind == NamedConstant::Kind::Duration;
-        const auto wrong = [&](std::string_view problem, std::string_view remedy) {
-            fail(constant.origin, problem, remedy);
-            return std::nullopt;
-        };
-        if (constant.kind == NamedConstant::Kind::Boolean)
-            return wrong(fmt::format("the constant `{}` is Boolean", constant.name),
-                         "`--over` accepts numbers and durations; use `--set` with `true` and with `false`");
-        const auto low = value_of(constant.kind, written.low), high = value_of(constant.kind, written.high);
-        const auto step = written.step.empty() ? std::optional<std::int64_t>(duration ? 1000 : 1)
-                                               : value_of(constant.kind, written.step);
-        if (!low || !high || !step)
-            return wrong(fmt::format("the constant `{}` is {} and cannot have the values `{}{}{}`", constant.name,
-                                     duration ? "a duration" : "an integer", printable(written.values()),
-                                     written.step.empty() ? "" : ":", printable(written.step)),
-                         fmt::format("write `--over {}={}`", constant.name, duration ? "1s..20s:1s" : "1..20:1"));
-        TunedConstant made{constant.name, constant.kind, *low, *high, *step, constant.value};
-        if (!duration && (made.low < least_integer || made.high > greatest_integer))
-            return wrong(fmt::format("the values `{}` of `{}` are outside the integer range {}..{}",
-                                     printable(written.values()), constant.name, least_integer, greatest_integer),
-                         "reduce the range");
-        if (made.step <= 0)
-            return wrong(fmt::format("the step of `{}` is {}", constant.name, made.step), "use a positive step");
-        if (made.low > made.high)
-            return wrong(fmt::format("the range `{}` of `{}` is empty", printable(written.values()), constant.name),
-                         "write the smaller value first");
-        const auto width = static_cast<std::uint64_t>(made.high) - static_cast<std::uint64_t>(made.low);
-        if (const auto rest = static_cast<std::int64_t>(width % static_cast<std::uint64_t>(made.step)); rest != 0)
-            return wrong(fmt::format("the step {} does not divide the range `{}` of `{}`", value_text(made, made.step),
-                                     printable(written.values()), constant.name),
-                         fmt::format("end the range at {}, or change the step", value_text(made, made.high - rest)));
-        return made;
-    }
-
-    void check_size(const std::vector<TunedConstant>& constants) {
-        double points = 1;
-        for (const TunedConstant& constant : constants)
-            points *= (static_cast<double>(constant.high) - static_cast<double>(constant.low)) /
-                          static_cast<double>(constant.step) +
-                      1;
-        if (points <= static_cast<double>(most_points)) return;
-        const double hours = points / 1000 / 3600;  // reading a small model needs about a millisecond
-        fail(
-            {},
-            fmt::format("the grid has {:.0f} points, but at most {} are allowed; at one millisecond per point, reading "
-                        "their models needs {:.1f} hours",
-                        points, most_points, hours),
-            "use larger steps or smaller ranges");
-    }
-
-    const ClosedLoop& loop_;
-    CommandContext& job_;
-};
 
 ExitCode exit_code(const Tuning& tuning) {
     if (!tuning.failures.empty()) return ExitCode::Failure;
@@ -156,6 +32,27 @@ ExitCode exit_code(const Tuning& tuning) {
     return unexpected ? ExitCode::Verdict : open ? ExitCode::Unknown : ExitCode::Done;
 }
 
+/// For each property: maximum number of points whose runs are in the HTML report.
+constexpr std::size_t most_shown_runs = 24;
+
+/// Returns the HTML report. The models of the points with runs are read again.
+std::string page_about(const Model& model, Id<ClosedLoop> loop, Tuning&& tuning, const CommandContext& job) {
+    PageContent content = drawn_content(model, job.sources, loop);
+    content.report.model = tuning.model;
+    content.report.settings = tuning.settings;
+    for (const Tuning::Row& row : tuning.rows)
+        for (const auto& [point, _] : row.runs) {
+            if (content.point_models.contains(point)) continue;
+            Sources sources;
+            Diagnostics diagnostics;
+            if (auto read = model_at(tuning, point, *job.sources.ids().begin(), job.sources, read_options(job.options),
+                                     sources, diagnostics))
+                content.point_models.emplace(point, std::move(*read));
+        }
+    content.tuning = std::move(tuning);
+    return report_page(std::move(content), job);
+}
+
 }  // namespace
 
 ExitCode tune(CommandContext& job, const Streams& streams) {
@@ -163,12 +60,14 @@ ExitCode tune(CommandContext& job, const Streams& streams) {
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
     if (!loop) return ExitCode::Input;
     const Options& options = job.options;
-    TuneRequest request{.constants = RangeReader(model->loops[*loop], job).read(),
-                        .properties = options.properties,
-                        .how = model_options(options),
-                        .read = read_options(options),
-                        .jobs = options.jobs,
-                        .every_point = options.tune.every_point};
+    TuneRequest request{
+        .constants = constants_over(options.tune.ranges, model->loops[*loop], options.constants, job.diagnostics),
+        .properties = options.properties,
+        .how = model_options(options),
+        .read = read_options(options),
+        .jobs = options.jobs,
+        .runs = options.page ? most_shown_runs : 0,
+        .every_point = options.tune.every_point};
     if (request.constants.empty()) return ExitCode::Input;
     const ResourceLimits bounds(options, streams);
     request.limits = bounds.limits();
@@ -183,7 +82,10 @@ ExitCode tune(CommandContext& job, const Streams& streams) {
     if (options.format == Format::Json) out << tuning_json(*found, job.sources) << '\n';
     else print_tuning(*found, out);
     deliver(std::move(out).str(), job, streams);
-    return exit_code(*found);
+    const ExitCode code = exit_code(*found);
+    if (!options.page) return code;
+    const std::string page = page_about(*model, *loop, std::move(*found), job);
+    return write_outputs({{*options.page, page}}, job, streams) ? code : ExitCode::Input;
 }
 
 CliCommand tune_usage() {
@@ -197,7 +99,9 @@ CliCommand tune_usage() {
         "gives to constants of the loop. Prints for which values each property holds, and how far each current value\n"
         "is from another verdict. The verdict at a point is the verdict of `check` with the values of this point.\n"
         "Most points need no separate check: their verdicts follow from a network with more behaviour, or from a\n"
-        "trace that is possible at several points (docs/how-to/tune.md).\n"
+        "trace that is possible at several points (docs/how-to/tune.md). --report writes the results as an HTML "
+        "report,\n"
+        "with a map for one or two constants and a player for runs that violate a property.\n"
         "Exit code 0: each property has its expected verdict at each point; 1: a property has an unexpected verdict\n"
         "at some point; 3: some verdicts are unknown (--timeout, Ctrl-C).",
         {"grafverif tune station.grafcet --over TEST=1s..20s",

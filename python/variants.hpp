@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Tuning, fault analysis and recordings for Python, by the internal interface of the library.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "grafverif/grafverif.hpp"
+
+namespace grafverif::python {
+
+/// Text and JSON of a result, as the program prints them, and the text and the timing diagram of each trace of the JSON
+/// document, in order.
+using Shown = std::tuple<std::string, std::string, std::vector<std::pair<std::string, std::string>>>;
+
+/// Decides properties for all values of constants. `over` contains ranges such as `N=1..8`. The result is empty after an
+/// error.
+std::optional<Shown> tune(const ParseResult& reading, Id<ClosedLoop> loop, const std::vector<std::string>& over,
+                          std::vector<std::string> properties, const ModelOptions& how, const ReadOptions& read,
+                          bool every_point, const Limits& limits, Diagnostics& diagnostics);
+
+/// Analyses the faults of a closed loop. The result is empty after an error.
+std::optional<Shown> faults(const ParseResult& reading, Id<ClosedLoop> loop, std::uint64_t order,
+                            std::vector<std::string> properties, const ModelOptions& how, const Limits& limits,
+                            Diagnostics& diagnostics);
+
+/// A recording whose samples arrive one by one.
+class Recording {
+public:
+    /// The check has no time limit. `map` contains pairs of the name of a column and the name of a variable.
+    Recording(std::shared_ptr<const ParseResult> reading, const std::vector<Id<Chart>>& charts,
+              std::optional<ExecutionMode> mode, std::int64_t jitter_ms,
+              std::vector<std::pair<std::string, std::string>> map, bool stop_early);
+    ~Recording();
+
+    /// Adds a line of JSON. Returns true if further lines can change the verdicts.
+    bool add(const std::string& line);
+    /// Returns the verdicts on the lines so far. The result is empty after an error.
+    std::optional<Shown> finish();
+
+    const Diagnostics& diagnostics() const;
+    const Sources& sources() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace grafverif::python

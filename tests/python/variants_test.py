@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""Compares tuning, fault analyses and recordings of the module with the output of the program."""
+import csv
+import datetime
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+import grafverif
+import pytest
+
+root = pathlib.Path(__file__).parents[2]
+
+
+def printed(*arguments):
+    return subprocess.run([os.environ["GRAFVERIF_PROGRAM"], *map(str, arguments)], capture_output=True, text=True,
+                          check=False).stdout
+
+
+def block_of(page):
+    """Returns the first text in the text language on a page of the documentation."""
+    return re.search(r"```grafcet\n(.*?)```", (root / "docs/how-to" / page).read_text(), re.DOTALL).group(1)
+
+
+@pytest.fixture(name="press")
+def press_of_the_page(tmp_path):
+    file = tmp_path / "press.grafcet"
+    file.write_text(block_of("tune.md"))
+    return file
+
+
+@pytest.fixture(name="driveway")
+def driveway_of_the_page(tmp_path):
+    file = tmp_path / "driveway.grafcet"
+    file.write_text(block_of("faults.md"))
+    return file
+
+
+@pytest.fixture(name="pump")
+def pump_of_the_page(tmp_path):
+    file = tmp_path / "pump.grafcet"
+    file.write_text(block_of("check-recordings.md"))
+    return file
+
+
+def test_tuning_is_that_of_the_program(press):
+    tuning = grafverif.read(press).loop().tune({"RAM": ("1s", "9s", "2s"), "CLOSING": "1s..9s"})
+    arguments = ["tune", press, "--over", "RAM=1s..9s:2s", "--over", "CLOSING=1s..9s"]
+    assert tuning.document == json.loads(printed(*arguments, "--format", "json"))
+    assert str(tuning) == printed(*arguments) and tuning.points == 45
+    prompt = tuning["prompt"]
+    for ram in range(1, 10, 2):
+        for closing in range(1, 10):
+            verdict = grafverif.read(press, constants={"RAM": f"{ram}s", "CLOSING": f"{closing}s"}).loop().check("prompt")
+            assert prompt.at(RAM=f"{ram}s", CLOSING=datetime.timedelta(seconds=closing)) == verdict["prompt"].verdict
+    assert [(each.constant, each.value, each.verdict) for each in prompt.margins] == [
+        ("RAM", "7s", "violated"), ("CLOSING", "6s", "violated")]
+    assert sum(each.points for each in prompt.boxes) == 45 and prompt.current == "holds"
+
+
+def test_points_outside_of_the_grid_and_wrong_ranges_are_rejected(press):
+    loop = grafverif.read(press).loop()
+    prompt = loop.tune({"RAM": ("1s", "3s")}, "prompt")["prompt"]
+    for values in ({"RAM": "4s"}, {}, {"RAM": "1s", "CLOSING": "1s"}):
+        with pytest.raises(grafverif.NotFoundError):
+            prompt.at(**values)
+    coarse = loop.tune({"RAM": ("1s", "5s", "2s")}, "prompt")["prompt"]
+    assert coarse.at(RAM="3s") == "holds"
+    for between in ("2s", "1500ms", "7s"):
+        with pytest.raises(grafverif.NotFoundError, match="not a point of the grid"):
+            coarse.at(RAM=between)
+    with pytest.raises(TypeError, match="no truth value"):
+        bool(prompt)
+    with pytest.raises(ValueError, match="range"):
+        loop.tune({"RAM": ("1s",)})
+    with pytest.raises(grafverif.GrafverifError, match="did you mean `RAM`"):
+        loop.tune({"RAN": ("1s", "3s")})
+    with pytest.raises(grafverif.GrafverifError, match="`--over` both name `RAM`"):
+        grafverif.read(press, constants={"RAM": "2s"}).loop().tune({"RAM": ("1s", "3s")})
+    unfinished = loop.tune({"RAM": ("1s", "9s")}, timeout=0)["prompt"]
+    assert {(each.verdict, each.reason) for each in unfinished.boxes} == {("unknown", "time limit reached")}
+
+
+def test_faults_are_those_of_the_program(driveway):
+    analysis = grafverif.read(driveway).loop().faults(order=2)
+    assert analysis.document == json.loads(printed("faults", driveway, "--order", "2", "--format", "json"))
+    assert str(analysis) == printed("faults", driveway, "--order", "2")
+    [pair] = analysis["safe"].combinations
+    assert pair.faults == ("First_1", "Second_1") and pair.minimal and pair.trace.steps[-1].outputs["GREEN"]
+    assert str(pair.trace) in printed("faults", driveway, "--order", "2", "--verbose")
+    assert [(each.faults, each.trace) for each in analysis["used"].combinations] == [
+        (("Motor_dead",), None), (("First_0",), None), (("Second_0",), None)]
+    assert analysis.faults[0].violates == ("used",) and "WARNING" in analysis.faults[0].newly_true
+    with pytest.raises(TypeError, match="no truth value"):
+        bool(analysis["safe"])
+
+
+def test_limits_and_wrong_requests_of_a_fault_analysis(driveway, press):
+    loop = grafverif.read(driveway).loop()
+    assert loop.faults("safe", timeout=0)["safe"].without_faults == "unknown"
+    with pytest.raises(grafverif.GrafverifError, match="`--order 9` is not in 1..8"):
+        loop.faults(order=9)
+    with pytest.raises(ValueError, match="order"):
+        loop.faults(order=-1)
+    with pytest.raises(grafverif.GrafverifError, match="fault"):
+        grafverif.read(press).loop().faults()
+
+
+def added(recording, log):
+    """Adds the samples of a CSV log and returns the answers."""
+    with open(log, encoding="utf-8") as file:
+        return [recording.add(float(row.pop("time")), {name: int(value) for name, value in row.items() if value})
+                for row in csv.DictReader(file)]
+
+
+@pytest.mark.parametrize("log", ["pump_log", "pump_late"])
+def test_samples_have_the_verdict_of_replay(pump, log):
+    path = root / f"docs/{log}.csv"
+    recording = grafverif.read(pump).recording()
+    added(recording, path)
+    report = recording.finish()
+    expected = json.loads(printed("replay", pump, "--log", path, "--format", "json"))
+    for key in ("samples", "from", "to", "jitter", "undecided", "stopped", "properties"):
+        assert report.document[key] == expected[key], key
+    [verdict], [of_program] = report.verdicts, expected["charts"]
+    assert verdict.verdict == of_program["verdict"] == {"pump_log": "conforms", "pump_late": "deviates"}[log]
+    if of_program["deviation"]:
+        assert verdict.time == of_program["deviation"]["time"] and verdict.output == "HORN"
+        assert verdict.document["deviation"]["trace"] == of_program["deviation"]["trace"]
+        assert str(verdict.trace) in str(report) and len(verdict.trace) == 4
+    assert recording.finish() is report
+
+
+def test_a_deviation_is_reported_while_samples_arrive(pump):
+    recording = grafverif.read(pump).recording("pump", jitter=datetime.timedelta(milliseconds=20), stop_early=True)
+    assert recording.add(0, START=False, STOP=False, PUMP=False, HORN=False)
+    assert recording.add(1, START=True)
+    assert recording.add(1.01, PUMP=True)
+    answers = [recording.add(1.1 + k / 10) for k in range(40)]
+    assert answers[0] and not answers[-1] and answers.index(False) >= 28
+    verdict = recording.finish()["pump"]
+    assert verdict.verdict == "deviates" and verdict.output == "PUMP" or verdict.output == "HORN"
+    assert 3.9 < verdict.time < 4.2
+
+
+def test_wrong_samples_are_rejected(pump):
+    file = grafverif.read(pump)
+    with pytest.raises(TypeError, match="START"):
+        file.recording().add(0, START="on")
+    with pytest.raises(grafverif.GrafverifError, match="STOP"):
+        file.recording().add(0, START=True, PUMP=False)
+    backwards = file.recording()
+    with pytest.warns(UserWarning, match="HORN"):
+        backwards.add(1, START=False, STOP=False, PUMP=False)
+    with pytest.raises(grafverif.GrafverifError, match="time"):
+        backwards.add(0.5, START=True)
+    with pytest.raises(KeyError):
+        file.recording("pumps")
+    with pytest.raises(ValueError, match="jitter"):
+        file.recording(jitter=-1)
+    mapped = file.recording(map={"%I0": "START"})
+    assert mapped.add(0, {"%I0": True, "STOP": 0, "PUMP": False, "HORN": False})
