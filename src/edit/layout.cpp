@@ -87,6 +87,21 @@ TextEdit Layout::added_after(Span where, const std::string& declaration) const {
     return {end, end, line + indentation + declaration};
 }
 
+TextEdit Layout::added_lines_after(Span where, const std::vector<std::string>& lines) const {
+    std::string joined;
+    if (!begins_line(where.begin) || !ends_line(where.end)) {
+        for (const std::string& each : lines)
+            if (!each.empty()) joined += ' ' + each.substr(each.find_first_not_of(' '));
+        return {where.end, where.end, joined};
+    }
+    const std::uint32_t first = line_begin(where.begin), end = line_end(where.end);
+    for (const std::string& each : lines) {
+        joined += text_.substr(end, 2) == "\r\n" ? "\r\n" : "\n";
+        if (!each.empty()) joined.append(text_.substr(first, where.begin - first)).append(each);
+    }
+    return {end, end, joined};
+}
+
 TextEdit Layout::removed(Span where) const {
     std::uint32_t begin = where.begin, end = where.end;
     if (begins_line(begin) && ends_line(end)) {
