@@ -72,7 +72,8 @@ bool Layout::ends_line(std::uint32_t offset) const {
             ++offset;
             continue;
         }
-        if (comment == file_.comments.end() || comment->where.begin != offset || comment->where.end > end) return false;
+        if (comment == file_.comments.end() || comment->where.begin != offset) return false;
+        if (comment->where.end > end + (end < text_.size() && text_[end] == '\r' ? 1 : 0)) return false;
         offset = comment->where.end;
         ++comment;
     }

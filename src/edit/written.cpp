@@ -56,7 +56,7 @@ std::string fault_of_assignment(const std::string& text) {
 }
 
 std::string fault_of_declaration(const std::string& text) {
-    return fault_of<tree::Variables>(text, "the declaration of one variable", "grafcet g { ",
+    return fault_of<tree::Variables>(text, "the declaration of one variable", "grafcet g {",
                                      [](const tree::Variables& all) { return all.variables.size() == 1; });
 }
 

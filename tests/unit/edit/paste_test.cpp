@@ -33,7 +33,7 @@ TEST(EditPaste, StepsArePastedAsAnAlternativeWithNewNames) {
 
 TEST(EditPaste, StepWithoutTransitionsGetsTheCopyWithoutItsEnd) {
     Editing edit("grafcet g {\n    input A;\n    initial step 0;\n    step 1;\n    transition 0 -> 1 when A;\n}\n");
-    edit.perform(OperationKind::Paste, "step 1", copy(edit, {"step 0", "step 1"}));
+    edit.perform(OperationKind::Paste, "step 1", copy(edit, {"initial step 0", "step 1"}));
     EXPECT_EQ(edit.selected.substr(0, 7), "step 2;");
     edit.expect("    step 1;\n", "    step 1;\n    step 2;\n    step 3;\n")
         .expect("when A;\n", "when A;\n    transition 1 -> 2 when true;\n    transition 2 -> 3 when A;\n");
