@@ -43,7 +43,7 @@ export class Completion {
         this.list.replaceChildren(...found.map(({label, detail, documentation}, k) => make("li", {role: "option", id: `${this.list.id}-${k}`, title: documentation,
             // The field keeps the focus.
             onmousedown: (event) => { event.preventDefault(); this.accept(k); }}, make("b", {}, label), " ", make("span", {}, detail))));
-        this.labels = found.map(({label}) => label);
+        this.found = found;
         this.list.hidden = false;
         this.list.scrollTop = 0;
         this.field.setAttribute("aria-expanded", "true");
@@ -59,19 +59,24 @@ export class Completion {
     }
 
     choose(at) {
-        this.at = (at + this.labels.length) % this.labels.length;
+        this.at = (at + this.found.length) % this.found.length;
         [...this.list.children].forEach((each, k) => each.setAttribute("aria-selected", k === this.at));
         this.field.setAttribute("aria-activedescendant", `${this.list.id}-${this.at}`);
         this.list.children[this.at].scrollIntoView({block: "nearest"});
     }
 
+    // Inserts a proposal. If it has places for values, such as the arguments of a component, the cursor goes to the first
+    // place, and the values are proposed.
     accept(k) {
-        const end = this.field.selectionStart;
+        const {label, snippet} = this.found[k], end = this.field.selectionStart, begin = end - this.word().length;
+        const text = snippet ? snippet.replace(/\$\d+/g, "") : label, place = snippet ? snippet.indexOf("$") : -1;
         this.accepting = true;
-        this.field.setRangeText(this.labels[k], end - this.word().length, end, "end");
+        this.field.setRangeText(text, begin, end, "end");
+        if (place >= 0) this.field.setSelectionRange(begin + place, begin + place);
         this.field.dispatchEvent(new Event("input", {bubbles: true}));
         this.accepting = false;
         this.close();
+        if (place >= 0) this.request();
     }
 
     key(event) {

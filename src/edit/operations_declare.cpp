@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "edit/planner.hpp"
@@ -12,7 +13,8 @@ namespace grafverif::edit {
 
 namespace {
 
-Span place_of(const tree::ChartItem& item) {
+template <class Item>
+Span place_of(const Item& item) {
     return std::visit([](const auto& each) { return each.where; }, item);
 }
 
@@ -24,24 +26,45 @@ std::string not_a_name(const std::string& name) {
 
 void Planner::declare(const std::string& declaration) {
     if (obstacle_ = fault_of_declaration(declaration); !obstacle_.empty()) return;
-    const auto kind = [&](const tree::Variables& each) {
-        const std::string_view words = layout_.text(each.where);
-        return words.substr(0, words.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+    const std::vector<lsp::Word> words = lsp::words_of(declaration);
+    const auto word = [&](std::string_view text, const lsp::Word& at) {
+        return text.substr(at.begin, at.end - at.begin);
     };
-    const std::string_view own = std::string_view(declaration).substr(0, declaration.find(' '));
+    const std::string_view kind = word(declaration, words[0]);
+    if (kind == "input") drive(std::string(word(declaration, words[1])));
     const tree::Variables *last = nullptr, *same = nullptr;
     for (const tree::ChartItem& item : element_.chart->items)
         if (const auto* variables = std::get_if<tree::Variables>(&item)) {
             last = variables;
-            if (kind(*variables) == own) same = variables;
+            const std::string_view text = layout_.text(variables->where);
+            if (word(text, lsp::words_of(text)[0]) == kind) same = variables;
         }
     if (last != nullptr) return add(layout_.added_after((same != nullptr ? same : last)->where, declaration + ';'));
     const Span chart = element_.chart->where;
-    for (const lsp::Word& word : lsp::words_of(layout_.text(chart)))
-        if (text_[chart.begin + word.begin] == '{' && word.kind == lsp::Word::Kind::Sign) {
-            const Span head{chart.source, chart.begin, chart.begin + word.end};
+    for (const lsp::Word& sign : lsp::words_of(layout_.text(chart)))
+        if (word(layout_.text(chart), sign) == "{") {
+            const Span head{chart.source, chart.begin, chart.begin + sign.end};
             return add(layout_.added_lines_after(head, {"    " + declaration + ';'}));
         }
+}
+
+/// Adds an environment that sets a new input to any value to each closed loop that controls the chart: each input of a
+/// closed loop must be driven.
+void Planner::drive(const std::string& input) {
+    for (const tree::Declaration& declaration : file_.declarations) {
+        const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
+        if (loop == nullptr) continue;
+        bool is_controlled = false;
+        std::optional<Span> place;
+        for (const tree::LoopItem& item : loop->items) {
+            const auto* controller = std::get_if<tree::Controller>(&item);
+            is_controlled |= controller != nullptr && !controller->instance.valid() &&
+                             controller->chart.word == element_.chart->name.word;
+            if (controller != nullptr || std::holds_alternative<tree::Instance>(item)) place = place_of(item);
+        }
+        if (is_controlled)
+            add(layout_.added_after(*place, fmt::format("environment {0}_any = free(OUT = {0});", input)));
+    }
 }
 
 void Planner::add_partial(const std::string& name) {

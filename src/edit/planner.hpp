@@ -50,6 +50,7 @@ private:
     // -- declarations -----------------------------------------------------------------------------------------------------
 
     void declare(const std::string& declaration);
+    void drive(const std::string& input);
     void add_partial(const std::string& name);
     void add_macro();
     void add_enclosing(const std::string& partial);

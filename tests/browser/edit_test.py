@@ -199,11 +199,26 @@ class Edit(browser.Case):
         self.page.find("#text").send_keys(Keys.TAB, " && ")
         self.wait_for_text("0 -> 1 when DOWN && START;")
 
+    def test_a_closed_loop_is_assembled_with_proposals(self):
+        self.edit()
+        field = self.page.find("#text")
+        self.page.script("const f = document.getElementById('text'); f.focus(); const at = f.value.indexOf('    property'); f.setSelectionRange(at, at)")
+        field.send_keys("    plant RAM = cyl")
+        self.page.wait_for_text("#field .proposals", "component cylinder")
+        field.send_keys(Keys.TAB)
+        self.page.wait_for_text("#field .proposals", "output GO_UP")
+        self.page.screenshot("edit-component")
+        field.send_keys("GO_U")
+        self.page.wait_for_text("#field .proposals b", "GO_UP")
+        field.send_keys(Keys.TAB)
+        self.assertRegex(self.text(), r"plant RAM = cylinder\w*\(\w+ = GO_UP, ")
+
     def test_variables_partial_charts_and_macro_steps_are_added(self):
         self.edit()
         self.press("Variable")
         self.fill("DOOR")
         self.wait_for_text("input START, DOWN, UP;\n    input DOOR;\n")
+        self.wait_for_text("OUT = UP);\n    environment DOOR_any = free(OUT = DOOR);\n")
         self.press("Variable")
         self.page.script("const s = document.querySelector('#in-place select'); s.value = 'internal'; s.dispatchEvent(new Event('change'))")
         self.page.screenshot("edit-variable")

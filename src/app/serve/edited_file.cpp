@@ -305,6 +305,7 @@ std::string EditedFile::completion(const nlohmann::ordered_json& request) const 
             list.push_back({{"label", printable(each.label)},
                             {"detail", printable(each.detail)},
                             {"documentation", printable(each.documentation)},
+                            {"snippet", printable(each.snippet)},
                             {"keyword", each.kind == lsp::ProposalKind::Keyword}});
     return json_text(Json{{"problem", ""}, {"proposals", std::move(list)}}, -1);
 }

@@ -33,6 +33,17 @@ TEST(EditDeclare, FirstVariableIsDeclaredAtTheBeginningOfTheChart) {
     line.expect("{ ", "{ output Q; ");
 }
 
+TEST(EditDeclare, InputOfAControlledChartIsDriven) {
+    Editing edit(std::string(lamp) +
+                 "closed_loop l {\n    controller lamp;\n    environment a = free(OUT = ON);\n"
+                 "    environment b = free(OUT = OFF);\n    property P: never LAMP && FAN;\n}\n");
+    edit.perform(OperationKind::Declare, "step 1", "input DOOR");
+    edit.perform(OperationKind::Declare, "step 1", "output HORN");
+    edit.expect("input ON, OFF;\n", "input ON, OFF;\n    input DOOR;\n")
+        .expect("output LAMP, FAN;\n", "output LAMP, FAN;\n    output HORN;\n")
+        .expect("OUT = OFF);\n", "OUT = OFF);\n    environment DOOR_any = free(OUT = DOOR);\n");
+}
+
 TEST(EditDeclare, PartialChartHasAnInitialStep) {
     Editing edit(lamp);
     edit.perform(OperationKind::Partial, "step 1", "G2");
