@@ -22,7 +22,7 @@ export class Completion {
         field.addEventListener("keydown", (event) => this.key(event), {capture: true});
         field.addEventListener("blur", () => this.close());
         field.addEventListener("click", () => this.close());
-        field.addEventListener("scroll", () => this.close());
+        field.addEventListener("scroll", () => { if (!this.list.hidden) this.align(this.list); });
     }
 
     // Returns the part of a name before the cursor.

@@ -304,7 +304,7 @@ std::string EditedFile::completion(const nlohmann::ordered_json& request) const 
         for (const lsp::Proposal& each : document_.proposals(text, before.size()))
             list.push_back({{"label", printable(each.label)},
                             {"detail", printable(each.detail)},
-                            {"documentation", printable(each.documentation)},
+                            {"documentation", page_text(each.documentation)},
                             {"snippet", printable(each.snippet)},
                             {"keyword", each.kind == lsp::ProposalKind::Keyword}});
     return json_text(Json{{"problem", ""}, {"proposals", std::move(list)}}, -1);
