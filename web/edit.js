@@ -74,7 +74,8 @@ class Drawing {
         place.addEventListener("pointermove", (event) => { place.classList.toggle("pointing", this.elementAt(event) !== null); });
     }
 
-    show(charts) {
+    // Shows drawings. If `scroll` is true, makes the selected element visible.
+    show(charts, scroll) {
         this.elements = charts.flatMap((chart, index) => chart.elements.map((element) => ({...element, chart: index})));
         if (charts.length !== this.svgs.length || charts.length === 0) {
             this.svgs = [];
@@ -95,7 +96,7 @@ class Drawing {
         const known = this.selected, now = (old) => this.elements.find((each) => each.id === old.id && each.kind === old.kind);
         this.selected = null;
         this.marked = this.marked.map(now).filter(Boolean);
-        if (known || this.marked.length > 0) this.select((known && now(known)) ?? null, false, true, true);
+        if (known || this.marked.length > 0) this.select((known && now(known)) ?? null, false, scroll, true);
         lightDrawings(this.place, this.marks, this.lit, this.fired);
     }
 
@@ -447,7 +448,7 @@ class Page {
             await this.sendText();
             result = await ask(path, {version: this.state.text_version, ...request});
             if (request.trial) return;
-            this.take(result.state);
+            this.take(result.state, result.selected === undefined);
             this.report(result.problem ?? "");
             if (result.selected === undefined || result.problem) return;
             const element = this.drawing.elements.filter((each) => each.begin === result.selected).at(-1);
@@ -456,7 +457,8 @@ class Page {
         }).then(() => result);
     }
 
-    take(state) {
+    // Shows a state. If `scroll` is true, makes the selected element visible.
+    take(state, scroll = true) {
         this.state = state;
         this.known = state.version;
         document.title = `${state.modified ? "* " : ""}${state.file} \u2013 grafverif`;
@@ -479,7 +481,7 @@ class Page {
             by("page-text").replaceChildren(...marked(state.text, state.other));
             by("file-text").replaceChildren(...marked(state.other, state.text));
         }
-        this.drawing.show(state.charts);
+        this.drawing.show(state.charts, scroll);
         this.showDiagnostics(state);
         this.age(!state.readable);
         this.showOperations();
@@ -519,7 +521,8 @@ class Page {
 
     showSelection(element, show_text) {
         const {marked} = this.drawing;
-        by("selection").textContent = (element ? `Selected: ${titleOf(element)}` : "Nothing is selected.") + (marked.length > 0 ? ` Marked: ${marked.map((each) => each.name).join(", ")}` : "");
+        const marks = marked.length > 0 ? `; marked: ${marked.map((each) => each.name).join(", ")}` : "";
+        by("selection").textContent = element ? `Selected: ${titleOf(element)}${marks}` : `Nothing is selected${marks}.`;
         if (this.state?.readable && element && show_text && document.activeElement !== this.text.field) this.text.select([element.begin, element.end]);
         else this.text.stripe(element && this.state?.readable ? [element.begin, element.end] : null);
         this.showOperations();

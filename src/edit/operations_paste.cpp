@@ -137,8 +137,8 @@ Copy copied(std::string_view text, const Elements& elements, const std::vector<s
     return copy;
 }
 
-/// Adds the copied steps as a branch: a transition to the first copied step is an alternative to the transition, and each
-/// transition that led from the copied steps to other steps leads to the steps after the transition.
+/// Adds the copied steps as a branch. The transition to the first copied step is an alternative to the transition.
+/// Transitions that led from the copied steps to other steps lead to the steps after the transition.
 void Planner::paste(const std::string& copied) {
     const Fragment fragment(copied);
     if (fragment.steps.empty()) {

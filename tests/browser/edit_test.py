@@ -151,7 +151,7 @@ class Edit(browser.Case):
         self.page.script("""const box = document.querySelector("#c0-step-2 > rect").getBoundingClientRect();
             document.getElementById("c0-step-2").dispatchEvent(new MouseEvent("click", {
                 bubbles: true, shiftKey: true, clientX: box.x + box.width / 2, clientY: box.y + box.height / 2}))""")
-        self.assertIn("Marked: 1, 2", self.page.text("#selection"))
+        self.assertIn("marked: 1, 2", self.page.text("#selection"))
         self.assertEqual(len(self.page.all("#charts .choice.mark")), 2)
         self.page.screenshot("edit-marked")
         self.keys(Keys.CONTROL, "c")
@@ -165,7 +165,7 @@ class Edit(browser.Case):
         self.control("z")
         browser.eventually(lambda: self.text() == PRESS, what="the text before the paste")
         self.keys(Keys.HOME, "m", Keys.ARROW_DOWN, Keys.ARROW_DOWN, "m", "m")
-        self.assertIn("Selected: step 1 Marked: 0", self.page.text("#selection"))
+        self.assertIn("Selected: step 1; marked: 0", self.page.text("#selection"))
         self.keys(Keys.ESCAPE)
         self.assertEqual(self.page.text("#selection"), "Nothing is selected.")
 

@@ -77,7 +77,7 @@ TEST(EditDeclare, MacroStepHasAnExpansion) {
                 "        transition t7: E -> S when true;\n    }\n");
 }
 
-TEST(EditDeclare, EnclosingStepEnclosesANewOrAKnownPartialChart) {
+TEST(EditDeclare, EnclosingStepEnclosesKnownAndNewPartialCharts) {
     Editing edit(lamp);
     edit.perform(OperationKind::Partial, "step 1", "G2");
     edit.perform(OperationKind::Enclosing, "transition on", "G2");
