@@ -626,17 +626,20 @@ class Page {
             close();
         }}, kind ?? "", make("label", {}, operation.chart || operation.operation === "enclosing" ? label : `${label} of ${titleOf(element)}`, input), problem,
             make("div", {class: "row"}, make("button", {}, "Apply"), make("button", {type: "button", onclick: close}, "Cancel")));
-        const charts = by("charts"), view = charts.getBoundingClientRect();
+        const charts = by("charts");
         const area = operation.operation === "replace" && element.condition_area ? element.condition_area : element.area;
-        const box = this.drawing.position(element, area) ?? view;
+        const place = () => {
+            const view = charts.getBoundingClientRect(), box = this.drawing.position(element, area) ?? view;
+            const left = Math.max(8, Math.min(box.left - view.left, charts.clientWidth - form.offsetWidth - 8));
+            form.style.left = `${left + charts.scrollLeft}px`;
+            form.style.top = `${Math.max(0, Math.min(box.bottom - view.top + 4, charts.clientHeight - form.offsetHeight - 8)) + charts.scrollTop}px`;
+        };
         charts.append(form);
-        const left = Math.max(8, Math.min(box.left - view.left, charts.clientWidth - form.offsetWidth - 8));
-        form.style.left = `${left + charts.scrollLeft}px`;
-        form.style.top = `${Math.max(0, Math.min(box.bottom - view.top + 4, charts.clientHeight - form.offsetHeight - 8)) + charts.scrollTop}px`;
+        place();
         if (["replace", "action"].includes(operation.operation)) {
             const proposals = make("div", {});
             input.after(proposals);
-            this.completion = new Completion(input, proposals, () => this.contextOf(operation, element, input));
+            this.completion = new Completion(input, proposals, () => this.contextOf(operation, element, input), place);
         }
         input.focus({preventScroll: true});
         input.select();
