@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of `edit`: a file as drawing and as text. The server computes every change of the text and every drawing; this
 // page sends the operations and the typed text, and shows the result. Texts of the file are never interpreted as markup.
+import {Completion} from "./complete.js";
 import {draw, make, prose} from "./dom.js";
 import {drawingElement, lightDrawings} from "./drawing.js";
 import {Find} from "./find.js";
@@ -12,7 +13,8 @@ import {Zoom} from "./zoom.js";
 const by = (id) => document.getElementById(id);
 const line_height = 20, padding = 8, typing_pause = 150;
 
-// The operations on the selected element: key, name on the button, types of elements, description.
+// The operations on the selected element: key, name on the button, types of elements, description. If `chart` is true, the
+// operation concerns the chart of the selected element, or the first chart.
 const operations = [
     {key: "a", operation: "step-after", words: "Step after", of: ["step", "transition"], effect: "add a step and a transition after the element"},
     {key: "b", operation: "step-before", words: "Step before", of: ["step", "transition"], effect: "add a step and a transition before the element"},
@@ -23,6 +25,13 @@ const operations = [
     {key: "j", operation: "jump", words: "Jump to\u2026", of: ["step", "transition"], effect: "add a jump or a loop back from the step, or change the target of the transition; then select the target step"},
     {key: "e", operation: "replace", words: "Edit\u2026", of: ["transition", "action"], effect: "edit the condition or the action in place (also Enter or a double click)", field: ""},
     {key: "r", operation: "rename", words: "Rename\u2026", of: ["step", "transition"], effect: "rename the element at all its uses (also F2; for a step also Enter)", field: "Name"},
+    {key: "m", words: "Mark", run: (page) => page.drawing.toggle(), of: ["step"], effect: "mark the step, or remove its mark (also Shift+click)"},
+    {key: "Ctrl+C", words: "Copy", run: (page) => page.copy(), of: ["step"], effect: "copy the marked steps, or the selected step, with their transitions"},
+    {key: "Ctrl+V", words: "Paste", run: (page) => page.paste(), of: ["step", "transition"], effect: "paste the copied steps, with new names, as an alternative branch"},
+    {key: "k", operation: "macro", words: "Macro-step", of: ["step", "transition"], effect: "add a macro-step after the element, with an expansion"},
+    {key: "g", operation: "enclosing", words: "Enclosing step\u2026", of: ["step", "transition"], effect: "add an enclosing step after the element, with a partial chart", field: "Name of the partial chart that it encloses"},
+    {key: "c", operation: "partial", words: "Partial chart\u2026", of: ["step", "transition"], effect: "add a partial chart", field: "Name of the new partial chart", chart: true},
+    {key: "v", operation: "declare", words: "Variable\u2026", of: ["step", "transition"], effect: "declare an input, an output or an internal variable", field: "Name, or name and type such as n: int 0..3", chart: true, kinds: ["input", "output", "internal"]},
     {key: "Delete", operation: "delete", words: "Delete", of: ["step", "transition", "action"], effect: "delete the element and reconnect its links"},
 ];
 
@@ -34,6 +43,7 @@ const general_keys = [
     ["Ctrl+wheel", "zoom"], ["drag, Shift+arrow keys", "move the drawing"], ["Ctrl+E", "change between drawing and text"], ["F1", "show this table"],
 ];
 
+const keyName = (key) => (key === "Delete" ? "Del" : key.length === 1 ? key.toUpperCase() : key);
 const titleOf = (element) => element.kind === "step" ? `step ${element.name}` : element.kind === "transition" ? `transition ${element.name}` : `action ${element.text}`;
 
 // Number of lines of a drawing before its elements: the start tag, the title and the paper. Each further line is one
@@ -51,7 +61,7 @@ function nodesByLine(text, svg) {
 // The drawings, and the selection of an element.
 class Drawing {
     constructor(place, page) {
-        Object.assign(this, {place, page, svgs: [], known: [], elements: [], selected: null, lit: [], fired: [], marks: []});
+        Object.assign(this, {place, page, svgs: [], known: [], elements: [], selected: null, marked: [], lit: [], fired: [], marks: []});
         place.addEventListener("click", (event) => this.click(event));
         place.addEventListener("dblclick", () => { if (this.selected) page.edit(); });
         place.addEventListener("keydown", (event) => this.key(event));
@@ -64,7 +74,8 @@ class Drawing {
         place.addEventListener("pointermove", (event) => { place.classList.toggle("pointing", this.elementAt(event) !== null); });
     }
 
-    show(charts) {
+    // Shows drawings. If `scroll` is true, makes the selected element visible.
+    show(charts, scroll) {
         this.elements = charts.flatMap((chart, index) => chart.elements.map((element) => ({...element, chart: index})));
         if (charts.length !== this.svgs.length || charts.length === 0) {
             this.svgs = [];
@@ -82,9 +93,10 @@ class Drawing {
             this.svgs[k] = chart.svg;
             this.known[k] = chart.svg === null ? null : nodesByLine(chart.svg, drawing.querySelector("svg"));
         });
-        const known = this.selected;
+        const known = this.selected, now = (old) => this.elements.find((each) => each.id === old.id && each.kind === old.kind);
         this.selected = null;
-        if (known) this.select(this.elements.find((each) => each.id === known.id && each.kind === known.kind) ?? null, false);
+        this.marked = this.marked.map(now).filter(Boolean);
+        if (known || this.marked.length > 0) this.select((known && now(known)) ?? null, false, scroll, true);
         lightDrawings(this.place, this.marks, this.lit, this.fired);
     }
 
@@ -144,21 +156,42 @@ class Drawing {
         if (event.target.closest("#in-place")) return;
         const element = this.elementAt(event);
         if (this.page.jumping) return this.page.jumpTo(element);
+        if (event.shiftKey && element?.kind === "step") {
+            if (this.marked.length === 0 && this.selected?.kind === "step" && this.selected !== element) this.marked = [this.selected];
+            this.select(element, true, true, true);
+            return this.toggle();
+        }
         this.select(element);
         this.page.report("");
     }
 
     // Selects an element, or nothing. If `show_text` is true, also selects its text. If `scroll` is true, makes it visible.
-    select(element, show_text = true, scroll = true) {
+    // The marks of steps are removed unless `keep` is true.
+    select(element, show_text = true, scroll = true, keep = false) {
         for (const old of this.place.querySelectorAll(".choice")) old.remove();
         this.selected = element;
-        for (const [x, y, width, height] of element ? this.areas(element) : []) {
-            const pad = height < 12 ? 8 : 4;
-            this.svg(element)?.append(draw("rect", {class: "choice", x: x - 4, y: y - pad, width: width + 8, height: height + 2 * pad, rx: 3}));
-        }
+        if (!keep) this.marked = [];
+        const frame = (each, kind) => {
+            for (const [x, y, width, height] of this.areas(each)) {
+                const pad = height < 12 ? 8 : 4;
+                this.svg(each)?.append(draw("rect", {class: kind, x: x - 4, y: y - pad, width: width + 8, height: height + 2 * pad, rx: 3}));
+            }
+        };
+        for (const each of this.marked) frame(each, "choice mark");
+        if (element) frame(element, "choice");
         if (element && scroll) this.scrollTo(element);
         this.page.showSelection(element, show_text);
     }
+
+    // Marks the selected step, or removes its mark.
+    toggle() {
+        const step = this.selected, others = this.marked.filter((each) => each !== step);
+        this.marked = others.length === this.marked.length ? [...this.marked, step] : others;
+        this.select(step, true, true, true);
+    }
+
+    // Returns the steps to copy.
+    chosen() { return this.marked.length > 0 ? this.marked : [this.selected].filter((each) => each?.kind === "step"); }
 
     // Returns the position of an area of an element in the window.
     position(element, area = element.area) {
@@ -176,7 +209,9 @@ class Drawing {
     }
 
     key(event) {
-        if (event.target.closest("#in-place") || event.ctrlKey || event.metaKey || event.altKey) return;
+        if (event.target.closest("#in-place")) return;
+        const copying = (event.ctrlKey || event.metaKey) && !event.shiftKey && {c: "Ctrl+C", v: "Ctrl+V"}[event.key.toLowerCase()];
+        if (!copying && (event.ctrlKey || event.metaKey || event.altKey)) return;
         const direction = !event.shiftKey && {ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0]}[event.key];
         const done = () => { event.preventDefault(); event.stopPropagation(); };
         if (direction) { this.move(direction); return done(); }
@@ -190,9 +225,9 @@ class Drawing {
             if (this.selected) this.page.edit(event.key === "F2" && this.selected.kind !== "action" ? "rename" : undefined);
             return done();
         }
-        const key = event.key === "Backspace" ? "Delete" : event.key;
+        const key = copying || (event.key === "Backspace" ? "Delete" : event.key);
         const known = operations.find((each) => each.key.toLowerCase() === key.toLowerCase());
-        if (known && this.selected) { this.page.start(known); done(); }
+        if (known && (this.selected || known.chart)) { this.page.start(known); done(); }
     }
 
     // Selects the nearest element in a direction.
@@ -210,7 +245,7 @@ class Drawing {
             const ahead = (at[0] - from[0]) * x + (at[1] - from[1]) * y, aside = Math.abs((at[0] - from[0]) * y + (at[1] - from[1]) * x);
             if (ahead > 3 && ahead + 3 * aside < least) { least = ahead + 3 * aside; best = element; }
         }
-        if (best) this.select(best);
+        if (best) this.select(best, true, true, true);
     }
 
     light(lit, fired) {
@@ -227,6 +262,10 @@ class TextPane {
         this.field.addEventListener("scroll", () => this.align());
         this.field.addEventListener("keydown", (event) => this.key(event));
         this.field.addEventListener("blur", () => { this.free = false; });
+        this.completion = new Completion(this.field, by("field"), () => {
+            const {value, selectionStart} = this.field;
+            return {before: value.slice(0, selectionStart), after: value.slice(selectionStart)};
+        }, (list) => this.place(list));
         document.addEventListener("selectionchange", () => { if (document.activeElement === this.field) { this.showPosition(); moved(this.field.selectionStart); } });
     }
 
@@ -255,6 +294,17 @@ class TextPane {
             return insert("\n" + field.value.slice(begin, field.selectionStart).match(/^[ \t]*/)[0]);
         }
         if (event.key !== "Shift") this.free = false;
+    }
+
+    // Moves a list below the cursor, or above it if there is more space.
+    place(list) {
+        const {field} = this, at = field.selectionStart, line = this.lineOf(at), pen = document.createElement("canvas").getContext("2d");
+        pen.font = getComputedStyle(field).font;
+        const before = field.value.slice(this.offset(line, 0), at).replaceAll("\t", "    ");
+        const top = padding + line * line_height - field.scrollTop, left = 10 + pen.measureText(before).width - field.scrollLeft;
+        const below = top + line_height, fits = below + list.offsetHeight <= field.clientHeight || top < list.offsetHeight;
+        list.style.top = `${fits ? below : top - list.offsetHeight}px`;
+        list.style.left = `${Math.max(0, Math.min(left, field.clientWidth - list.offsetWidth))}px`;
     }
 
     lineOf(offset) {
@@ -340,13 +390,13 @@ class Page {
             else this.drawing.light([], []);
         });
         this.buttons = operations.map((each) => make("button", {type: "button", title: each.effect, disabled: true, onclick: () => this.start(each)},
-            each.words, make("kbd", {}, each.key === "Delete" ? "Del" : each.key.toUpperCase())));
+            each.words, make("kbd", {}, keyName(each.key))));
         by("operations").append(...this.buttons);
         for (const [id, run] of Object.entries({save: () => this.change("/save"), undo: () => this.change("/undo"), redo: () => this.change("/redo"),
                                                 keys: () => by("help").showModal(),
                                                 "keep-page": () => this.change("/resolve", {keep: "page"}), "keep-file": () => this.change("/resolve", {keep: "file"})}))
             by(id).addEventListener("click", run);
-        by("key-rows").append(...[...operations.map((each) => [each.key === "Delete" ? "Del" : each.key.toUpperCase(), each.effect]), ...general_keys]
+        by("key-rows").append(...[...operations.map((each) => [keyName(each.key), each.effect]), ...general_keys]
             .map(([key, effect]) => make("tr", {}, make("td", {}, make("kbd", {}, key)), make("td", {}, effect))));
         document.addEventListener("keydown", (event) => this.key(event));
     }
@@ -398,7 +448,7 @@ class Page {
             await this.sendText();
             result = await ask(path, {version: this.state.text_version, ...request});
             if (request.trial) return;
-            this.take(result.state);
+            this.take(result.state, result.selected === undefined);
             this.report(result.problem ?? "");
             if (result.selected === undefined || result.problem) return;
             const element = this.drawing.elements.filter((each) => each.begin === result.selected).at(-1);
@@ -407,7 +457,8 @@ class Page {
         }).then(() => result);
     }
 
-    take(state) {
+    // Shows a state. If `scroll` is true, makes the selected element visible.
+    take(state, scroll = true) {
         this.state = state;
         this.known = state.version;
         document.title = `${state.modified ? "* " : ""}${state.file} \u2013 grafverif`;
@@ -430,7 +481,7 @@ class Page {
             by("page-text").replaceChildren(...marked(state.text, state.other));
             by("file-text").replaceChildren(...marked(state.other, state.text));
         }
-        this.drawing.show(state.charts);
+        this.drawing.show(state.charts, scroll);
         this.showDiagnostics(state);
         this.age(!state.readable);
         this.showOperations();
@@ -469,7 +520,9 @@ class Page {
     }
 
     showSelection(element, show_text) {
-        by("selection").textContent = element ? `Selected: ${titleOf(element)}` : "Nothing is selected.";
+        const {marked} = this.drawing;
+        const marks = marked.length > 0 ? `; marked: ${marked.map((each) => each.name).join(", ")}` : "";
+        by("selection").textContent = element ? `Selected: ${titleOf(element)}${marks}` : `Nothing is selected${marks}.`;
         if (this.state?.readable && element && show_text && document.activeElement !== this.text.field) this.text.select([element.begin, element.end]);
         else this.text.stripe(element && this.state?.readable ? [element.begin, element.end] : null);
         this.showOperations();
@@ -477,20 +530,47 @@ class Page {
 
     showOperations() {
         const element = this.drawing.selected;
-        operations.forEach((each, k) => { this.buttons[k].disabled = !this.state?.readable || !element || !each.of.includes(element.kind); });
+        operations.forEach((each, k) => { this.buttons[k].disabled = !this.state?.readable || !this.subject(each, element); });
+    }
+
+    // Returns the element to which an operation applies, or undefined if there is none.
+    subject(operation, selected = this.drawing.selected) {
+        if (operation.words === "Copy" && this.drawing.marked.length > 0) return this.drawing.marked[0];
+        if (selected && operation.of.includes(selected.kind)) return selected;
+        if (operation.chart) return this.drawing.elements.find((each) => each.chart === (selected?.chart ?? each.chart) && operation.of.includes(each.kind));
     }
 
     // Begins an operation on the selected element.
     start(operation) {
-        const element = this.drawing.selected;
-        if (!element || !operation.of.includes(element.kind) || !this.state.readable) return;
+        const element = this.subject(operation);
+        if (!element || !this.state.readable) return;
         this.endJump();
+        if (operation.run) return operation.run(this);
         if (operation.field !== undefined) return this.openField(operation, element);
         by("charts").focus({preventScroll: true});
         if (operation.operation !== "jump") return this.change("/edit", {operation: operation.operation, at: element.at});
         this.jumping = element;
         by("charts").classList.add("jumping");
         by("selection").textContent = `Select the target step of the jump from ${titleOf(element)}: click on it, or use the arrow keys and Enter. Esc cancels.`;
+    }
+
+    // Copies the marked steps, or the selected step.
+    copy() {
+        const steps = this.drawing.chosen();
+        return this.enqueue(async () => {
+            await this.sendText();
+            const answer = await ask("/copy", {version: this.state.text_version, steps: steps.map((each) => each.at)});
+            this.report(answer.problem);
+            if (answer.problem) return;
+            this.copied = answer.text;
+            by("selection").textContent = `Copied: ${steps.map((each) => titleOf(each)).join(", ")}. Select a step or a transition, then paste.`;
+            navigator.clipboard?.writeText(answer.text).catch(() => {});  // for other programs
+        });
+    }
+
+    paste() {
+        if (!this.copied) return this.report("Copy steps first.");
+        return this.change("/edit", {operation: "paste", at: this.drawing.selected.at, text: this.copied});
     }
 
     edit(name = this.drawing.selected.kind === "step" ? "rename" : "replace") { this.start(operations.find((each) => each.operation === name)); }
@@ -514,13 +594,14 @@ class Page {
         const label = operation.field || (element.kind === "transition" ? "Condition" : "Action");
         const version = this.state.text_version;
         let checked = 0;
-        const request = () => ({operation: operation.operation, at: element.at, text: input.value});
+        const request = () => ({operation: operation.operation, at: element.at, text: (kind ? `${kind.value} ` : "") + input.value});
         const problem = make("p", {class: "problem", role: "alert"});
         const close = () => { form.remove(); by("charts").focus({preventScroll: true}); };
         const check = async () => {
             const number = ++checked, answer = await this.change("/edit", {...request(), trial: true});
             if (number === checked && answer && input.value !== initial) problem.replaceChildren(...prose(answer.problem));
         };
+        const kind = operation.kinds && make("select", {"aria-label": "Kind of the variable", onchange: () => check()}, ...operation.kinds.map((each) => make("option", {}, each)));
         const initial = operation.operation === "replace" ? element.text.replaceAll("\r\n", "\n") : operation.operation === "rename" ? element.name : "";
         const lines = initial.split("\n").length;
         const input = make(lines > 1 ? "textarea" : "input", {rows: lines > 1 && lines, autocomplete: "off", spellcheck: "false", oninput: () => {
@@ -543,17 +624,34 @@ class Page {
             if (event.key !== "Escape") return;
             event.stopPropagation();
             close();
-        }}, make("label", {}, `${label} of ${titleOf(element)}`, input), problem,
+        }}, kind ?? "", make("label", {}, operation.chart || operation.operation === "enclosing" ? label : `${label} of ${titleOf(element)}`, input), problem,
             make("div", {class: "row"}, make("button", {}, "Apply"), make("button", {type: "button", onclick: close}, "Cancel")));
-        const charts = by("charts"), view = charts.getBoundingClientRect();
+        const charts = by("charts");
         const area = operation.operation === "replace" && element.condition_area ? element.condition_area : element.area;
-        const box = this.drawing.position(element, area) ?? view;
+        const place = () => {
+            const view = charts.getBoundingClientRect(), box = this.drawing.position(element, area) ?? view;
+            const left = Math.max(8, Math.min(box.left - view.left, charts.clientWidth - form.offsetWidth - 8));
+            form.style.left = `${left + charts.scrollLeft}px`;
+            form.style.top = `${Math.max(0, Math.min(box.bottom - view.top + 4, charts.clientHeight - form.offsetHeight - 8)) + charts.scrollTop}px`;
+        };
         charts.append(form);
-        const left = Math.max(8, Math.min(box.left - view.left, charts.clientWidth - form.offsetWidth - 8));
-        form.style.left = `${left + charts.scrollLeft}px`;
-        form.style.top = `${Math.max(0, Math.min(box.bottom - view.top + 4, charts.clientHeight - form.offsetHeight - 8)) + charts.scrollTop}px`;
+        place();
+        if (["replace", "action"].includes(operation.operation)) {
+            const proposals = make("div", {});
+            input.after(proposals);
+            this.completion = new Completion(input, proposals, () => this.contextOf(operation, element, input), place);
+        }
         input.focus({preventScroll: true});
         input.select();
+    }
+
+    // Returns the text of the file before and after the cursor of a field, as if the text of the field were in the file.
+    contextOf({operation}, element, {value, selectionStart}) {
+        const {text} = this.state, [before, after] = [value.slice(0, selectionStart), value.slice(selectionStart)];
+        const [begin, head, tail, end] = operation === "replace" ? [element.part[0], "", "", element.part[1]]
+                                       : element.kind === "step" ? [element.begin, `step ${element.name} { `, "; }", element.end]
+                                                                 : [element.end - 1, " do ", "", element.end - 1];
+        return {before: text.slice(0, begin) + head + before, after: after + tail + text.slice(end)};
     }
 
     // -- results of the server ----------------------------------------------------------------------------------------------

@@ -149,6 +149,18 @@ Change Document::accept(Plan plan, bool trial) {
     return {{}, {}, plan.selected};
 }
 
+Copy Document::copied(const std::vector<std::uint32_t>& at) {
+    if (has_errors(reading())) return {"correct the errors of the text first", {}};
+    return edit::copied(text(), Elements(parsed_->tree), at);
+}
+
+std::vector<lsp::Proposal> Document::proposals(const std::string& text, std::size_t cursor) const {
+    lsp::Workspace workspace = workspace_for(text);
+    const std::string path = rpc::path_of_uri(uri_);
+    const auto names = lsp::names_of(workspace, {lsp::DiagnosticStore().read(path, workspace)});
+    return lsp::proposals(*names, *workspace.parsed(path), cursor);
+}
+
 void Document::type(std::string_view text) {
     if (text == this->text()) return;
     history_.apply({difference(this->text(), text)}, true);

@@ -14,6 +14,7 @@
 
 #include "edit/history.hpp"
 #include "edit/operations.hpp"
+#include "lsp/completion.hpp"
 #include "lsp/diagnostic_store.hpp"
 #include "lsp/workspace.hpp"
 
@@ -50,6 +51,11 @@ public:
     /// Executes an operation, or rejects it with a reason; for example, if the text has errors. If `trial` is true, the
     /// text is not changed.
     Change perform(const Operation& operation, bool trial = false);
+    /// Returns the text of the steps at the positions `at`, for OperationKind::Paste.
+    Copy copied(const std::vector<std::uint32_t>& at);
+    /// Returns the proposals of the language server at the offset `cursor` of `text`, which is the text with a change that
+    /// is not complete yet.
+    std::vector<lsp::Proposal> proposals(const std::string& text, std::size_t cursor) const;
     /// Replaces the text as the user has typed it. The text may have errors.
     void type(std::string_view text);
     /// Replaces the text as one step that can be undone.

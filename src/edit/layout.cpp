@@ -72,7 +72,8 @@ bool Layout::ends_line(std::uint32_t offset) const {
             ++offset;
             continue;
         }
-        if (comment == file_.comments.end() || comment->where.begin != offset || comment->where.end > end) return false;
+        if (comment == file_.comments.end() || comment->where.begin != offset) return false;
+        if (comment->where.end > end + (end < text_.size() && text_[end] == '\r' ? 1 : 0)) return false;
         offset = comment->where.end;
         ++comment;
     }
@@ -85,6 +86,21 @@ TextEdit Layout::added_after(Span where, const std::string& declaration) const {
     const std::string indentation(text_.substr(first, where.begin - first));
     const std::string line = text_.substr(end, 2) == "\r\n" ? "\r\n" : "\n";
     return {end, end, line + indentation + declaration};
+}
+
+TextEdit Layout::added_lines_after(Span where, const std::vector<std::string>& lines) const {
+    std::string joined;
+    if (!begins_line(where.begin) || !ends_line(where.end)) {
+        for (const std::string& each : lines)
+            if (!each.empty()) joined += ' ' + each.substr(each.find_first_not_of(' '));
+        return {where.end, where.end, joined};
+    }
+    const std::uint32_t first = line_begin(where.begin), end = line_end(where.end);
+    for (const std::string& each : lines) {
+        joined += text_.substr(end, 2) == "\r\n" ? "\r\n" : "\n";
+        if (!each.empty()) joined.append(text_.substr(first, where.begin - first)).append(each);
+    }
+    return {end, end, joined};
 }
 
 TextEdit Layout::removed(Span where) const {

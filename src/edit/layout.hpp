@@ -27,6 +27,8 @@ public:
     /// declaration is on its lines, `declaration` is added on a new line with the same indentation, otherwise on the
     /// same line.
     TextEdit added_after(Span where, const std::string& declaration) const;
+    /// Does the same for a declaration of several lines, which have the indentation inside of the declaration.
+    TextEdit added_lines_after(Span where, const std::vector<std::string>& lines) const;
     /// Returns the edit that removes a declaration, with its lines if they contain no other declaration. A comment at the
     /// end of these lines is removed; comments above the declaration are kept.
     TextEdit removed(Span where) const;

@@ -28,6 +28,11 @@ enum class OperationKind : std::uint8_t {
     Replace,      ///< replaces the condition of a transition, or an action, by `text`
     Delete,       ///< deletes an action, or a step or transition and reconnects its links
     Rename,       ///< renames an element to `text` at all its uses (see Document)
+    Paste,        ///< adds copies of the steps `text` (see copied) as an alternative to a transition
+    Declare,      ///< declares the variable `text`, such as `input START`, in the chart of the element
+    Partial,      ///< adds the partial chart `text` with one initial step to the chart of the element
+    Macro,        ///< as StepAfter, with a macro-step and its expansion
+    Enclosing,    ///< as StepAfter, with an enclosing step and the partial chart `text` that it encloses
 };
 
 struct Operation {
@@ -47,6 +52,14 @@ struct Plan {
 
 /// Computes an operation other than Rename. Requires a text without syntax errors.
 Plan plan_of(std::string_view text, const tree::File& file, const Elements& elements, const Operation& operation);
+
+/// Text for Paste: the declarations of steps, and of all transitions that begin or end at them.
+struct Copy {
+    std::string obstacle = {};  ///< reason for rejection; if not empty, there is no text
+    std::string text = {};
+};
+/// Returns the text of the steps at the positions `at`, which must be in the same chart or partial chart.
+Copy copied(std::string_view text, const Elements& elements, const std::vector<std::uint32_t>& at);
 
 /// Returns the new text of an unnamed transition with the name `name`.
 TextEdit naming(const tree::Transition& transition, const std::string& name);

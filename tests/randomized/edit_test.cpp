@@ -131,7 +131,8 @@ std::string with_comments(const std::string& text, Random& random, int& comments
 constexpr OperationKind kinds[] = {OperationKind::StepAfter,   OperationKind::StepBefore, OperationKind::Transition,
                                    OperationKind::Alternative, OperationKind::Parallel,   OperationKind::Jump,
                                    OperationKind::Action,      OperationKind::Replace,    OperationKind::Delete,
-                                   OperationKind::Rename};
+                                   OperationKind::Rename,      OperationKind::Paste,      OperationKind::Declare,
+                                   OperationKind::Partial,     OperationKind::Macro,      OperationKind::Enclosing};
 
 class Editor {
 public:
@@ -154,12 +155,24 @@ public:
         }
         if (operation.kind == OperationKind::Rename)
             operation.text = chance(random_, 50) ? "N" + std::to_string(random_number(random_, 0, 99)) : other.name;
+        const std::string number = std::to_string(random_number(random_, 0, 99));
+        if (operation.kind == OperationKind::Partial || operation.kind == OperationKind::Enclosing)
+            operation.text = "G" + number;
+        if (operation.kind == OperationKind::Declare)
+            operation.text = (chance(random_, 50) ? "input V" : "internal V") + number;
+        const std::vector<DrawnElement> steps =
+            operation.kind == OperationKind::Paste ? some_steps(elements) : elements;
+        if (operation.kind == OperationKind::Paste) operation.text = copy_of(steps);
+        std::vector<std::string> originals;
+        for (const DrawnElement& step : steps)
+            if (operation.kind == OperationKind::Paste) originals.push_back(variable_of(drawn_chart(), step));
+        const std::string selected = element.kind == "step" ? variable_of(drawn_chart(), element) : "";
         if (chance(random_, 5)) operation.text = "} ; (";
         const std::string before = document_.text();
         const Graph graph = graph_of(document_);
         const Change change = document_.perform(operation);
-        const std::string number = std::to_string(static_cast<int>(operation.kind));
-        ++counts_[number + (change.obstacle.empty() ? " done" : " rejected")];
+        const std::string kind = std::to_string(static_cast<int>(operation.kind));
+        ++counts_[kind + (change.obstacle.empty() ? " done" : " rejected")];
         if (!change.obstacle.empty()) {
             ASSERT_EQ(document_.text(), before) << change.obstacle;
             return;
@@ -178,7 +191,9 @@ public:
             const bool before_has = before.find(comment) != std::string::npos;
             ASSERT_EQ(after.find(comment) != std::string::npos, before_has) << comment;
         }
-        check_links(graph, graph_of(document_), operation.kind, element, other);
+        if (operation.kind == OperationKind::Paste) check_copy(graph, originals, selected, element);
+        else if (operation.kind > OperationKind::Rename) check_parts(graph, operation.kind, selected, element, change);
+        else check_links(graph, graph_of(document_), operation.kind, element, other);
         const bool selects = !change.selected || Elements(tree_of(after)).at(*change.selected) != nullptr;
         ASSERT_TRUE(selects) << "the selected position is not an element";
         document_.undo();
@@ -233,6 +248,99 @@ private:
                   expected_links(before, kind, variable(element), transition_of(element), fresh, variable(other)));
     }
 
+    const Chart& drawn_chart() { return *document_.drawn()->reading.model->charts.begin(); }
+
+    /// Returns between one and four steps, each once.
+    std::vector<DrawnElement> some_steps(const std::vector<DrawnElement>& elements) {
+        std::vector<DrawnElement> steps;
+        const auto first = static_cast<std::size_t>(random_number(random_, 0, std::ssize(elements) - 1));
+        for (std::size_t k = 0; k < elements.size() && steps.size() < 4; ++k) {
+            const DrawnElement& each = elements[(first + k) % elements.size()];
+            if (each.kind == "step" && (steps.empty() || chance(random_, 50))) steps.push_back(each);
+        }
+        return steps;
+    }
+    std::string copy_of(const std::vector<DrawnElement>& steps) {
+        std::vector<std::uint32_t> at;
+        for (const DrawnElement& step : steps) at.push_back(step.where.begin);
+        return document_.copied(at).text;
+    }
+
+    /// Checks the links of pasted steps. The copies of `originals` are the new steps in the order of the text.
+    void check_copy(const Graph& before, const std::vector<std::string>& originals, const std::string& selected,
+                    const DrawnElement& element) {
+        const Graph after = graph_of(document_);
+        std::vector<std::pair<std::uint32_t, std::string>> added;
+        for (const DrawnElement& each : document_.elements(Id<Chart>{0}, ""))
+            if (each.kind == "step")
+                if (const std::string name = variable_of(drawn_chart(), each); !before.steps.contains(name))
+                    added.emplace_back(each.where.begin, name);
+        std::ranges::sort(added);
+        ASSERT_EQ(added.size(), originals.size());
+        ASSERT_TRUE(includes(after.steps, before.steps));
+        std::map<std::string, std::string> copies;
+        for (std::size_t k = 0; k < added.size(); ++k) copies[originals[k]] = added[k].second;
+        const auto copied = [&](const Names& names) {
+            Names list;
+            for (const std::string& name : names)
+                if (copies.contains(name)) list.insert(copies[name]);
+            return list;
+        };
+        const Link* target = nullptr;
+        if (selected.empty()) target = &before.links[transition_of(element)];
+        for (const Link& link : before.links)
+            if (target == nullptr && link.from.contains(selected)) target = &link;
+        std::multiset<Link> rest = sorted(after.links);
+        const auto take = [&](const Link& link) {
+            ASSERT_TRUE(rest.contains(link));
+            rest.erase(rest.find(link));
+        };
+        for (const Link& link : before.links) take(link);
+        for (const Link& link : before.links) {
+            const Link copy{copied(link.from), copied(link.to)};
+            const bool leaves = copy.to.empty() && !link.to.empty();
+            if (copy.from.empty() || (leaves && target == nullptr)) continue;
+            take({copy.from, leaves ? target->to : copy.to});
+        }
+        ASSERT_EQ(rest.size(), 1U) << "one transition leads to the copied steps";
+        ASSERT_EQ(rest.begin()->from, target == nullptr ? Names{selected} : target->from);
+        Names reached = rest.begin()->to, all;
+        for (const auto& [at, name] : added) all.insert(name);
+        for (std::size_t k = 0; k < added.size(); ++k)
+            for (const Link& link : after.links)
+                if (std::ranges::any_of(link.from, [&](const std::string& name) { return reached.contains(name); }))
+                    for (const std::string& name : link.to)
+                        if (all.contains(name)) reached.insert(name);
+        ASSERT_EQ(reached, all) << "links lead to all copied steps";
+    }
+
+    /// Checks the operations that declare variables and partial charts.
+    void check_parts(const Graph& before, OperationKind kind, const std::string& selected, const DrawnElement& element,
+                     const Change& change) {
+        const Graph after = graph_of(document_);
+        ASSERT_TRUE(includes(after.steps, before.steps));
+        Names added;
+        std::ranges::set_difference(after.steps, before.steps, std::inserter(added, added.end()));
+        ASSERT_TRUE(includes(after.conditions, before.conditions));
+        if (kind == OperationKind::Declare || kind == OperationKind::Partial) {
+            ASSERT_EQ(sorted(after.links), sorted(before.links));
+            ASSERT_EQ(added.size(), kind == OperationKind::Partial ? 1U : 0U);
+            return;
+        }
+        std::string fresh;
+        for (const DrawnElement& each : document_.elements(Id<Chart>{0}, ""))
+            if (each.where.begin == *change.selected && each.kind == "step") fresh = variable_of(drawn_chart(), each);
+        ASSERT_TRUE(added.contains(fresh));
+        added.erase(fresh);
+        std::multiset<Link> links = sorted(after.links);
+        std::erase_if(links, [&](const Link& link) {
+            return includes(added, link.from) && includes(added, link.to) && !link.from.empty();
+        });
+        ASSERT_EQ(links, expected_links(before, OperationKind::StepAfter, selected,
+                                        selected.empty() ? transition_of(element) : 0, fresh, ""));
+        ASSERT_LE(added.size(), kind == OperationKind::Macro ? 2U : 1U);
+    }
+
     /// Returns the step variable of a drawn step, whose id contains the names of its partial chart and of the step.
     std::string variable_of(const Chart& chart, const DrawnElement& drawn) {
         const ElementIds ids = element_ids(chart);
@@ -284,8 +392,9 @@ TEST(RandomizedEdit, OperationsAreCorrectOrRejectedAndCanBeUndone) {
         for (; !texts.empty(); texts.pop_back(), document.undo()) ASSERT_EQ(document.text(), texts.back());
     }
     for (const auto& [kind, count] : counts) RecordProperty(kind, count);
-    for (const char* kind : {"0 done", "1 done", "2 done", "3 done", "4 done", "5 done", "6 done", "7 done", "8 done",
-                             "8 rejected", "9 done"})
+    for (const char* kind :
+         {"0 done", "1 done", "2 done", "3 done", "4 done", "5 done", "6 done", "7 done", "8 done", "8 rejected",
+          "9 done", "10 done", "10 rejected", "11 done", "12 done", "13 done", "14 done"})
         EXPECT_GT(counts[kind], 5) << kind;
 }
 

@@ -36,7 +36,7 @@ constexpr auto edited_poll_interval = 100ms;
 constexpr std::size_t most_drawn_steps = 5'000;
 /// Maximum size of a recovery file: two texts, in which a byte becomes up to six bytes of JSON.
 constexpr std::size_t largest_recovery = 13 * largest_edited;
-constexpr std::array<std::pair<std::string_view, OperationKind>, 10> operations = {{
+constexpr std::array<std::pair<std::string_view, OperationKind>, 15> operations = {{
     {"step-after", OperationKind::StepAfter},
     {"step-before", OperationKind::StepBefore},
     {"transition", OperationKind::Transition},
@@ -47,6 +47,11 @@ constexpr std::array<std::pair<std::string_view, OperationKind>, 10> operations 
     {"replace", OperationKind::Replace},
     {"delete", OperationKind::Delete},
     {"rename", OperationKind::Rename},
+    {"paste", OperationKind::Paste},
+    {"declare", OperationKind::Declare},
+    {"partial", OperationKind::Partial},
+    {"macro", OperationKind::Macro},
+    {"enclosing", OperationKind::Enclosing},
 }};
 
 std::string text_in(const Json& json, const char* key) {
@@ -279,6 +284,32 @@ std::string EditedFile::save() {
     return {};
 }
 
+/// Returns the text of steps.
+std::string EditedFile::copy(const nlohmann::ordered_json& request) {
+    std::vector<std::uint32_t> at;
+    if (request.contains("steps") && request["steps"].is_array())
+        for (const Json& each : request["steps"])
+            if (each.is_number_unsigned() && each.get<std::uint64_t>() <= largest_edited) at.push_back(each);
+    const edit::Copy copy = number_in(request, "version") == text_version_
+                                ? document_.copied(at)
+                                : edit::Copy{"the text has changed in the meantime; copy again", {}};
+    return json_text(Json{{"problem", printable(copy.obstacle)}, {"text", page_text(copy.text)}}, -1);
+}
+
+/// Returns proposals between the texts `before` and `after` of a page.
+std::string EditedFile::completion(const nlohmann::ordered_json& request) const {
+    const std::string before = text_in(request, "before"), text = before + text_in(request, "after");
+    Json list = Json::array();
+    if (edit_obstacle(text).empty())
+        for (const lsp::Proposal& each : document_.proposals(text, before.size()))
+            list.push_back({{"label", printable(each.label)},
+                            {"detail", printable(each.detail)},
+                            {"documentation", page_text(each.documentation)},
+                            {"snippet", printable(each.snippet)},
+                            {"keyword", each.kind == lsp::ProposalKind::Keyword}});
+    return json_text(Json{{"problem", ""}, {"proposals", std::move(list)}}, -1);
+}
+
 /// Replaces the text as the user has typed it on the page.
 std::string EditedFile::type(const nlohmann::ordered_json& request) {
     if (!request.contains("text") || !request["text"].is_string()) return "malformed request; the text is missing";
@@ -330,7 +361,7 @@ void EditedFile::take_text() {
 }
 
 bool EditedFile::handles(const std::string& path) {
-    constexpr std::array paths = {"/edit", "/text", "/undo", "/redo", "/save", "/resolve"};
+    constexpr std::array paths = {"/edit", "/text", "/undo", "/redo", "/save", "/resolve", "/copy", "/completion"};
     return std::ranges::find(paths, path) != paths.end();
 }
 
@@ -339,6 +370,8 @@ std::string EditedFile::respond(const std::string& path, const std::string& body
     if (!json.is_object()) return json_text(Json{{"problem", "malformed request; send a JSON object"}}, -1);
     const bool trial = path == "/edit" && json.contains("trial") && json["trial"] == true;
     std::unique_lock lock(mutex_);
+    if (path == "/copy") return copy(json);
+    if (path == "/completion") return completion(json);
     if (!trial && path != "/save") changing_();
     edit::Change change;
     const std::string before = document_.text();

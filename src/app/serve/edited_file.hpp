@@ -43,7 +43,7 @@ public:
     /// Ends the thread, and writes the recovery file a last time.
     void end();
 
-    /// True if `respond` handles requests with this path: `/edit`, `/text`, `/undo`, `/redo`, `/save`, `/resolve`.
+    /// True if `respond` handles requests with this path, such as `/edit`.
     static bool handles(const std::string& path);
     /// Executes a request of a page. `body` and the response are JSON (docs/how-to/edit.md).
     std::string respond(const std::string& path, const std::string& body);
@@ -72,6 +72,8 @@ private:
     bool is_kept() const { return kept_ && kept_->text == document_.text() && kept_->base == disk_; }
     std::string notice() const;
     std::string type(const nlohmann::ordered_json& request);
+    std::string copy(const nlohmann::ordered_json& request);
+    std::string completion(const nlohmann::ordered_json& request) const;
     std::string save();
     std::string resolve(const std::string& choice);
     const std::string& drawings();

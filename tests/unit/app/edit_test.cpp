@@ -2,6 +2,7 @@
 // The command `edit`, and its file: requests of a page, changes of other programs, and the recovery file.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/serve/edited_file.hpp"
@@ -65,6 +66,41 @@ TEST(PageText, LineEndsOutsideOfAChangeAreKept) {
     EXPECT_EQ(text_of_page("ab\nc\ne", mixed), "ab\nc\re");
     EXPECT_EQ(text_of_page("", mixed), "");
     EXPECT_EQ(PagePositions("a\r\n\u00e4\U0001f600b").of(9), 5U);
+}
+
+TEST(EditedFile, StepsAreCopiedAndPasted) {
+    const Folder folder;
+    folder.write("lamp.grafcet", lamp);
+    Session session(folder);
+    const Json copy = session.ask("/copy", {{"steps", Json::array({session.element("c0-step-1")["at"]})}});
+    EXPECT_EQ(copy["problem"], "");
+    EXPECT_EQ(copy["text"], "step 1;\ntransition on: 0 -> 1 when ON;\ntransition off: 1 -> 0 when !ON;\n");
+    EXPECT_EQ(session.problem("/copy", {{"steps", Json::array({session.element("c0-transition-on")["at"], "x", -1})}}),
+              "only steps can be copied");
+    EXPECT_EQ(session.problem("/copy"), "select the steps first");
+    const Json old = Json::parse(session.file().respond("/copy", R"({"version": 99, "steps": [0]})"));
+    EXPECT_EQ(old["problem"], "the text has changed in the meantime; copy again");
+    EXPECT_EQ(session.problem(
+                  "/edit",
+                  {{"operation", "paste"}, {"at", session.element("c0-transition-on")["at"]}, {"text", copy["text"]}}),
+              "");
+    EXPECT_NE(session.file().text().find("transition t4: 2 -> 1 when !ON;"), std::string::npos);
+}
+
+TEST(EditedFile, CompletionProposesNamesAndDoesNotChangeTheText) {
+    const Folder folder;
+    folder.write("lamp.grafcet", lamp);
+    Session session(folder);
+    const std::size_t at = lamp.find("ON;\n    transition off");
+    const Json request = {{"before", lamp.substr(0, at) + "X1 && "}, {"after", lamp.substr(at)}};
+    const std::uint64_t version = session.state()["version"];
+    std::vector<std::string> labels;
+    const Json answer = session.ask("/completion", request);
+    for (const Json& each : answer["proposals"]) labels.push_back(each["label"]);
+    for (const char* label : {"ON", "X0", "X1"}) EXPECT_NE(std::ranges::find(labels, label), labels.end()) << label;
+    EXPECT_EQ(session.state()["version"], version);
+    EXPECT_EQ(session.file().text(), lamp);
+    EXPECT_TRUE(session.ask("/completion", {{"before", std::string(1, '\0')}})["proposals"].empty());
 }
 
 TEST(EditedFile, OperationChangesTheTextAndSavingWritesTheFile) {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Planner: computes one operation on an element of a drawing as edits. The operations are in operations*.cpp, the parts that
+// they share in planner.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edit/connections.hpp"
+#include "edit/layout.hpp"
+#include "edit/operations.hpp"
+
+namespace grafverif::edit {
+
+class Planner {
+public:
+    Planner(std::string_view text, const tree::File& file, const Elements& elements, const Element& element)
+        : text_(text),
+          file_(file),
+          elements_(elements),
+          element_(element),
+          layout_(text, file),
+          connections_(file, layout_, element) {}
+
+    Plan plan(const Operation& operation);
+
+private:
+    void execute(const Operation& operation);
+
+    // -- additions --------------------------------------------------------------------------------------------------------
+
+    /// Adds a step between an element and the elements after it (To) or before it (From).
+    void add_neighbour(End side);
+
+    /// Rejects the operation if one of `links`, which will no longer begin at `step`, reads its step variable: the
+    /// condition `3s/X1` would never be true.
+    void reject_readers(const Transitions& links, const tree::Name& step);
+    void add_transition();
+    /// Returns a transition and all transitions that begin at one of its steps; sets the obstacle if one is repeated.
+    Transitions alternatives_to(const tree::Transition& transition);
+    void add_alternative();
+    void add_parallel();
+    void reject_end_of_expansion(const tree::Step& step);
+    void add_jump(const Operation& operation);
+    void add_action(const std::string& action);
+    void paste(const std::string& copied);
+
+    // -- declarations -----------------------------------------------------------------------------------------------------
+
+    void declare(const std::string& declaration);
+    void drive(const std::string& input);
+    void add_partial(const std::string& name);
+    void add_macro();
+    void add_enclosing(const std::string& partial);
+    /// Adds a step as StepAfter does, with `words` before its name and `contents` after it.
+    void add_step_with(const std::string& words, const std::string& contents);
+    /// Adds the block `head { lines }` at the end of the chart, after an empty line.
+    void add_part(const std::string& head, const std::vector<std::string>& lines);
+    /// Returns `stem` with the first number that makes a name that the file does not use.
+    std::string fresh_name(const std::string& stem);
+
+    // -- changes and deletions --------------------------------------------------------------------------------------------
+
+    void replace(const std::string& written);
+    void remove();
+    void remove_action();
+    void remove_assignment();
+
+    // -- parts --------------------------------------------------------------------------------------------------------------
+
+    /// Returns the position of an action with its `;`.
+    static Span declared(const tree::Action& action);
+
+    /// Adds a step after the declaration of the first of `neighbours`; if it is not in the list, after the last step.
+    void add_step(const std::string& fresh, const std::vector<tree::Name>& neighbours);
+    const tree::Step* last_step() const;
+
+    /// Returns the declaration after which a new transition is added: the last of `near`, otherwise the last of `next`,
+    /// otherwise the last transition of the list, otherwise its last step.
+    Span place_of_link(const Transitions& near, const Transitions& next) const;
+    void add_link(Span place, const std::string& from, const std::string& to, const std::string& condition);
+
+    /// Returns the conjunction of the negated conditions of `links`.
+    std::string exclusive(const Transitions& links) const;
+    std::string negation(Id<tree::Expr> condition) const;
+
+    /// Returns the name of a new step: the next free number, or the name of the neighbour with the next free number.
+    std::string fresh_step(const std::vector<tree::Name>& neighbours);
+    std::string fresh_step(std::string stem);
+
+    /// Returns the name of a new transition; empty if a transition of the chart has no name.
+    std::string fresh_transition();
+
+    // -- the result ---------------------------------------------------------------------------------------------------------
+
+    void add(TextEdit edit) { edits_.push_back(std::move(edit)); }
+    void add(std::vector<TextEdit> edits) { append(std::move(edits)); }
+    void append(std::vector<TextEdit> edits);
+    /// Adds an edit, and selects the declaration in its replacement that begins with `words`.
+    void select(TextEdit edit, std::string_view words);
+    Plan finished();
+    std::string_view text_;
+    const tree::File& file_;
+    const Elements& elements_;
+    const Element& element_;
+    Layout layout_;
+    Connections connections_;
+    std::vector<TextEdit> edits_ = {};
+    std::string obstacle_ = {};
+    std::vector<std::string> names_ = {};          ///< new names
+    std::string new_words_ = "step ";              ///< words before the name of a new step of `add_neighbour`
+    std::string new_contents_ = {};                ///< words after its name
+    std::optional<std::size_t> selected_in_ = {};  ///< index of the edit that adds the selected element
+    std::size_t selected_at_ = 0;                  ///< offset of this element in the replacement
+    std::optional<std::uint32_t> selected_ = {};   ///< position of a selected element before the edits
+};
+
+}  // namespace grafverif::edit
