@@ -65,6 +65,7 @@ struct InputAblations {
     // Premises of lets_time_pass (check/inputs/resting.hpp):
     bool ignore_bounds = false, ignore_outputs = false, ignore_moves = false;
     bool ignore_evolutions = false;  ///< evolutions of a PLC need not end
+    bool search_evolutions = false;  ///< not a premise: a search proves that evolutions end, instead of evolutions_end
     // Premises of PossibleProof (check/inputs/possible.hpp):
     bool one_bound = false;         ///< rule 3 is applied to only one bound of an invariant
     bool any_edge = false;          ///< the edges in the rules need not be possible for all values of the clocks

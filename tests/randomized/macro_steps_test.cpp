@@ -89,6 +89,38 @@ Network with_combinations(Network network) {
     return network;
 }
 
+/// Replaces the properties by properties that read instances. All instances are untimed, so they can move within PLC
+/// cycles.
+InputAbstraction with_moving_instances(const Network& network) {
+    const std::vector<AbstractableProcess> processes = abstractable_processes(network);
+    InputAbstraction abstraction =
+        abstract_inputs(network, processes, std::vector<InputLevel>(processes.size(), InputLevel::Untimed));
+    Network& made = abstraction.network;
+    made.properties = {};
+    const auto add = [&](Id<Expr> term, bool at_stable) {
+        made.properties.add({.name = std::to_string(made.properties.size()),
+                             .pattern = Pattern::Reachable,
+                             .operands = {term},
+                             .at_stable = at_stable});
+    };
+    for (const Id<Network::Process> id : made.processes.ids()) {
+        const Network::ProcessKind kind = made.processes[id].kind;
+        if (kind != Network::ProcessKind::Plant && kind != Network::ProcessKind::Environment) continue;
+        for (const Id<Network::Location> location : made.templates[made.processes[id].automaton].locations.ids())
+            add(made.exprs.at(id.index, location.index), false);
+    }
+    for (const Network::Controller& controller : made.controllers)
+        for (const auto& step : controller.words.steps)
+            for (const auto& input : controller.words.inputs) {
+                if (!made.variables[input.variable].type.boolean || !made.settled.valid()) continue;
+                const Id<Expr> active = made.exprs.leaf(Op::Variable, step.variable.index);
+                const Id<Expr> on = made.exprs.leaf(Op::Variable, input.variable.index);
+                add(made.exprs.conjunction(active, on), true);
+                add(made.exprs.conjunction(active, made.exprs.negation(on)), true);
+            }
+    return abstraction;
+}
+
 /// Compares the verdicts of a loop, of the loop with each observer, and of their coarse abstractions. The abstractions
 /// of loops with observers are not compared, because an observer may read a chosen instance.
 int compare(const Network& loop, const MacroStepAblations& without, std::map<std::string, int>& seen) {
@@ -108,6 +140,9 @@ int compare(const Network& loop, const MacroStepAblations& without, std::map<std
                      .operands = {abstraction.network.exprs.leaf(Op::Variable, step.variable.index)},
                      .at_stable = stable && loop.settled.valid()});
     abstraction.network = with_combinations(std::move(abstraction.network));
+    const InputAbstraction moving = with_moving_instances(loop);
+    different += compare(moving.network, moving.choices,
+                         {.enabled = true, .deferred = moving.deferred, .without = without}, seen);
     different += compare(abstraction.network, abstraction.choices,
                          {.enabled = true, .deferred = abstraction.deferred, .without = without}, seen);
     return different;

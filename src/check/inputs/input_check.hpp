@@ -93,7 +93,8 @@ private:
     }
     /// True if the search of the task ended because it reached the bound on states of the current round.
     bool ends_with_round(const Task& task, const TimedResult& found) const {
-        return round_ < bound_of(task) && !found.complete && found.states >= round_;
+        return round_ < bound_of(task) && !found.complete &&
+               (found.states >= round_ || found.transitions >= round_ * limits_.transitions);
     }
 
     bool has_open(const Task& task) const {
@@ -116,6 +117,7 @@ private:
     void refine(std::size_t verdict, const Task& task, End end, const Levels& levels, std::vector<Task>& tasks) const;
     void search(const Task& task);
     void search_passing(const Task& task);
+    void conclude_passing(const Verdict& proof, const Task& task);
     void note_no_proof(const Task& task);
     void search_progress(const Task& task);
     std::optional<bool> prove_possible(std::size_t verdict, const FollowLimits& limits);
@@ -160,6 +162,7 @@ private:
     std::map<std::size_t, int> symbolic_calls_ = {};
     double symbolic_seconds_ = 0;
     const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::optional<bool> evolutions_end_ = {};  // result of evolutions_end; empty if it is not computed yet
     std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
     std::uint64_t round_ = 0;              // bound of the searches of the current round
     Deadline deadline_ = {};

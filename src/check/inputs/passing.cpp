@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // InputAbstractionCheck: proofs of `no timelock`, `no deadlock`, `always possible`, `inevitable` and `leads to`.
+#include "check/inputs/evolutions.hpp"
 #include "check/inputs/input_check.hpp"
 #include "check/inputs/response.hpp"
 #include "check/inputs/resting.hpp"
@@ -48,6 +49,16 @@ InputAbstractionCheck::Task InputAbstractionCheck::passing_task() const {
 
 void InputAbstractionCheck::search_passing(const Task& task) {
     const bool by_evolutions = task.kind == Kind::Evolution;
+    if (by_evolutions && !evolutions_end_ && !ablations_.search_evolutions)
+        evolutions_end_ = evolutions_end(loop_, instances_,
+                                         {.memory = options_.max_memory, .deadline = deadline_, .stop = options_.stop});
+    if (by_evolutions && evolutions_end_.value_or(false)) {
+        Verdict proof;
+        proof.outcome = Outcome::Holds;
+        proof.notes = {"proved separately for the processes and for the evolutions of the charts"};
+        return conclude_passing(
+            proof, Task{.levels = Levels(instances_.size(), InputLevel::Complete), .verdicts = task.verdicts});
+    }
     const InputAbstraction abstraction =
         abstract_inputs(loop_, instances_, task.levels, ablations_,
                         by_evolutions ? ChoiceLifetime::Evolution : ChoiceLifetime::Instant);
@@ -67,11 +78,16 @@ void InputAbstractionCheck::search_passing(const Task& task) {
         else if (passes != found.verdicts.end() && passes->reason == timed::endless_instants) note_no_proof(task);
         return;
     }
-    time_diverges_ = true;
     Verdict proof;
     proof.outcome = Outcome::Holds;
     proof.states = std::to_string(found.states);
     proof.transitions = found.transitions;
+    conclude_passing(proof, task);
+}
+
+/// Applies the proof that time diverges to the verdicts of the task.
+void InputAbstractionCheck::conclude_passing(const Verdict& proof, const Task& task) {
+    time_diverges_ = true;
     const bool lively = each_part_is_lively();
     for (const std::size_t k : task.verdicts) {
         const Verdict& verdict = result_.verdicts[k];

@@ -117,6 +117,22 @@ public:
 
     const std::vector<VariableId>& own() const { return own_; }
 
+    std::vector<TimerRequest> requests() const {
+        std::map<VariableId, std::vector<Values>> after;  // per request: the values of own_ after its acceptance
+        for (const Move& move : moves_)
+            if (const auto request = accepted(edge(move.edge))) after[*request].push_back(states_[move.to].values);
+        std::vector<TimerRequest> requests;
+        for (const auto& [request, all] : after) {
+            TimerRequest& found = requests.emplace_back(TimerRequest{request});
+            for (std::size_t i = 0; i < own_.size(); ++i) {
+                const auto is_same = [&](const Values& values) { return values[i] == all.front()[i]; };
+                if (network_.variables[own_[i]].type.boolean && std::ranges::all_of(all, is_same))
+                    found.results.emplace_back(own_[i], all.front()[i] != 0);
+            }
+        }
+        return requests;
+    }
+
 private:
     struct State {
         Id<Network::Location> location = {};
@@ -323,6 +339,20 @@ std::deque<Alone> explored(const Network& network, const Users& users, const tim
 }
 
 }  // namespace
+
+std::vector<TimerRequest> requests_of(const Network& network) {
+    const TimedOptions options;
+    const timed::Limits limits(options);  // none
+    const Users users(network);
+    const std::vector<ProcessClocks> clocks = analyse_clocks(network);
+    std::vector<TimerRequest> requests;
+    for (const Id<Network::Process> id : network.processes.ids()) {
+        if (network.processes[id].kind != Network::ProcessKind::Timer) continue;
+        Alone timer(network, users, clocks[id.index], id, limits);
+        if (timer.explore()) std::ranges::move(timer.requests(), std::back_inserter(requests));
+    }
+    return requests;
+}
 
 bool takes_time(const Network& network) {
     const TimedOptions options;

@@ -26,9 +26,21 @@
 // urgent edges do not move, time passes after each sequence of urgent edges, and time diverges.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "ir/network_inputs.hpp"
 
 namespace grafverif {
+
+/// A request that a timer accepts, and the Booleans of the timer that have the same value after each edge which accepts
+/// this request.
+struct TimerRequest {
+    Id<Network::Variable> request = {};
+    std::vector<std::pair<Id<Network::Variable>, bool>> results = {};
+};
+/// Returns the requests of all timers. Requires that `network` is expanded.
+std::vector<TimerRequest> requests_of(const Network& network);
 
 /// True if all processes except PLCs satisfy the premises, and all edges of PLCs are urgent. The result is false if a
 /// process has too many states to be examined, or can assign a variable a value outside its range. Requires that

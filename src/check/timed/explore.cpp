@@ -215,7 +215,7 @@ private:
             if (graph_.covered || slice.new_states[target & SuccessorBatch::number].first)
                 resolve(slice, target, state, By::Edge);
         }
-        graph_.transitions += at.edges;
+        graph_.transitions += at.computed;
         const bool acts = at.edges != 0;
         // If an urgent edge is enabled, or if time cannot pass, the function `lead` later stores the target of an edge,
         // unless states may have been omitted.

@@ -146,7 +146,7 @@ public:
     bool covered = false;
     std::uint32_t explored = 0;              // number of expanded states; only these have a kind and links
     std::vector<std::uint32_t> levels = {};  // first state of each depth
-    std::uint64_t transitions = 0;
+    std::uint64_t transitions = 0;  // number of computed transitions, with those between the states of macro-steps
     bool time_passes = false;
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
     std::vector<FaultAt> faults = {};        // model errors; at most one for each edge and variable
@@ -189,10 +189,11 @@ public:
     /// Stores the successors of `state` by urgent edges in `found`.
     void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
 
-    /// Computes the edges of the graph that begin in `words`.
-    void expand(const Word* words, Moves& moves, MacroSteps::Buffers& buffers) const {
-        if (macro_steps.applies()) macro_steps.expand(words, moves, buffers);
-        else machine.expand(words, moves);
+    /// Computes the edges of the graph that begin in `words`. Returns the number of moves that it has computed.
+    std::size_t expand(const Word* words, Moves& moves, MacroSteps::Buffers& buffers) const {
+        if (macro_steps.applies()) return macro_steps.expand(words, moves, buffers);
+        machine.expand(words, moves);
+        return moves.edges.size();
     }
     /// Returns the moves that lead from the state `words` to its successor `to`: a delay, an edge, or the edges of a
     /// macro-step. Changes `words` to `to`, with the values of variables that are not stored.

@@ -6,11 +6,16 @@
 #include <utility>
 
 #include "ir/junction.hpp"
+#include "ir/network/variables.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif::timed {
 
 namespace {
+
+bool is_observer(const Network& network, Id<Network::Process> id) {
+    return network.processes[id].kind == Network::ProcessKind::Observer;
+}
 
 /// Determines the static premises of macro-steps for a PLC and its timers.
 class CyclePremises {
@@ -24,7 +29,7 @@ public:
         }
         // Each move requests that observers read the state. Reading equal states again does not change an observer.
         for (const Id<Network::Process> id : network.processes.ids()) {
-            if (network.processes[id].kind != Network::ProcessKind::Observer) continue;
+            if (!is_observer(network, id)) continue;
             for (const Id<Network::Variable> variable : Slots(network, id).written()) {
                 used_.erase(variable);
                 written_.erase(variable);
@@ -72,6 +77,50 @@ public:
         return independent;
     }
 
+    /// Returns, per edge of the PLC and per process, whether the process may move after the edge instead of before it.
+    /// This requires that the edges of both are independent, that the process cannot enable or disable another edge of
+    /// the PLC, and that the edge of the PLC changes nothing that an observer or a property reads. It also requires that
+    /// the process does not enable an edge of another process for which the result is false.
+    std::vector<std::vector<bool>> movable_processes() const {
+        const std::size_t count = network_.processes.size();
+        std::vector<Uses> uses(count);
+        std::vector<bool> is_other(count);  // true for processes except observers and the PLC
+        Variables visible = read_by_properties(), of_observers;
+        for (const Id<Network::Process> id : network_.processes.ids()) {
+            const Slots slots(network_, id);
+            const auto read = slots.read(), written = slots.written();
+            is_other[id.index] = !is_observer(network_, id) && id != controller_.process;
+            if (is_other[id.index]) uses[id.index] = {{read.begin(), read.end()}, {written.begin(), written.end()}};
+            if (!is_observer(network_, id)) continue;
+            visible.insert(read.begin(), read.end());
+            of_observers.insert(written.begin(), written.end());
+        }
+        const auto meet = [&](const Variables& left, const Variables& right) {
+            return std::ranges::any_of(
+                left, [&](auto variable) { return right.contains(variable) && !of_observers.contains(variable); });
+        };
+        const bool is_visible = is_location_observed();
+        std::vector<std::vector<bool>> movable;
+        for (const Network::Edge& edge : plc_.edges) {
+            std::vector<bool>& may_move = movable.emplace_back(count);
+            // The loop is not quiescent while the PLC is not in W or not stable.
+            const bool settles = edge.to == controller_.waiting && !has_conjunct(edge.guard, controller_.stable, true);
+            const Uses plc = uses_of(edge);
+            if (settles || is_visible || meet(plc.written, visible)) continue;
+            for (std::size_t i = 0; i < count; ++i)
+                may_move[i] = is_other[i] && !meet(plc.written, uses[i].read) && !meet(plc.written, uses[i].written) &&
+                              !meet(uses[i].written, plc.read);
+            for (bool shrinks = true; std::exchange(shrinks, false);)
+                for (std::size_t i = 0; i < count; ++i)
+                    for (std::size_t other = 0; other < count && may_move[i]; ++other)
+                        if (!may_move[other] && meet(uses[i].written, uses[other].read)) {
+                            may_move[i] = false;
+                            shrinks = true;
+                        }
+        }
+        return movable;
+    }
+
     /// Returns the outputs that no edge and no property reads while the PLC is within a cycle or not stable.
     std::vector<Id<Network::Variable>> dead_outputs() const {
         const auto is_entered = [&](Id<Network::Location> location) {
@@ -95,6 +144,9 @@ public:
 
 private:
     using Variables = std::set<Id<Network::Variable>>;
+    struct Uses {
+        Variables read = {}, written = {};
+    };
 
     bool reads(Id<Expr> term, const Variables& variables) const {
         return std::ranges::any_of(leaves(network_.exprs, term), [&](Id<Expr> leaf) {
@@ -115,18 +167,48 @@ private:
     /// Returns the variables that a process, the condition of quiescence, or a property that is not only evaluated in
     /// quiescent states reads.
     Variables variables_read() const {
-        Variables read;
+        Variables read = read_by_properties();
         for (const Id<Network::Process> id : network_.processes.ids())
             for (const Id<Network::Variable> variable : Slots(network_, id).read()) read.insert(variable);
-        const auto take = [&](Id<Expr> term) {
-            for (const Id<Expr> leaf : leaves(network_.exprs, term))
-                if (const Expr& node = network_.exprs[leaf]; node.op == Op::Variable)
-                    read.insert({static_cast<std::uint32_t>(node.value)});
-        };
-        take(network_.settled);
-        for (const Property& property : network_.properties)
-            if (!property.at_stable) std::ranges::for_each(property.operands, take);
+        take(network_.settled, read);
         return read;
+    }
+
+    /// Returns the variables that properties read, except for properties that are only evaluated in quiescent states.
+    Variables read_by_properties() const {
+        Variables read;
+        for (const Property& property : network_.properties)
+            for (const Id<Expr> operand : property.operands)
+                if (!property.at_stable) take(operand, read);
+        return read;
+    }
+
+    void take(Id<Expr> term, Variables& variables) const {
+        each_variable(network_.exprs, term, [&](Id<Network::Variable> variable) { variables.insert(variable); });
+    }
+
+    /// True if a property that is not only evaluated in quiescent states reads the location of the PLC.
+    bool is_location_observed() const {
+        return std::ranges::any_of(network_.properties, [&](const Property& property) {
+            return !property.at_stable && std::ranges::any_of(property.operands, [&](Id<Expr> term) {
+                return std::ranges::any_of(leaves(network_.exprs, term), [&](Id<Expr> leaf) {
+                    const Expr& node = network_.exprs[leaf];
+                    return node.op == Op::At && at_process(node) == controller_.process.index;
+                });
+            });
+        });
+    }
+
+    /// Returns the variables that an edge of the PLC reads and writes, and those that the guards in its location read.
+    Uses uses_of(const Network::Edge& edge) const {
+        Uses uses;
+        for (const Network::Edge& other : plc_.edges)
+            if (other.from == edge.from) take(other.guard, uses.read);
+        for (const Network::Assignment& assignment : Slots(network_, controller_.process).assignments(edge)) {
+            take(assignment.value, uses.read);
+            take(assignment.target, uses.written);
+        }
+        return uses;
     }
 
     /// True if some variable, the request, enables all urgent edges of the timer, and disables its other edges and the
@@ -172,8 +254,7 @@ MacroSteps::MacroSteps(const Machine& machine, PropertyMonitor monitor, std::vec
     : machine_(&machine), monitor_(std::move(monitor)), races_(std::move(races)), without_(options.without) {
     const Network& network = machine.network();
     deferred_.resize(network.processes.size());
-    for (const Network::Process& process : network.processes)
-        observers_.push_back(process.kind == Network::ProcessKind::Observer);
+    for (const Id<Network::Process> id : network.processes.ids()) observers_.push_back(is_observer(network, id));
     accepts_.assign(network.processes.size(), none);
     for (const Network::Controller& controller : network.controllers) {
         Cycle cycle{.process = controller.process.index,
@@ -186,6 +267,7 @@ MacroSteps::MacroSteps(const Machine& machine, PropertyMonitor monitor, std::vec
                     std::ranges::find(options.deferred, timer.process) != options.deferred.end();
         }
         cycle.independent = premises.independent_locations();
+        cycle.movable = premises.movable_processes();
         cycle.waiting = controller.waiting.index;
         cycle.stable = machine.layout().variables[controller.stable.index];
         for (const Id<Network::Variable> output : premises.dead_outputs())
@@ -245,10 +327,17 @@ bool MacroSteps::is_transient(const Word* words, Moves& moves) const {
     const Cycle& cycle = cycles_[index];
     const bool independent = cycle.independent[location_of(cycle.process, words)];
     const auto is_of_plc = [&](std::uint32_t edge) { return process_of(edge) == cycle.process; };
+    const auto may_wait = [&](std::uint32_t process) {
+        return std::ranges::all_of(moves.edges, [&](std::uint32_t edge) {
+            return !is_of_plc(edge) || cycle.movable[machine_->edge_of(edge).index][process];
+        });
+    };
     for (const std::uint32_t edge : moves.edges) {
         const bool urgent = machine_->urgent(edge);
-        const bool waits = urgent ? independent && accepts_[process_of(edge)] == index : deferred_[process_of(edge)];
-        if (!waits && !(is_of_plc(edge) && urgent) && !without_.processes) return false;
+        if (is_of_plc(edge) ? urgent : without_.processes) continue;
+        const std::uint32_t process = process_of(edge);
+        const bool waits = urgent ? independent && accepts_[process] == index : deferred_[process];
+        if (!waits && !may_wait(process)) return false;
     }
     keep(moves, is_of_plc);
     return !moves.edges.empty();
@@ -287,7 +376,9 @@ void MacroSteps::append(Word* words, std::uint32_t edge, std::size_t depth, cons
     if (buffers.levels.size() <= depth) buffers.levels.resize(depth + 1);
     Moves moves = std::move(buffers.levels[depth]);
     const std::size_t size = machine_->layout().words;
-    if (is_transient(words, moves) && is_covered(words, moves, first, buffers)) {
+    const bool continues = is_transient(words, moves) && is_covered(words, moves, first, buffers);
+    if (continues) {
+        buffers.computed += moves.edges.size();
         for (std::size_t i = 0; i < moves.edges.size(); ++i)
             append(moves.words.data() + i * size, edge, depth + 1, first, buffers);
     } else {
@@ -297,8 +388,9 @@ void MacroSteps::append(Word* words, std::uint32_t edge, std::size_t depth, cons
     buffers.levels[depth] = std::move(moves);
 }
 
-void MacroSteps::expand(const Word* words, Moves& moves, Buffers& buffers) const {
+std::size_t MacroSteps::expand(const Word* words, Moves& moves, Buffers& buffers) const {
     machine_->expand(words, moves);
+    buffers.computed = moves.edges.size();
     const std::size_t size = machine_->layout().words;
     buffers.made.registers.resize(std::max(buffers.made.registers.size(), moves.registers.size()));
     buffers.made.edges.clear();
@@ -309,6 +401,7 @@ void MacroSteps::expand(const Word* words, Moves& moves, Buffers& buffers) const
         append(moves.words.data() + i * size, moves.edges[i], 0, words, buffers);
     std::swap(moves.edges, buffers.made.edges);
     std::swap(moves.words, buffers.made.words);
+    return buffers.computed;
 }
 
 bool MacroSteps::are_equivalent(const Word* words, const Word* stored) const {

@@ -8,9 +8,13 @@
 //     The following edges of its timers may also be enabled: an urgent edge, if the edges of the PLC in this location
 //     neither read nor write the variables of the timers; and an edge that is not urgent, if the timer is deferred
 //     (InputAbstraction::deferred).
+//   - A PLC is within a cycle, and the other enabled edges belong to processes that may as well move after the enabled
+//     edges of the PLC: the edges are independent, the edges of the PLC change nothing that an observer or a property
+//     reads, and these processes enable no edge that depends on the edges of the PLC. Only the PLC moves. Properties
+//     about quiescent states are false within a cycle.
 //   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. The PLC cannot leave
 //     W before, and the edges of all other processes are independent of the request and remain enabled.
-// The last two conditions reorder edges of timers. They require that only the PLC and its timers use the variables that
+// The conditions on timers reorder edges of timers. They require that only the PLC and its timers use the variables that
 // the timers write, and that no property reads these variables. The order is also irrelevant for
 // observers, because consecutive readings of equal states change the location of an observer at most once.
 //
@@ -46,6 +50,7 @@ public:
         Moves made = {};                         // the macro-steps
         std::optional<PackedStates> known = {};  // the states that the macro-steps have reached
         std::vector<Word> marks = {}, others = {};
+        std::size_t computed = 0;  // number of computed moves, with those of transient states
     };
     /// One move of a macro-step.
     struct Step {
@@ -63,8 +68,9 @@ public:
     bool applies() const { return !cycles_.empty(); }
 
     /// Computes the macro-steps that begin in `words` like Machine::expand. Moves::edges contains their first edges.
-    /// Equal successors are contained once.
-    void expand(const Word* words, Moves& moves, Buffers& buffers) const;
+    /// Equal successors are contained once. Returns the number of moves that it has computed, with those of transient
+    /// states.
+    std::size_t expand(const Word* words, Moves& moves, Buffers& buffers) const;
     /// True if `words` and the stored state `stored` differ only in values that are not relevant.
     bool are_equivalent(const Word* words, const Word* stored) const;
     /// Returns the moves of a macro-step from one state to another. Requires that such a macro-step exists.
@@ -95,7 +101,8 @@ private:
         std::uint32_t process = 0;
         std::vector<bool> within = {};       // per location of the PLC: true if the PLC is within a cycle
         std::vector<bool> independent = {};  // per location: true if its edges are independent of the timers' edges
-        std::size_t waiting = 0;             // location W
+        std::vector<std::vector<bool>> movable = {};  // per edge and process: CyclePremises::movable_processes
+        std::size_t waiting = 0;                      // location W
         Field stable = {};
         std::vector<Reset> outputs = {};  // outputs that are not read before the PLC writes them
         std::vector<Reset> flags = {};    // flags that are not read in W if the PLC is not stable

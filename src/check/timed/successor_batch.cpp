@@ -56,7 +56,7 @@ void Slicer::look_at(std::uint32_t state) {
     at.race = std::ranges::any_of(races_, [&](const Field& race) { return race.raw(now_.words.data()) != 0; });
     if (at.race) return;
     const Machine& machine = graph_.machine;
-    graph_.expand(now_.words.data(), moves_, buffers_);
+    at.computed = static_cast<std::uint32_t>(graph_.expand(now_.words.data(), moves_, buffers_));
     at.edges = static_cast<std::uint32_t>(moves_.edges.size());
     at.urgent = moves_.urgent;
     at.fault = moves_.fault.has_value();

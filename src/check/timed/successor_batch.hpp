@@ -27,6 +27,7 @@ struct alignas(own_lines) SuccessorBatch {
         /// successor after one time unit.
         std::uint32_t first = 0;
         std::uint32_t edges = 0;
+        std::uint32_t computed = 0;  ///< number of computed moves (Graph::expand)
         bool race = false;
         bool urgent = false;
         bool fault = false;

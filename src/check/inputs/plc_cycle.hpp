@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// One cycle of a PLC as Boolean functions of the values before the cycle.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "circuit/circuit.hpp"
+#include "ir/bit_terms.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+class PlcCycle {
+public:
+    using VariableId = Id<Network::Variable>;
+    using Literal = Gates::Literal;
+    /// Bits of a value minus the least value of its type, least significant bit first.
+    using Bits = std::vector<Literal>;
+
+    /// Requires that `network` is expanded. `shared` contains the variables that other processes also assign. All
+    /// arguments must outlive the object.
+    PlcCycle(const Network& network, const Network::Controller& controller, const std::set<VariableId>& shared)
+        : network_(network), slots_(network, controller.process), waiting_(controller.waiting), shared_(shared) {}
+
+    /// Computes the functions. Returns false if there are too many paths or gates.
+    bool build();
+
+    Circuit circuit = {};                    ///< contains only gates
+    std::map<VariableId, Bits> before = {};  ///< values before the cycle, of all variables that the PLC uses
+    std::map<VariableId, Bits> next = {};    ///< values after the cycle, of all variables that the PLC assigns
+    std::map<VariableId, Bits> first = {};   ///< values of these variables before the first cycle
+    /// True if a cycle, or a path to the first cycle, is possible without a race.
+    Literal enabled = Gates::no, starts = Gates::no;
+    /// True if a cycle, or a path to the first cycle, has a race or a value that is undefined or out of range.
+    Literal error = Gates::no;
+
+private:
+    using Values = std::map<VariableId, std::vector<Gate>>;
+    struct Path {
+        Gate condition = {};
+        Values values = {};
+    };
+
+    Type type_of(VariableId variable) const { return network_.variables[variable].type; }
+    std::vector<Gate> now(VariableId variable);
+    BitTerm<Gate> initial(VariableId variable) const;
+    BitTerm<Gate> term_of(const std::vector<Gate>& value, VariableId variable) const;
+    std::vector<Gate> bits_of(const BitTerm<Gate>& term, VariableId variable) const;
+    bool follow(Id<Network::Location> location, const Values& values, const Gate& condition);
+    bool take(const Network::Edge& edge, Path& path);
+    Literal join(std::map<VariableId, Bits>& results);
+
+    const Network& network_;
+    const Slots slots_;
+    const Id<Network::Location> waiting_;
+    const std::set<VariableId>& shared_;
+    std::vector<Path> paths_ = {};
+    std::size_t taken_ = 0;  // number of edges of the paths
+    Gate error_ = {};
+};
+
+}  // namespace grafverif
