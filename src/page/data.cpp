@@ -149,7 +149,7 @@ Json plant_json(const PageContent& content) {
 Json initial_json(const PageContent& content, const Playable& playable) {
     Json places = Json::object();
     if (!content.loop.valid()) return places;
-    for (const ClosedLoop::Instance& instance : content.model.loops[content.loop].instances)
+    for (const ClosedLoop::Instance& instance : model_of(content, playable).loops[content.loop].instances)
         places[instance.name] = instance.initial.index;
     for (const auto& [instance, location] : playable.initial)
         places[instance] = location ? Json(*location) : Json(nullptr);

@@ -19,6 +19,27 @@ namespace {
 
 using Row = Tuning::Row;
 
+/// True if the drawings of the page show the elements of `model`, the model at a point: both models have the same
+/// controllers, with the same elements in their charts. An instance with the same name has the same component.
+bool has_drawn_elements(const PageContent& content, const Model& model) {
+    const ClosedLoop &drawn = content.model.loops[content.loop], &loop = model.loops[content.loop];
+    if (loop.controllers.size() != content.charts.size()) return false;
+    for (const Id<ClosedLoop::Controller> id : loop.controllers.ids()) {
+        const ChartContent& one = content.charts[id.index];
+        const Chart& chart = model.charts[loop.controllers[id].chart];
+        if (chart.name != content.model.charts[one.chart].name ||
+            static_cast<bool>(chart.program) != one.program.has_value())
+            return false;
+        if (!one.program && element_ids(chart, one.prefix) != element_ids(drawn_chart(content, one), one.prefix))
+            return false;
+    }
+    return std::ranges::all_of(loop.instances, [&](const ClosedLoop::Instance& instance) {
+        const auto same = std::ranges::find(drawn.instances, instance.name, &ClosedLoop::Instance::name);
+        return same == drawn.instances.end() ||
+               content.model.components[same->component].name == model.components[instance.component].name;
+    });
+}
+
 std::string run_name(const Tuning& tuning, const Row& row, std::size_t point) {
     return row.property + ": " + point_text(tuning, point);
 }
@@ -180,6 +201,7 @@ std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<
             const std::string end = result.trace->loop_from ? "" : std::string(end_of(result.verdict));
             const std::string name = run_name(*content.tuning, row, point);
             Playable run{name, "counterexample", name, end, row.property, &*result.trace, charts};
+            if (!has_drawn_elements(content, model->second)) continue;
             run.model = &model->second;
             runs.push_back(std::move(run));
         }
@@ -205,6 +227,12 @@ void add_tuning(const PageContent& content, Html& html) {
     std::set<std::string> runs;
     for (const Playable& run : playable_runs(content)) runs.insert(run.name);
     for (const Row& row : tuning.rows)
+    if (std::ranges::any_of(content.point_models,
+                            [&](const auto& each) { return !has_drawn_elements(content, each.second); }))
+        html.put("p",
+                 "At some points, the closed loop has other controllers, steps, transitions or components than the "
+                 "drawings. The page does not contain the runs at these points.",
+                 {{"class", "remark"}});
         if (is_shown(tuning, row)) add_row(content, row, runs, html);
     for (const std::string& failure : tuning.failures) html.put("p", failure, {{"class", "bad"}});
     html.close("section");

@@ -274,5 +274,40 @@ TEST(TuningPage, RunsAreThoseNearestToTheCurrentValues) {
     EXPECT_EQ(count_of(made.page, "<td class=\"violated"), 7U);
 }
 
+const std::string heads = R"(
+grafcet head(input GO; output VALVE) {
+    initial step 0;
+    step 1 { VALVE; }
+
+    transition t0: 0 -> 1 when GO;
+    transition t1: 1 -> 0 when !GO;
+}
+
+closed_loop line {
+    constant N = 2, GAP = 1s;
+
+    for i in 1..N {
+        controller Head[i] = head(GO = GO[i], VALVE = VALVE[i]);
+        environment Go[i] = push_button(OUT = GO[i], GAP = GAP);
+    }
+    property closed: never VALVE[1];
+}
+)";
+
+// The drawings of the page show the controllers for the current values only.
+TEST(TuningPage, RunsOfLoopsWithOtherControllersAreOmitted) {
+    const char* const omitted = "The page does not contain the runs at these points.";
+    const Made made = page_of_tuning(heads, {{"N", NamedConstant::Kind::Integer, 1, 3, 1, 2}});
+    EXPECT_NE(made.page.find("violated at 3 of 3 points"), std::string::npos);
+    ASSERT_EQ(made.data.at("runs").size(), 1U);
+    EXPECT_EQ(made.data.at("runs").at(0).at("name"), "closed: N = 2");
+    EXPECT_EQ(made.data.at("runs").at(0).at("charts"), nlohmann::json::parse("[0, 1]"));
+    EXPECT_EQ(count_of(made.page, "data-run="), 1U);
+    EXPECT_NE(made.page.find(omitted), std::string::npos);
+    const Made same = page_of_tuning(heads, {{"GAP", duration, 1000, 3000, 1000, 1000}});
+    EXPECT_EQ(same.data.at("runs").size(), 3U);
+    EXPECT_EQ(same.page.find(omitted), std::string::npos);
+}
+
 }  // namespace
 }  // namespace grafverif
