@@ -469,7 +469,8 @@ class FaultCombination:
 
 class FaultedProperty:
     """The combinations of faults that violate one property. It has no truth value. The property holds for all
-    combinations only if `without_faults` is `holds`, and both `combinations` and `unknown` are empty."""
+    combinations of at most `order` faults only if `without_faults` is `holds`, and both `combinations` and `unknown`
+    are empty."""
 
     def __init__(self, document: dict[str, Any], traces: Iterator[tuple[str, str]]):
         self.name: str = document["name"]
