@@ -459,12 +459,13 @@ class Fault:
 
 @dataclass(frozen=True)
 class FaultCombination:
-    """A combination of faults that violates a property, and a run that violates it."""
+    """A combination of faults that violates a property, with a trace if one is given."""
 
     faults: tuple[str, ...]
     from_power_on: tuple[str, ...]  #: faults that are present from power-on in the run
     minimal: bool  #: False if the verdict for a subset is unknown
-    trace: Trace | None = field(repr=False, compare=False)  #: None if no run satisfies a property `reachable`
+    #: a run that violates the property; None for `reachable`, which no single run violates, or if no trace is given
+    trace: Trace | None = field(repr=False, compare=False)
 
 
 class FaultedProperty:

@@ -76,7 +76,7 @@ void add_cut(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const
     if (cut.from_power_on == cut.faults) remark += " present from power-on;";
     else if (!cut.from_power_on.empty())
         remark += " present from power-on: " + names_of(analysis, cut.from_power_on) + ";";
-    if (!cut.result.trace) remark += " no run reaches a state that satisfies the property;";
+    if (!cut.result.trace) remark += " " + absence_of_trace(row, cut) + ";";
     else if (!can_be_played(*cut.result.trace))
         remark +=
             fmt::format(" the run has {} steps, which is too many for the player;", cut.result.trace->moments.size());

@@ -27,10 +27,6 @@ using Indices = std::vector<std::size_t>;
 /// Maximum number of states of the second pass, which searches only the complete network.
 constexpr std::uint64_t second_states = std::uint64_t{1} << 22U;
 
-bool is_about_existence(Pattern pattern) {
-    return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
-}
-
 /// True if the verdict `holds` for a combination requires known verdicts for all its subsets. Reason: a state or run
 /// that violates the property without a fault may satisfy it in the model of the combination, in which this fault may
 /// still occur.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests the pages of `faults` and `tune`: results for each property, and the data of the runs.
 #include <algorithm>
+#include <functional>
 
 #include "content.hpp"
 #include "pipeline/variants/faults.hpp"
@@ -57,17 +58,16 @@ std::string data_text(const std::string& page) {
     return between(page, "<script type=\"application/json\" id=\"data\">", "</script>");
 }
 
-/// Returns the page of a fault analysis of the first loop of `text`. If `from_power_on` is true, the page states that
-/// all faults are present from power-on.
-Made page_of_faults(const std::string& text, std::size_t order, bool from_power_on = false) {
+/// Returns the page of a fault analysis of the first loop of `text`, after `change` has changed the results.
+Made page_of_faults(
+    const std::string& text, std::size_t order,
+    const std::function<void(FaultAnalysis&)>& change = [](FaultAnalysis&) {}) {
     Made made{read_string(text, "room.grafcet")};
     EXPECT_TRUE(made.reading.model) << made.reading.diagnostics_text();
     PageContent content = drawn_content(*made.reading.model, made.reading.sources, {0});
     content.faults = analysed_faults(*made.reading.model, {0}, {.order = order, .jobs = 1}, made.reading.diagnostics);
     EXPECT_TRUE(content.faults) << made.reading.diagnostics_text();
-    for (FaultAnalysis::Row& row : content.faults->rows)
-        for (FaultAnalysis::Cut& cut : row.minimal)
-            if (from_power_on) cut.from_power_on = cut.faults;
+    change(*content.faults);
     content.report.model = content.faults->model;
     content.report.settings = content.faults->settings;
     made.page = page_of(content);
@@ -96,21 +96,47 @@ TEST(FaultsPage, ShowsTheCombinationsOfEachPropertyAndTheEffectsOfEachFault) {
     EXPECT_EQ(page, page_of_faults(lamp, 2).page);
 }
 
-// The instance of a fault that is present from power-on begins in a location of the fault.
+// The instance of a fault that is present from power-on begins in a location of the fault. OFF is true at power-on only
+// if the switch is held from power-on.
 TEST(FaultsPage, RunsBeginInTheLocationsOfTheFaultsFromPowerOn) {
+    std::string text = lamp;
+    text.insert(text.find("    property rare"), "    property released: inevitable !OFF;\n");
+    const Made made = page_of_faults(text, 1);
     for (const bool from_power_on : {false, true}) {
-        const Made made = page_of_faults(lamp, 1, from_power_on);
-        const auto* const run = run_called(made.data, "never_both: Off_held");
+        const auto* const run = run_called(made.data, from_power_on ? "released: Off_held" : "never_both: Off_held");
         ASSERT_NE(run, nullptr);
-        std::size_t instances = 0;
+        std::size_t instances = 0, values = 0;
         for (const auto& instance : run->at("run").at("instances")) {
             const std::string name = instance.at("name");
+            if (!run->at("initial").contains(name)) continue;  // the observer of a property
             const auto initial = run->at("initial").at(name).get<std::size_t>();
             EXPECT_EQ(instance.at("locations").at(initial), from_power_on && name == "Off" ? "Off_held" : "switch");
             ++instances;
         }
         EXPECT_EQ(instances, 2U);
+        for (const auto& value : run->at("run").at("moments").at(0).at("values"))
+            if (run->at("run").at("signals").at(value.at(0).get<std::size_t>()).at("name") == "OFF") {
+                EXPECT_EQ(value.at(1), from_power_on ? 1 : 0);
+                ++values;
+            }
+        EXPECT_EQ(values, 1U);
     }
+}
+
+TEST(FaultsPage, OnlyAViolatedReachableHasNoRunThatSatisfiesTheProperty) {
+    const Made made = page_of_faults(lamp, 1, [](FaultAnalysis& analysis) {
+        for (FaultAnalysis::Row& row : analysis.rows)
+            for (FaultAnalysis::Cut& cut : row.minimal) {
+                if (row.property != "never_both") continue;
+                cut.result.trace.reset();
+                cut.result.verdict.notes = {"no trace is given: the trace has too many moves"};
+            }
+    });
+    EXPECT_NE(
+        made.page.find("<strong>Off_held</strong><span class=\"remark\"> no trace is given: the trace has too many "
+                       "moves</span>"),
+        std::string::npos);
+    EXPECT_EQ(count_of(made.page, "no run reaches a state that satisfies the property"), 2U);
 }
 
 // The analysis does not state if the fault of a model error is present from power-on.
