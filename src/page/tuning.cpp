@@ -175,8 +175,7 @@ SummaryItem summary_of(const Tuning& tuning) {
     if (!tuning.failures.empty())
         return {"bad", "Internal error: the results fail an internal check, such as the replay of a trace."};
     const auto unexpected = static_cast<std::size_t>(std::ranges::count_if(tuning.rows, is_unexpected));
-    const auto open = static_cast<std::size_t>(
-        std::ranges::count_if(tuning.rows, [](const Row& row) { return row.declared && is_unknown(row); }));
+    const auto open = static_cast<std::size_t>(std::ranges::count_if(tuning.rows, is_unknown));
     std::vector<std::string> words;
     if (tuning.model_error) words.emplace_back("a model error occurs at some point");
     if (unexpected != 0)
@@ -185,6 +184,8 @@ SummaryItem summary_of(const Tuning& tuning) {
     if (open != 0) words.push_back(counted(open, "property is", "properties are") + " unknown at some point");
     if (words.empty())
         return {"ok", fmt::format("Each property has its expected verdict at {}.",
+    if (words.empty() && std::ranges::none_of(tuning.rows, &Row::declared))
+        return {"unknown", "There are no properties."};
                                   tuning.points == 1 ? "the point" : fmt::format("all {} points", tuning.points))};
     std::string text;
     for (const std::string& each : words) text += (text.empty() ? "" : "; ") + each;
@@ -233,7 +234,10 @@ void add_tuning(const PageContent& content, Html& html) {
                  "At some points, the closed loop has other controllers, steps, transitions or components than the "
                  "drawings. The page does not contain the runs at these points.",
                  {{"class", "remark"}});
-        if (is_shown(tuning, row)) add_row(content, row, runs, html);
+    std::set<std::string> runs;
+    for (const Playable& run : playable_runs(content)) runs.insert(run.name);
+    for (const Row& row : tuning.rows)
+        if (is_shown(tuning, row) || is_unknown(row)) add_row(content, row, runs, html);
     for (const std::string& failure : tuning.failures) html.put("p", failure, {{"class", "bad"}});
     html.close("section");
 }

@@ -200,9 +200,10 @@ closed_loop press {
 }
 )";
 
-/// Returns the page about the values of constants of the first loop of `text`.
-Made page_of_tuning(const std::string& text, std::vector<TunedConstant> constants, std::size_t runs = 24,
-                    bool every_point = false) {
+/// Returns the page about the values of constants of the first loop of `text`, after `change` has changed the results.
+Made page_of_tuning(
+    const std::string& text, std::vector<TunedConstant> constants, std::size_t runs = 24, bool every_point = false,
+    const std::function<void(Tuning&)>& change = [](Tuning&) {}) {
     Made made{read_string(text, "press.grafcet")};
     EXPECT_TRUE(made.reading.model) << made.reading.diagnostics_text();
     const Model& model = *made.reading.model;
@@ -218,6 +219,7 @@ Made page_of_tuning(const std::string& text, std::vector<TunedConstant> constant
                                                           sources, made.reading.diagnostics));
         }
     EXPECT_EQ(content.tuning->failures, std::vector<std::string>{});
+    change(*content.tuning);
     made.page = page_of(content);
     made.data = nlohmann::json::parse(data_text(made.page));
     return made;
@@ -333,6 +335,24 @@ TEST(TuningPage, RunsOfLoopsWithOtherControllersAreOmitted) {
     const Made same = page_of_tuning(heads, {{"GAP", duration, 1000, 3000, 1000, 1000}});
     EXPECT_EQ(same.data.at("runs").size(), 3U);
     EXPECT_EQ(same.page.find(omitted), std::string::npos);
+}
+
+const std::string positive = "<p class=\"glance ok\">", unknown = "<p class=\"glance unknown\">";
+
+TEST(TuningPage, TheSummaryIsPositiveOnlyIfThereIsAPropertyAndEachVerdictIsKnown) {
+    const std::vector<TunedConstant> constants = {{"RAM", duration, 1000, 3000, 1000, 3000}};
+    EXPECT_NE(page_of_tuning(press_loop, constants).page.find(positive), std::string::npos);
+    const Made open = page_of_tuning(press_loop, constants, 24, false, [](Tuning& tuning) {
+        for (Tuning::Row& row : tuning.rows)
+            if (!row.declared) row.verdicts.back() = {};
+    });
+    EXPECT_NE(open.page.find(unknown + "<strong>1 property is unknown at some point."), std::string::npos);
+    EXPECT_NE(open.page.find("id=\"property-no_timelock\""), std::string::npos) << "the page shows what is unknown";
+    std::string text = press_loop;
+    const std::size_t first = text.find("    property prompt");
+    text.erase(first, text.find("}", first) - first);
+    EXPECT_NE(page_of_tuning(text, constants).page.find(unknown + "<strong>There are no properties."),
+              std::string::npos);
 }
 
 }  // namespace
