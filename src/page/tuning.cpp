@@ -133,6 +133,8 @@ void add_margins(const Tuning& tuning, const Row& row, Html& html) {
     const std::vector<std::string> sentences = margin_sentences(tuning, row);
     const bool on_grid = std::ranges::all_of(
         tuning.constants, [](const TunedConstant& each) { return each.current_index().has_value(); });
+    if (row.current.outcome == Outcome::Unknown)
+        return void(html.put("p", "Current values: " + verdict_text(tuning, row.current) + "."));
     if (sentences.empty() && on_grid)
         html.put("p", fmt::format("Current values: {}. On the grid, a change of a single constant does not change this "
                                   "verdict.",
@@ -182,10 +184,10 @@ SummaryItem summary_of(const Tuning& tuning) {
         words.push_back(counted(unexpected, "property has", "properties have") +
                         " an unexpected verdict at some point");
     if (open != 0) words.push_back(counted(open, "property is", "properties are") + " unknown at some point");
-    if (words.empty())
-        return {"ok", fmt::format("Each property has its expected verdict at {}.",
     if (words.empty() && std::ranges::none_of(tuning.rows, &Row::declared))
         return {"unknown", "There are no properties."};
+    if (words.empty())
+        return {"ok", fmt::format("Each property has its expected verdict at {}.",
                                   tuning.points == 1 ? "the point" : fmt::format("all {} points", tuning.points))};
     std::string text;
     for (const std::string& each : words) text += (text.empty() ? "" : "; ") + each;
@@ -199,10 +201,10 @@ std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<
         for (const auto& [point, result] : row.runs) {
             const auto model = content.point_models.find(point);
             if (!result.trace || model == content.point_models.end()) continue;
+            if (!has_drawn_elements(content, model->second)) continue;
             const std::string end = result.trace->loop_from ? "" : std::string(end_of(result.verdict));
             const std::string name = run_name(*content.tuning, row, point);
             Playable run{name, "counterexample", name, end, row.property, &*result.trace, charts};
-            if (!has_drawn_elements(content, model->second)) continue;
             run.model = &model->second;
             runs.push_back(std::move(run));
         }
@@ -225,9 +227,6 @@ void add_tuning(const PageContent& content, Html& html) {
                  "✓ holds, ✗ violated, ? unknown; the cell with the current values has a frame. An underlined ✗ plays "
                  "a run that violates the property with these values.",
                  {{"class", "remark"}});
-    std::set<std::string> runs;
-    for (const Playable& run : playable_runs(content)) runs.insert(run.name);
-    for (const Row& row : tuning.rows)
     if (std::ranges::any_of(content.point_models,
                             [&](const auto& each) { return !has_drawn_elements(content, each.second); }))
         html.put("p",

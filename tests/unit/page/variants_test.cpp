@@ -355,5 +355,19 @@ TEST(TuningPage, TheSummaryIsPositiveOnlyIfThereIsAPropertyAndEachVerdictIsKnown
               std::string::npos);
 }
 
+TEST(TuningPage, AnUnknownVerdictHasNoMargins) {
+    const char* const sentence = "On the grid, a change of a single constant does not change this verdict.";
+    const std::vector<TunedConstant> constants = {{"RAM", duration, 1000, 3000, 1000, 3000}};
+    EXPECT_EQ(count_of(page_of_tuning(press_loop, constants).page, sentence), 2U);
+    const Made open = page_of_tuning(press_loop, constants, 24, false, [](Tuning& tuning) {
+        for (Tuning::Row& row : tuning.rows) {
+            row.current = {};
+            for (PointVerdict& verdict : row.verdicts) verdict = {};
+        }
+    });
+    EXPECT_EQ(count_of(open.page, sentence), 0U);
+    EXPECT_EQ(count_of(open.page, "Current values: unknown: not checked."), 3U);
+}
+
 }  // namespace
 }  // namespace grafverif
