@@ -300,6 +300,10 @@ TEST(TuningPage, RunsAreThoseNearestToTheCurrentValues) {
     EXPECT_EQ(made.data.at("runs").at(0).at("name"), "prompt: RAM = 6s");
     EXPECT_EQ(made.data.at("runs").at(1).at("name"), "prompt: RAM = 7s");
     EXPECT_EQ(count_of(made.page, "<td class=\"violated"), 7U);
+    const Made far = page_of_tuning(press_loop, {{"RAM", duration, 1000, 12000, 1000, 13000}}, 2);
+    ASSERT_EQ(far.data.at("runs").size(), 2U);
+    EXPECT_EQ(far.data.at("runs").at(0).at("name"), "prompt: RAM = 11s");
+    EXPECT_EQ(far.data.at("runs").at(1).at("name"), "prompt: RAM = 12s");
 }
 
 const std::string heads = R"(
