@@ -2,6 +2,7 @@
 #include "pipeline/variants/faults.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <iterator>
@@ -59,18 +60,22 @@ void merge(Report&& later, Report& report) {
     std::ranges::move(later.failures, std::back_inserter(report.failures));
 }
 
-/// Returns the names of the undecided properties; empty if no property is undecided because of the limit on the number
-/// of states. Every check decides `no timelock`, but this property is only returned if `timelock` is true.
-std::vector<std::string> to_check_again(const Report& report, bool timelock) {
-    std::set<std::string> names;
-    bool limited = false;
+/// The undecided properties of a report.
+struct Undecided {
+    std::set<std::string> names = {};
+    bool limited = false;  ///< some property is undecided because of the limit on the number of states
+};
+
+/// Every check decides `no timelock`, but the result contains this property only if `timelock` is true.
+Undecided undecided(const Report& report, bool timelock) {
+    Undecided found;
     for (const PropertyResult& result : report.answers) {
         if (result.verdict.outcome != Outcome::Unknown) continue;
         if (result.verdict.pattern == Pattern::NoTimelock && !timelock) continue;
-        names.insert(base_name(result.verdict.property, result.verdict.pattern));
-        limited = limited || result.verdict.obstacle == UnknownReason::Bound;
+        found.names.insert(base_name(result.verdict.property, result.verdict.pattern));
+        found.limited = found.limited || result.verdict.obstacle == UnknownReason::Bound;
     }
-    return limited ? std::vector(names.begin(), names.end()) : std::vector<std::string>{};
+    return found;
 }
 
 /// A combination of faults to check, the rows for which it is checked, and the results.
@@ -85,11 +90,15 @@ struct CombinationCheck {
     bool done = false;
 };
 
-/// Returns the maximum number of states of a search.
+/// Returns the maximum number of states of a search; 0 if a limit ended a search.
 double states_of(const Report& report) {
     double most = 0;
-    for (const PropertyResult& result : report.answers)
+    for (const PropertyResult& result : report.answers) {
+        const UnknownReason obstacle = result.verdict.obstacle;
+        if (obstacle == UnknownReason::Bound || obstacle == UnknownReason::Memory || obstacle == UnknownReason::Stopped)
+            return 0;
         most = std::max(most, static_cast<double>(std::stoull("0" + result.verdict.states)));
+    }
     return most;
 }
 
@@ -108,7 +117,6 @@ public:
         for (std::size_t size = 1; size <= request_.order; ++size) check_combinations(size);
         if (request_.visible) find_visible(*network);
         analysis_.checks = checks_;
-        analysis_.skipped = skipped_;
         return std::move(analysis_);
     }
 
@@ -144,30 +152,37 @@ private:
 
     /// Checks the network in passes, each for the properties that are still undecided. A network with faults often has
     /// only a few more states than the limit above which localization is used. Therefore the second pass searches the
-    /// complete network, which then needs less time than localization. The first pass is skipped if the network is
-    /// expected to have more states than the first pass explores, but not more than the second pass explores. Skipping
-    /// is sound for every expectation, because each pass decides properties independently of other passes.
+    /// complete network, which then needs less time than localization. The second pass is made first if the network is
+    /// expected to have more states than the first pass explores, but not more than the second pass explores. It then
+    /// has half of the time, and the first pass follows for all undecided properties. Therefore, without a time limit,
+    /// this order decides each property that the other order decides.
     Report report_on(const Model& model, const Network& network, CheckOptions options, bool timelock,
                      double expected = 0) const {
         ++checks_;
         const LoopToCheck loop = loop_to_check(model, loop_, network);
         Report report;
-        const bool skips = expected > static_cast<double>(request_.first_states) && expected <= second_states;
-        if (skips) ++skipped_;
-        for (int pass = skips ? 2 : 1; pass <= 3; ++pass) {
+        const Deadline deadline = options.limits.deadline;
+        const bool swaps = expected > static_cast<double>(request_.first_states) && expected <= second_states;
+        bool limited = false;
+        for (const int pass : swaps ? std::array{2, 1, 3} : std::array{1, 2, 3}) {
+            const bool early = swaps && pass == 2;
+            options.limits.deadline = early ? share_of(deadline, 2) : deadline;
             if (pass == 3) options.limits.states.reset();
             else options.limits.states = pass == 1 ? request_.first_states : second_states;
             options.whole = pass == 2;
             merge(check_without_causes(loop, options), report);
-            options.properties = to_check_again(report, timelock);
-            if (options.properties.empty() || stopped()) break;
+            const Undecided open = undecided(report, timelock);
+            options.properties.assign(open.names.begin(), open.names.end());
+            limited = open.limited || (limited && pass == 1);
+            if (open.names.empty() || stopped() || !(early || limited)) break;
         }
         return report;
     }
 
     /// Returns the expected number of states of the model in which the faults of a combination may occur at any time.
     /// Each fault multiplies the number of states by the factor by which it multiplies the states of the loop without
-    /// other faults. The result is 0 if the number of states with a single fault is unknown.
+    /// other faults. The result is 0 if the number of states without
+    /// faults or with a single fault is unknown.
     double expected_states(const FaultSet& faults) const {
         double states = states_without_faults_;
         for (const std::size_t fault : faults)
@@ -479,7 +494,7 @@ private:
     FaultAnalysis analysis_ = {};
     double states_without_faults_ = 0;
     std::vector<double> states_ = {};  ///< for each fault: number of states with this fault only
-    mutable std::atomic<std::size_t> checks_ = 0, skipped_ = 0;
+    mutable std::atomic<std::size_t> checks_ = 0;
 };
 
 }  // namespace
