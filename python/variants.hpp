@@ -38,7 +38,7 @@ public:
               std::vector<std::pair<std::string, std::string>> map, bool stop_early);
     ~Recording();
 
-    /// Adds a line of JSON. Returns true if further lines can change the verdicts.
+    /// Adds a line of JSON. Returns false if the check has ended (RecordingMonitor::add).
     bool add(const std::string& line);
     /// Returns the verdicts on the lines so far. The result is empty after an error.
     std::optional<Shown> finish();

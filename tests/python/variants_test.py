@@ -145,6 +145,19 @@ def test_a_deviation_is_reported_while_samples_arrive(pump):
     assert 3.9 < verdict.time < 4.2
 
 
+def test_the_end_of_a_check_ends_the_check_of_properties(pump):
+    text = pump.read_text() + ("closed_loop l { controller pump; environment S = free(OUT = START); environment T = "
+                               "free(OUT = STOP); property p: never PUMP && HORN; }")
+    recording = grafverif.parse(text).recording("pump")
+    recording.add(0, START=False, STOP=False, PUMP=False, HORN=False)
+    recording.add(1, PUMP=True)
+    assert not recording.add(2)
+    assert not recording.add(3, HORN=True) and not recording.add(5)
+    report = recording.finish()
+    assert report["pump"].verdict == "deviates" and not report.properties[0]["violated"] and report.samples == 3
+    assert "property p: not violated by these samples" in str(report)
+
+
 def test_wrong_samples_are_rejected(pump):
     file = grafverif.read(pump)
     with pytest.raises(TypeError, match="START"):
