@@ -7,6 +7,7 @@ import os
 import pathlib
 import re
 import subprocess
+import warnings
 
 import grafverif
 import pytest
@@ -143,6 +144,21 @@ def test_a_deviation_is_reported_while_samples_arrive(pump):
     verdict = recording.finish()["pump"]
     assert verdict.verdict == "deviates" and verdict.output == "PUMP" or verdict.output == "HORN"
     assert 3.9 < verdict.time < 4.2
+
+
+def test_each_warning_of_a_recording_is_issued_once():
+    text = (root / "tests/diagnostics/forced-differently.grafcet").read_text()
+    text = text.replace("input STOP, HOLD;", "input STOP, HOLD; output LAMP, HORN;")
+    file = grafverif.parse(text.replace("step 21;", "step 21 { LAMP; HORN; }"))
+    with pytest.warns(UserWarning) as at_construction:
+        recording = file.recording()
+    with pytest.warns(UserWarning) as at_first_sample:
+        recording.add(0, STOP=False, HOLD=False, LAMP=False)
+    assert [str(each.message)[-20:] for each in at_construction] == ["[forced-differently]"]
+    assert ["HORN" in str(each.message) for each in at_first_sample] == [True]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        recording.add(1, HOLD=False)
 
 
 def test_the_end_of_a_check_ends_the_check_of_properties(pump):
