@@ -17,6 +17,7 @@ import html
 import importlib
 import json
 import os
+import re
 from dataclasses import dataclass, field
 from datetime import timedelta
 from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Sequence, TypeVar, Union
@@ -378,15 +379,19 @@ class TunedProperty:
 
     def at(self, **values: int | str | timedelta) -> str:
         """The verdict at a point of the grid: `holds`, `violated` or `unknown`. `values` contains a value of each
-        constant, such as `N=3, FILL="500ms"`."""
-        names = [each["name"] for each in self._constants]
-        if set(values) != set(names):
-            raise NotFoundError(f"give a value of each constant: {', '.join(names)}")
-        point = {name: _measure(value) for name, value in values.items()}
-        on_grid = all((point[each["name"]] - _measure(each["low"])) % _measure(each["step"]) == 0
-                      for each in self._constants)
+        constant, such as `N=3, FILL="500ms"`. A duration is a str or a timedelta, and any other constant is an int."""
+        constants = {each["name"]: each for each in self._constants}
+        if set(values) != set(constants):
+            raise NotFoundError(f"give a value of each constant: {', '.join(constants)}")
+
+        def measure(name: str, value: Any) -> int:
+            return _measure(name, value, isinstance(constants[name]["step"], str))
+
+        point = {name: measure(name, value) for name, value in values.items()}
+        on_grid = all((point[name] - measure(name, each["low"])) % measure(name, each["step"]) == 0
+                      for name, each in constants.items())
         for box in self.boxes:
-            if on_grid and all(_measure(low) <= point[name] <= _measure(high)
+            if on_grid and all(measure(name, low) <= point[name] <= measure(name, high)
                                for name, (low, high) in box.constants.items()):
                 return box.verdict
         raise NotFoundError("the values are not a point of the grid")
@@ -398,16 +403,26 @@ class TunedProperty:
         return f"<TunedProperty {self.name}: {', '.join(f'{each.verdict} at {each.points}' for each in self.boxes)}>"
 
 
-def _measure(value: int | str | timedelta) -> int:
-    """Returns the number, or the duration in milliseconds."""
-    if isinstance(value, timedelta):
-        return round(1000 * value.total_seconds())
-    if isinstance(value, int):
+def _milliseconds(name: str, duration: timedelta) -> int:
+    count, rest = divmod(duration, timedelta(milliseconds=1))
+    if rest:
+        raise ValueError(f"`{name}` must be a multiple of 1 ms; got {duration}")
+    return count
+
+
+def _measure(name: str, value: Any, is_duration: bool) -> int:
+    """Returns the value of a constant: the number, or the duration in milliseconds."""
+    if not is_duration and isinstance(value, int) and not isinstance(value, bool):
         return value
-    for unit, factor in (("ms", 1), ("min", 60_000), ("s", 1000)):
-        if value.endswith(unit):
-            return int(value[:-len(unit)]) * factor
-    raise ValueError(f"`{value}` must be a number, a timedelta, or a duration such as '3s'")
+    if is_duration and isinstance(value, timedelta):
+        return _milliseconds(name, value)
+    if is_duration and isinstance(value, str):
+        match = re.fullmatch(r"([0-9]+) *(ms|s|min)", value)
+        if not match:
+            raise ValueError(f"`{name}` must be a duration such as '3s'; got `{value}`")
+        return int(match[1]) * {"ms": 1, "s": 1000, "min": 60_000}[match[2]]
+    kind = "a timedelta, or a str such as '3s'" if is_duration else "an int"
+    raise TypeError(f"`{name}` must be {kind}; got {type(value).__name__}")
 
 
 class Tuning(_Tabular):
@@ -954,7 +969,7 @@ def _written(constants: Constants | None) -> dict[str, str]:
     written = {}
     for name, value in (constants or {}).items():
         if isinstance(value, timedelta):
-            written[name] = f"{round(1000 * value.total_seconds())}ms"
+            written[name] = f"{_milliseconds(name, value)}ms"
         elif not isinstance(value, (bool, int, str)):
             raise TypeError(f"`{name}` must be a bool, an int, a timedelta, or a str such as '3s'; "
                             f"got {type(value).__name__}")

@@ -72,6 +72,11 @@ def test_points_outside_of_the_grid_and_wrong_ranges_are_rejected(press):
     for between in ("2s", "1500ms", "7s"):
         with pytest.raises(grafverif.NotFoundError, match="not a point of the grid"):
             coarse.at(RAM=between)
+    for value, error in ((2000, TypeError), (True, TypeError), (2.0, TypeError), ("2", ValueError), ("s", ValueError),
+                         (datetime.timedelta(milliseconds=1500, microseconds=1), ValueError)):
+        with pytest.raises(error, match="`RAM` must be"):
+            prompt.at(RAM=value)
+    assert prompt.at(RAM="3000ms") == prompt.at(RAM=datetime.timedelta(seconds=3)) == prompt.at(RAM="3s")
     with pytest.raises(TypeError, match="no truth value"):
         bool(prompt)
     with pytest.raises(ValueError, match="range"):
@@ -82,6 +87,19 @@ def test_points_outside_of_the_grid_and_wrong_ranges_are_rejected(press):
         grafverif.read(press, constants={"RAM": "2s"}).loop().tune({"RAM": ("1s", "3s")})
     unfinished = loop.tune({"RAM": ("1s", "9s")}, timeout=0)["prompt"]
     assert {(each.verdict, each.reason) for each in unfinished.boxes} == {("unknown", "time limit reached")}
+
+
+def test_an_integer_constant_has_only_integers():
+    line = grafverif.parse("grafcet c { input A[1]; initial step 0; step 1; transition t: 0 -> 1 when A[1]; }\n"
+                           "closed_loop l { constant N = 1; controller c; for i in 1..N { environment E[i] = "
+                           "free(OUT = A[i]); } property p: never X0 && X1; }").loop()
+    held = line.tune({"N": (1, 1)})["p"]
+    assert held.at(N=1) == "holds"
+    for value in ("1", "1s", True, 1.0, datetime.timedelta(milliseconds=1)):
+        with pytest.raises(TypeError, match="`N` must be an int"):
+            held.at(N=value)
+    with pytest.raises(ValueError, match="multiple of 1 ms"):
+        grafverif.parse("", constants={"T": datetime.timedelta(microseconds=1)})
 
 
 def test_faults_are_those_of_the_program(driveway):
