@@ -258,6 +258,24 @@ class Views(browser.Case):
         self.assertEqual(self.page.script("return page.current"), "p")
         self.assertIn("violated here", self.page.text(".standing"))
 
+    def test_a_violated_reachable_of_serve_has_no_link_to_a_run(self):
+        self.serve(SMALL.replace("never LAMP", "reachable X0 && X1"))
+        self.page.wait_for("#models .property.bad")
+        self.assertIn("is violated", self.page.text("#models .property.bad .outcome"))
+        self.assertEqual([a.text for a in self.page.all("#models .model.done a")], ["Complete report with trace player"])
+
+    def test_a_report_without_runs_follows_its_address(self):
+        source, made = self.work / "held.grafcet", self.work / "held.html"
+        source.write_text(SMALL.replace("never LAMP", "never X0 && X1"), encoding="utf-8")
+        browser.run("report", source, "-o", made)
+        self.page.open(made.resolve().as_uri() + "#p")
+        self.assertEqual(self.page.all(".pick-run"), [])
+        self.assertTrue(self.page.find("#property-p").get_attribute("open"))
+        self.page.script("location.hash = '#gone/3'")
+        self.page.wait_for_text("main .warning", "“gone”")
+        self.page.script("location.hash = '#p'")
+        eventually(lambda: not self.page.find("main .warning").is_displayed())
+
     def test_the_simulator_reports_that_the_server_has_ended(self):
         self.serve(SMALL)
         self.page.wait_for("#simulation [data-signal]")
