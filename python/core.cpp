@@ -443,6 +443,7 @@ void forbid_new(py::handle type) {
 PYBIND11_MODULE(_core, module) {
     module.doc() = "Extension module of grafverif; use the package `grafverif`, which wraps its results in objects.";
     module.attr("__version__") = GRAFVERIF_VERSION;
+    module.attr("most_faults") = most_faults_of_combination();
     forbid_new(py::class_<How>(module, "_How"));
     module.def(
         "How",

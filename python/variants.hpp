@@ -2,6 +2,7 @@
 // Tuning, fault analysis and recordings for Python, by the internal interface of the library.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,6 +24,9 @@ using Shown = std::tuple<std::string, std::string, std::vector<std::pair<std::st
 std::optional<Shown> tune(const ParseResult& reading, Id<ClosedLoop> loop, const std::vector<std::string>& over,
                           std::vector<std::string> properties, const ModelOptions& how, const ReadOptions& read,
                           bool every_point, const Limits& limits, Diagnostics& diagnostics);
+
+/// Returns the maximum number of faults of a combination, the maximum value of `order`.
+std::uint64_t most_faults_of_combination();
 
 /// Analyses the faults of a closed loop. The result is empty after an error.
 std::optional<Shown> faults(const ParseResult& reading, Id<ClosedLoop> loop, std::uint64_t order,

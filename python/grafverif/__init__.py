@@ -836,12 +836,13 @@ class Chart:
 class Loop:
     """A closed loop of a file: controllers and their plant."""
 
-    def __init__(self, file: _core.File, name: str):
+    def __init__(self, file: _core.File, name: str, constants: Iterable[str] = ()):
         self._file = file
         self.name = name
 
     @property
     def properties(self) -> list[str]:
+        self._constants = frozenset(constants)  # the constants whose values the reader of the file has set
         return self._file.properties(self.name)
 
     def __repr__(self) -> str:
@@ -874,12 +875,17 @@ class Loop:
         return Tuning(self._file.tune(self.name, _core.How(mode=mode, grain=grain), _ranges(over), list(properties),
                                       _bounds(timeout, memory), every_point))
 
+        if not over:
+            raise ValueError("over must contain a constant")
+        for name in over:
+            if name in self._constants:
+                raise ValueError(f"`{name}` is in both over and constants; remove it from one of them")
     def faults(self, *properties: str, order: int = 1, mode: str | None = None, grain: str | None = None,
                timeout: Duration | None = None, memory: int | None = None) -> FaultAnalysis:
         """Finds the minimal combinations of at most `order` declared faults that violate the given properties, or by
         default any property, as `grafverif faults` does."""
-        if order < 0:
-            raise ValueError("order is the maximum number of faults in a combination")
+        if not 1 <= order <= _core.most_faults:
+            raise ValueError(f"order must be in 1..{_core.most_faults}; got {order}")
         return FaultAnalysis(self._file.faults(self.name, _core.How(mode=mode, grain=grain), order, list(properties),
                                                _bounds(timeout, memory)))
 
@@ -922,10 +928,10 @@ def _lines(commands: str | Iterable[str]) -> list[str]:
 class File:
     """A file and the files that it includes."""
 
-    def __init__(self, core: _core.File):
+    def __init__(self, core: _core.File, constants: Iterable[str] = ()):
         self._core = core
         self.charts = {name: Chart(core, name) for name in core.charts()}
-        self.loops = {name: Loop(core, name) for name in core.loops()}
+        self.loops = {name: Loop(core, name, constants) for name in core.loops()}
         self.warnings = [Diagnostic(*each) for each in core.warnings()]
 
     def chart(self, name: str | None = None) -> Chart:
@@ -985,10 +991,12 @@ def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[st
 
     `constants` sets constants of closed loops as `--set` does, in every loop that declares them.
     """
-    return File(_core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy, _written(constants)))
+    core = _core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy, _written(constants))
+    return File(core, constants or ())
 
 
 def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
           constants: Constants | None = None) -> File:
     """Reads a text; `name` is its file name in errors. The other arguments are those of `read`."""
-    return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants)))
+    core = _core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants))
+    return File(core, constants or ())
