@@ -19,8 +19,8 @@ namespace grafverif::python {
 /// document, in order.
 using Shown = std::tuple<std::string, std::string, std::vector<std::pair<std::string, std::string>>>;
 
-/// Decides properties for all values of constants. `over` contains ranges such as `N=1..8`. The result is empty after an
-/// error.
+/// Decides properties for all values of constants. `over` contains ranges such as `N=1..8`. The result is empty after
+/// an error.
 std::optional<Shown> tune(const ParseResult& reading, Id<ClosedLoop> loop, const std::vector<std::string>& over,
                           std::vector<std::string> properties, const ModelOptions& how, const ReadOptions& read,
                           bool every_point, const Limits& limits, Diagnostics& diagnostics);

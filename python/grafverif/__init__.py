@@ -87,7 +87,8 @@ def _dataframe(rows: list[dict[str, Any]]) -> Any:
     try:
         pandas: Any = importlib.import_module("pandas")
     except ImportError as error:
-        raise ImportError("tables require pandas, which is not installed; install it (Debian: python3-pandas)") from error
+        raise ImportError(
+            "tables require pandas, which is not installed; install it (Debian: python3-pandas)") from error
     return pandas.DataFrame(rows)
 
 
@@ -260,8 +261,8 @@ class Report(_Tabular):
         return f"<Report on {self.model}: {', '.join(f'{each.name} {each.verdict}' for each in self.verdicts)}>"
 
     def _repr_html_(self) -> str:
-        rows = [(each.name, each.text, each.verdict + (", vacuously" if each.vacuous else ""), each.expected, each.reason)
-                for each in self.verdicts]
+        rows = [(each.name, each.text, each.verdict + (", vacuously" if each.vacuous else ""), each.expected,
+                 each.reason) for each in self.verdicts]
         heading = f"<p><b>{html.escape(self.model)}</b>: {'as expected' if self.as_expected else 'not as expected'}</p>"
         return heading + _html_table(("property", "sentence", "verdict", "expected", "reason"), rows)
 
@@ -517,7 +518,8 @@ class FaultAnalysis(_Tabular):
         self.model: str = self.document["model"]
         self.order: int = self.document["order"]  #: maximum number of faults in a combination
         self.faults = [Fault(each["name"], each["instance"], each["component"], tuple(each["violates"]),
-                             tuple(each["newly_true"]), tuple(each["never_true"]), each["always_shown"], each["decided"])
+                             tuple(each["newly_true"]), tuple(each["never_true"]), each["always_shown"],
+                             each["decided"])
                        for each in self.document["faults"]]
         traces = iter(shown[2])
         self.properties = [FaultedProperty(each, traces) for each in self.document["properties"]]
@@ -798,7 +800,8 @@ class Chart:
         return Report(self._file.check_chart(self.name, _core.How(mode=mode),
                                              _bounds(timeout, memory, states)))
 
-    def analyse(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None) -> Analysis:
+    def analyse(self, *, mode: str | None = None, timeout: Duration | None = None,
+                memory: int | None = None) -> Analysis:
         text, document = self._file.analyse(self.name, _core.How(mode=mode),
                                             _bounds(timeout, memory))
         return Analysis(text, json.loads(document))
@@ -839,10 +842,10 @@ class Loop:
     def __init__(self, file: _core.File, name: str, constants: Iterable[str] = ()):
         self._file = file
         self.name = name
+        self._constants = frozenset(constants)  # the constants whose values the reader of the file has set
 
     @property
     def properties(self) -> list[str]:
-        self._constants = frozenset(constants)  # the constants whose values the reader of the file has set
         return self._file.properties(self.name)
 
     def __repr__(self) -> str:
@@ -872,14 +875,14 @@ class Loop:
         """Decides the given properties, or by default all, for ranges of constants of the loop, as `grafverif tune`
         does. `over` contains the values of each constant: `(low, high)`, `(low, high, step)`, or text such as
         `1s..20s:500ms`. If a limit is reached, the remaining verdicts are unknown."""
-        return Tuning(self._file.tune(self.name, _core.How(mode=mode, grain=grain), _ranges(over), list(properties),
-                                      _bounds(timeout, memory), every_point))
-
         if not over:
             raise ValueError("over must contain a constant")
         for name in over:
             if name in self._constants:
                 raise ValueError(f"`{name}` is in both over and constants; remove it from one of them")
+        return Tuning(self._file.tune(self.name, _core.How(mode=mode, grain=grain), _ranges(over), list(properties),
+                                      _bounds(timeout, memory), every_point))
+
     def faults(self, *properties: str, order: int = 1, mode: str | None = None, grain: str | None = None,
                timeout: Duration | None = None, memory: int | None = None) -> FaultAnalysis:
         """Finds the minimal combinations of at most `order` declared faults that violate the given properties, or by
@@ -945,9 +948,9 @@ class File:
     def recording(self, *charts: str, mode: str | None = None, jitter: Duration = 0.02,
                   map: Mapping[str, str] | None = None, stop_early: bool = False) -> Recording:
         """Begins the check of a recording against the given charts, or by default all charts of the file. The recorded
-        times differ from the times in the controller by at most `jitter`. `map` maps names in samples to names of inputs
-        and outputs. With `stop_early`, the check ends at the first deviation or violated property, as `grafverif
-        monitor` does."""
+        times differ from the times in the controller by at most `jitter`. `map` maps names in samples to names of
+        inputs and outputs. With `stop_early`, the check ends at the first deviation or violated property, as
+        `grafverif monitor` does."""
         return Recording(self._core.recording(list(charts) or list(self.charts), _core.How(mode=mode),
                                               round(1000 * _seconds(jitter)), dict(map or {}), stop_early))
 
