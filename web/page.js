@@ -70,7 +70,7 @@ export class Page {
             return property.scrollIntoView();
         }
         if (address === "" || document.getElementById(address)) return;
-        this.problem.textContent = `The link refers to the run \u201c${name}\u201d, which this report does not contain. Select a run from the list, or create the report again with this property.`;
+        this.problem.textContent = `The link refers to the run \u201c${name}\u201d, which this report does not contain. ${this.data.runs.length > 0 ? "Select a run from the list, or create" : "Create"} the report again with this property.`;
         this.problem.hidden = false;
     }
 
