@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -171,9 +172,9 @@ struct Moved {
     Simulator simulator;
 };
 
-/// Issues all warnings and notes as Python warnings.
-void warn(const Diagnostics& diagnostics) {
-    for (const Diagnostic& each : diagnostics.all())
+/// Issues warnings and notes as Python warnings.
+void warn(std::span<const Diagnostic> diagnostics) {
+    for (const Diagnostic& each : diagnostics)
         if (PyErr_WarnEx(PyExc_UserWarning, (each.message + " [" + each.code + "]").c_str(), 2) != 0)
             throw py::error_already_set();
 }
@@ -197,12 +198,13 @@ public:
     void report_diagnostics() {
         const Diagnostics& all = recording_->diagnostics();
         if (all.has_errors()) refuse(all, recording_->sources());
-        if (!std::exchange(warned_, !all.all().empty())) warn(all);
+        const std::size_t known = std::exchange(reported_, all.all().size());
+        warn(std::span(all.all()).subspan(known));
     }
 
 private:
     std::unique_ptr<Recording> recording_;
-    bool warned_ = false;  ///< warnings are only added with the first line
+    std::size_t reported_ = 0;  ///< number of diagnostics that were issued
 };
 
 class File {
@@ -218,7 +220,7 @@ class File {
         Diagnostics diagnostics;
         auto result = run_interruptibly([&](const std::atomic<bool>& stop) { return make(stop, diagnostics); });
         if (!result) refuse(diagnostics, reading_->sources);
-        warn(diagnostics);
+        warn(diagnostics.all());
         return std::move(*result);
     }
 
@@ -441,6 +443,7 @@ void forbid_new(py::handle type) {
 PYBIND11_MODULE(_core, module) {
     module.doc() = "Extension module of grafverif; use the package `grafverif`, which wraps its results in objects.";
     module.attr("__version__") = GRAFVERIF_VERSION;
+    module.attr("most_faults") = most_faults_of_combination();
     forbid_new(py::class_<How>(module, "_How"));
     module.def(
         "How",

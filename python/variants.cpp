@@ -42,6 +42,8 @@ std::optional<Shown> tune(const ParseResult& reading, Id<ClosedLoop> loop, const
     return Shown(std::move(text).str(), tuning_json(*found, reading.sources), {});
 }
 
+std::uint64_t most_faults_of_combination() { return most_faults; }
+
 std::optional<Shown> faults(const ParseResult& reading, Id<ClosedLoop> loop, std::uint64_t order,
                             std::vector<std::string> properties, const ModelOptions& how, const Limits& limits,
                             Diagnostics& diagnostics) {

@@ -2,6 +2,7 @@
 // Tuning, fault analysis and recordings for Python, by the internal interface of the library.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,11 +19,14 @@ namespace grafverif::python {
 /// document, in order.
 using Shown = std::tuple<std::string, std::string, std::vector<std::pair<std::string, std::string>>>;
 
-/// Decides properties for all values of constants. `over` contains ranges such as `N=1..8`. The result is empty after an
-/// error.
+/// Decides properties for all values of constants. `over` contains ranges such as `N=1..8`. The result is empty after
+/// an error.
 std::optional<Shown> tune(const ParseResult& reading, Id<ClosedLoop> loop, const std::vector<std::string>& over,
                           std::vector<std::string> properties, const ModelOptions& how, const ReadOptions& read,
                           bool every_point, const Limits& limits, Diagnostics& diagnostics);
+
+/// Returns the maximum number of faults of a combination, the maximum value of `order`.
+std::uint64_t most_faults_of_combination();
 
 /// Analyses the faults of a closed loop. The result is empty after an error.
 std::optional<Shown> faults(const ParseResult& reading, Id<ClosedLoop> loop, std::uint64_t order,
@@ -38,7 +42,7 @@ public:
               std::vector<std::pair<std::string, std::string>> map, bool stop_early);
     ~Recording();
 
-    /// Adds a line of JSON. Returns true if further lines can change the verdicts.
+    /// Adds a line of JSON. Returns false if the check has ended (RecordingMonitor::add).
     bool add(const std::string& line);
     /// Returns the verdicts on the lines so far. The result is empty after an error.
     std::optional<Shown> finish();

@@ -85,7 +85,8 @@ export class Find {
         // After a change of the drawings, the matches are determined again.
         if (this.boxes?.some((box) => !box.isConnected)) this.mark(this.matching(this.text));
         if (this.matches.length === 0) return;
-        this.current = (this.current + by + this.matches.length) % this.matches.length;
+        const from = this.current < 0 && by < 0 ? 0 : this.current;  // without a current match, -1 is the last match
+        this.current = (from + by + this.matches.length) % this.matches.length;
         this.boxes.forEach((box, k) => box.classList.toggle("here", k === this.current));
         this.count.textContent = `${this.current + 1} of ${this.matches.length}`;
         this.show(this.matches[this.current]);

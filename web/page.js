@@ -19,11 +19,13 @@ export class Page {
         this.stage = make("div", {});
         this.problem = make("p", {class: "warning", role: "status", hidden: true});
         this.tools = make("div", {});
-        this.place.replaceChildren(make("div", {class: "pick-run"}, make("label", {}, "Run: ", this.select), linkButton(() => this.link()), this.tools),
-                                   this.problem, this.stage);
+        if (data.runs.length > 0)
+            this.place.replaceChildren(make("div", {class: "pick-run"}, make("label", {}, "Run: ", this.select), linkButton(() => this.link()), this.tools),
+                                       this.problem, this.stage);
+        else this.place.replaceChildren(this.problem);
         window.addEventListener("hashchange", () => this.follow(false));
         document.addEventListener("keydown", (event) => this.key(event));
-        if (data.runs.length > 0 && !this.follow(true)) this.open(data.runs[0].name, null, true);
+        if (!this.follow(true) && data.runs.length > 0) this.open(data.runs[0].name, null, true);
     }
 
     // If no element has the focus and the player is visible, the left and right arrow keys control the player. Other
@@ -68,7 +70,7 @@ export class Page {
             return property.scrollIntoView();
         }
         if (address === "" || document.getElementById(address)) return;
-        this.problem.textContent = `The link refers to the run \u201c${name}\u201d, which this report does not contain. Select a run from the list, or create the report again with this property.`;
+        this.problem.textContent = `The link refers to the run \u201c${name}\u201d, which this report does not contain. ${this.data.runs.length > 0 ? "Select a run from the list, or create" : "Create"} the report again with this property.`;
         this.problem.hidden = false;
     }
 
@@ -103,8 +105,10 @@ export class Page {
 for (const view of document.querySelectorAll("figure > .drawing")) new Zoom(view, view.parentElement.querySelector("figcaption")?.textContent.replace(/:.*/s, "") ?? "the chart");
 const drawings = document.getElementById("charts");
 if (drawings?.querySelector("svg.grafcet")) drawings.querySelector("h2").after(new Find(drawings).element);
-const element = document.getElementById("data"), place = document.getElementById("player");
-if (element && place) window.page = new Page(JSON.parse(element.textContent), place);
+const element = document.getElementById("data"), place = document.getElementById("player") ?? make("div", {});
+// A page without runs has no player, but also follows its address.
+if (!place.isConnected) document.querySelector("main")?.prepend(place);
+if (element) window.page = new Page(JSON.parse(element.textContent), place);
 for (const button of document.querySelectorAll("[data-run]")) {
     button.disabled = !window.page?.data.runs.some((run) => run.name === button.dataset.run);
     const omitted = "Trace omitted: page size limit";

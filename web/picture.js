@@ -43,7 +43,8 @@ function fileName(name, type) { return `${name.replace(/[^\p{L}\p{M}\p{N}._-]+/g
 
 function save(address, name) { make("a", {href: address, download: name}).click(); }
 
-// Downloads the drawing `svg` of the chart `name`. `type` is `svg` or `png`.
+// Downloads the drawing `svg` of the chart `name`. `type` is `svg` or `png`. Throws if the browser cannot write the
+// drawing as PNG.
 export async function savePicture(svg, name, type) {
     const copy = pictureOf(svg), text = new XMLSerializer().serializeToString(copy);
     if (type === "svg") {
@@ -57,5 +58,7 @@ export async function savePicture(svg, name, type) {
     await image.decode();
     const canvas = make("canvas", {width: Math.round(width * scale), height: Math.round(height * scale)});
     canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
-    save(canvas.toDataURL("image/png"), fileName(name, type));
+    const address = canvas.toDataURL("image/png");
+    if (!address.startsWith("data:image/png")) throw new Error("the canvas is too large");  // the address is `data:,`
+    save(address, fileName(name, type));
 }

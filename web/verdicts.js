@@ -24,7 +24,7 @@ function propertyElement(property, report) {
         property.claim ? make("code", {}, property.claim) : "",
         property.reason ? make("p", {class: "remark"}, ...prose(property.reason)) : "",
         ...property.notes.map((note) => make("p", {class: "remark"}, ...prose(note))),
-        report && property.verdict === "violated" ? make("p", {}, make("a", {href: `${report}#${encodeURIComponent(property.name)}`, target: "_blank", rel: "noopener"}, "Show the counterexample")) : "");
+        report && property.has_trace && property.verdict === "violated" ? make("p", {}, make("a", {href: `${report}#${encodeURIComponent(property.name)}`, target: "_blank", rel: "noopener"}, "Show the counterexample")) : "");
 }
 
 const progress = {waiting: "Waiting.", refused: "This model cannot be checked."};

@@ -165,15 +165,17 @@ export class Zoom {
             view.scrollTop = scrollTop + clientY - to.clientY;
         };
         const stop = (click) => { click.stopPropagation(); };
+        const ends = ["pointerup", "pointercancel"];
         const end = () => {
             view.removeEventListener("pointermove", move);
+            for (const name of ends) window.removeEventListener(name, end);
             view.classList.remove("dragged");
             if (!moved) return;
             view.addEventListener("click", stop, {capture: true, once: true});
             setTimeout(() => view.removeEventListener("click", stop, {capture: true}), 50);
         };
         view.addEventListener("pointermove", move);
-        for (const name of ["pointerup", "pointercancel"]) window.addEventListener(name, end, {once: true});
+        for (const name of ends) window.addEventListener(name, end);
     }
 
     key(event) {

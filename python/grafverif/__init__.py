@@ -17,6 +17,7 @@ import html
 import importlib
 import json
 import os
+import re
 from dataclasses import dataclass, field
 from datetime import timedelta
 from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Sequence, TypeVar, Union
@@ -86,7 +87,8 @@ def _dataframe(rows: list[dict[str, Any]]) -> Any:
     try:
         pandas: Any = importlib.import_module("pandas")
     except ImportError as error:
-        raise ImportError("tables require pandas, which is not installed; install it (Debian: python3-pandas)") from error
+        raise ImportError(
+            "tables require pandas, which is not installed; install it (Debian: python3-pandas)") from error
     return pandas.DataFrame(rows)
 
 
@@ -259,8 +261,8 @@ class Report(_Tabular):
         return f"<Report on {self.model}: {', '.join(f'{each.name} {each.verdict}' for each in self.verdicts)}>"
 
     def _repr_html_(self) -> str:
-        rows = [(each.name, each.text, each.verdict + (", vacuously" if each.vacuous else ""), each.expected, each.reason)
-                for each in self.verdicts]
+        rows = [(each.name, each.text, each.verdict + (", vacuously" if each.vacuous else ""), each.expected,
+                 each.reason) for each in self.verdicts]
         heading = f"<p><b>{html.escape(self.model)}</b>: {'as expected' if self.as_expected else 'not as expected'}</p>"
         return heading + _html_table(("property", "sentence", "verdict", "expected", "reason"), rows)
 
@@ -378,15 +380,19 @@ class TunedProperty:
 
     def at(self, **values: int | str | timedelta) -> str:
         """The verdict at a point of the grid: `holds`, `violated` or `unknown`. `values` contains a value of each
-        constant, such as `N=3, FILL="500ms"`."""
-        names = [each["name"] for each in self._constants]
-        if set(values) != set(names):
-            raise NotFoundError(f"give a value of each constant: {', '.join(names)}")
-        point = {name: _measure(value) for name, value in values.items()}
-        on_grid = all((point[each["name"]] - _measure(each["low"])) % _measure(each["step"]) == 0
-                      for each in self._constants)
+        constant, such as `N=3, FILL="500ms"`. A duration is a str or a timedelta, and any other constant is an int."""
+        constants = {each["name"]: each for each in self._constants}
+        if set(values) != set(constants):
+            raise NotFoundError(f"give a value of each constant: {', '.join(constants)}")
+
+        def measure(name: str, value: Any) -> int:
+            return _measure(name, value, isinstance(constants[name]["step"], str))
+
+        point = {name: measure(name, value) for name, value in values.items()}
+        on_grid = all((point[name] - measure(name, each["low"])) % measure(name, each["step"]) == 0
+                      for name, each in constants.items())
         for box in self.boxes:
-            if on_grid and all(_measure(low) <= point[name] <= _measure(high)
+            if on_grid and all(measure(name, low) <= point[name] <= measure(name, high)
                                for name, (low, high) in box.constants.items()):
                 return box.verdict
         raise NotFoundError("the values are not a point of the grid")
@@ -398,16 +404,26 @@ class TunedProperty:
         return f"<TunedProperty {self.name}: {', '.join(f'{each.verdict} at {each.points}' for each in self.boxes)}>"
 
 
-def _measure(value: int | str | timedelta) -> int:
-    """Returns the number, or the duration in milliseconds."""
-    if isinstance(value, timedelta):
-        return round(1000 * value.total_seconds())
-    if isinstance(value, int):
+def _milliseconds(name: str, duration: timedelta) -> int:
+    count, rest = divmod(duration, timedelta(milliseconds=1))
+    if rest:
+        raise ValueError(f"`{name}` must be a multiple of 1 ms; got {duration}")
+    return count
+
+
+def _measure(name: str, value: Any, is_duration: bool) -> int:
+    """Returns the value of a constant: the number, or the duration in milliseconds."""
+    if not is_duration and isinstance(value, int) and not isinstance(value, bool):
         return value
-    for unit, factor in (("ms", 1), ("min", 60_000), ("s", 1000)):
-        if value.endswith(unit):
-            return int(value[:-len(unit)]) * factor
-    raise ValueError(f"`{value}` must be a number, a timedelta, or a duration such as '3s'")
+    if is_duration and isinstance(value, timedelta):
+        return _milliseconds(name, value)
+    if is_duration and isinstance(value, str):
+        match = re.fullmatch(r"([0-9]+) *(ms|s|min)", value)
+        if not match:
+            raise ValueError(f"`{name}` must be a duration such as '3s'; got `{value}`")
+        return int(match[1]) * {"ms": 1, "s": 1000, "min": 60_000}[match[2]]
+    kind = "a timedelta, or a str such as '3s'" if is_duration else "an int"
+    raise TypeError(f"`{name}` must be {kind}; got {type(value).__name__}")
 
 
 class Tuning(_Tabular):
@@ -459,17 +475,19 @@ class Fault:
 
 @dataclass(frozen=True)
 class FaultCombination:
-    """A combination of faults that violates a property, and a run that violates it."""
+    """A combination of faults that violates a property, with a trace if one is given."""
 
     faults: tuple[str, ...]
     from_power_on: tuple[str, ...]  #: faults that are present from power-on in the run
     minimal: bool  #: False if the verdict for a subset is unknown
-    trace: Trace | None = field(repr=False, compare=False)  #: None if no run satisfies a property `reachable`
+    #: a run that violates the property; None for `reachable`, which no single run violates, or if no trace is given
+    trace: Trace | None = field(repr=False, compare=False)
 
 
 class FaultedProperty:
     """The combinations of faults that violate one property. It has no truth value. The property holds for all
-    combinations only if `without_faults` is `holds`, and both `combinations` and `unknown` are empty."""
+    combinations of at most `order` faults only if `without_faults` is `holds`, and both `combinations` and `unknown`
+    are empty."""
 
     def __init__(self, document: dict[str, Any], traces: Iterator[tuple[str, str]]):
         self.name: str = document["name"]
@@ -500,7 +518,8 @@ class FaultAnalysis(_Tabular):
         self.model: str = self.document["model"]
         self.order: int = self.document["order"]  #: maximum number of faults in a combination
         self.faults = [Fault(each["name"], each["instance"], each["component"], tuple(each["violates"]),
-                             tuple(each["newly_true"]), tuple(each["never_true"]), each["always_shown"], each["decided"])
+                             tuple(each["newly_true"]), tuple(each["never_true"]), each["always_shown"],
+                             each["decided"])
                        for each in self.document["faults"]]
         traces = iter(shown[2])
         self.properties = [FaultedProperty(each, traces) for each in self.document["properties"]]
@@ -584,8 +603,10 @@ class Recording:
 
     def add(self, time: Duration, values: Mapping[str, bool | int] | None = None, **more: bool | int) -> bool:
         """Adds a sample. `time` does not decrease; values with the same time are one sample. The first sample contains
-        a value of each recorded variable; later samples contain at least the values that changed. Returns True if
-        further samples can change the verdicts."""
+        a value of each recorded variable; later samples contain at least the values that changed. Returns False if the
+        check has ended, because the verdict on each chart is final or, with `stop_early`, after the first deviation or
+        violated property. Further samples are then ignored: the results for properties concern only the samples that
+        were added before."""
         sample = {**(values or {}), **more}
         for name, value in sample.items():
             if not isinstance(value, int):
@@ -779,7 +800,8 @@ class Chart:
         return Report(self._file.check_chart(self.name, _core.How(mode=mode),
                                              _bounds(timeout, memory, states)))
 
-    def analyse(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None) -> Analysis:
+    def analyse(self, *, mode: str | None = None, timeout: Duration | None = None,
+                memory: int | None = None) -> Analysis:
         text, document = self._file.analyse(self.name, _core.How(mode=mode),
                                             _bounds(timeout, memory))
         return Analysis(text, json.loads(document))
@@ -817,9 +839,10 @@ class Chart:
 class Loop:
     """A closed loop of a file: controllers and their plant."""
 
-    def __init__(self, file: _core.File, name: str):
+    def __init__(self, file: _core.File, name: str, constants: Iterable[str] = ()):
         self._file = file
         self.name = name
+        self._constants = frozenset(constants)  # the constants whose values the reader of the file has set
 
     @property
     def properties(self) -> list[str]:
@@ -852,6 +875,11 @@ class Loop:
         """Decides the given properties, or by default all, for ranges of constants of the loop, as `grafverif tune`
         does. `over` contains the values of each constant: `(low, high)`, `(low, high, step)`, or text such as
         `1s..20s:500ms`. If a limit is reached, the remaining verdicts are unknown."""
+        if not over:
+            raise ValueError("over must contain a constant")
+        for name in over:
+            if name in self._constants:
+                raise ValueError(f"`{name}` is in both over and constants; remove it from one of them")
         return Tuning(self._file.tune(self.name, _core.How(mode=mode, grain=grain), _ranges(over), list(properties),
                                       _bounds(timeout, memory), every_point))
 
@@ -859,8 +887,8 @@ class Loop:
                timeout: Duration | None = None, memory: int | None = None) -> FaultAnalysis:
         """Finds the minimal combinations of at most `order` declared faults that violate the given properties, or by
         default any property, as `grafverif faults` does."""
-        if order < 0:
-            raise ValueError("order is the maximum number of faults in a combination")
+        if not 1 <= order <= _core.most_faults:
+            raise ValueError(f"order must be in 1..{_core.most_faults}; got {order}")
         return FaultAnalysis(self._file.faults(self.name, _core.How(mode=mode, grain=grain), order, list(properties),
                                                _bounds(timeout, memory)))
 
@@ -903,10 +931,10 @@ def _lines(commands: str | Iterable[str]) -> list[str]:
 class File:
     """A file and the files that it includes."""
 
-    def __init__(self, core: _core.File):
+    def __init__(self, core: _core.File, constants: Iterable[str] = ()):
         self._core = core
         self.charts = {name: Chart(core, name) for name in core.charts()}
-        self.loops = {name: Loop(core, name) for name in core.loops()}
+        self.loops = {name: Loop(core, name, constants) for name in core.loops()}
         self.warnings = [Diagnostic(*each) for each in core.warnings()]
 
     def chart(self, name: str | None = None) -> Chart:
@@ -920,9 +948,9 @@ class File:
     def recording(self, *charts: str, mode: str | None = None, jitter: Duration = 0.02,
                   map: Mapping[str, str] | None = None, stop_early: bool = False) -> Recording:
         """Begins the check of a recording against the given charts, or by default all charts of the file. The recorded
-        times differ from the times in the controller by at most `jitter`. `map` maps names in samples to names of inputs
-        and outputs. With `stop_early`, the check ends at the first deviation or violated property, as `grafverif
-        monitor` does."""
+        times differ from the times in the controller by at most `jitter`. `map` maps names in samples to names of
+        inputs and outputs. With `stop_early`, the check ends at the first deviation or violated property, as
+        `grafverif monitor` does."""
         return Recording(self._core.recording(list(charts) or list(self.charts), _core.How(mode=mode),
                                               round(1000 * _seconds(jitter)), dict(map or {}), stop_early))
 
@@ -950,7 +978,7 @@ def _written(constants: Constants | None) -> dict[str, str]:
     written = {}
     for name, value in (constants or {}).items():
         if isinstance(value, timedelta):
-            written[name] = f"{round(1000 * value.total_seconds())}ms"
+            written[name] = f"{_milliseconds(name, value)}ms"
         elif not isinstance(value, (bool, int, str)):
             raise TypeError(f"`{name}` must be a bool, an int, a timedelta, or a str such as '3s'; "
                             f"got {type(value).__name__}")
@@ -966,10 +994,12 @@ def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[st
 
     `constants` sets constants of closed loops as `--set` does, in every loop that declares them.
     """
-    return File(_core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy, _written(constants)))
+    core = _core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy, _written(constants))
+    return File(core, constants or ())
 
 
 def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
           constants: Constants | None = None) -> File:
     """Reads a text; `name` is its file name in errors. The other arguments are those of `read`."""
-    return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants)))
+    core = _core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants))
+    return File(core, constants or ())

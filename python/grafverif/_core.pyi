@@ -2,6 +2,7 @@
 from typing import Any
 
 __version__: str
+most_faults: int  # maximum number of faults of a combination
 
 class How:
     def __init__(self, *, mode: str | None = None, grain: str | None = None, plant: str | None = None,

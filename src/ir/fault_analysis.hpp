@@ -81,7 +81,6 @@ struct FaultAnalysis {
     std::vector<Error> errors = {};
     std::size_t combinations = 0;  ///< number of combinations of at most `order` faults
     std::size_t checks = 0;        ///< number of checks of models of the loop, including the check without faults
-    std::size_t skipped = 0;       ///< number of first searches that were skipped, because a later one decides more
     std::vector<std::string> failures = {};  ///< internal errors
 };
 

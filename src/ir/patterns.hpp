@@ -22,6 +22,11 @@ inline bool is_about_states(Pattern pattern) {
     return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
 }
 
+/// True if a property of this pattern states that some run exists. If it is violated, no run shows the violation.
+inline bool is_about_existence(Pattern pattern) {
+    return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
+}
+
 /// True if a property of this pattern states that some state is reached eventually on each run; a counterexample is a
 /// maximal run.
 inline bool is_liveness(Pattern pattern) { return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo; }

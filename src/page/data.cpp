@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 /// For each chart or program of the page: the values of its statements; empty for a chart.
 using AllScans = std::vector<std::optional<ProgramScans>>;
 
-/// Returns the data of the chart at `place` on the page. `chart` is this chart, possibly with other values of constants.
+/// Returns the data of the chart at `place` on the page. `chart` is this chart, possibly with other values of
+/// constants.
 Json chart_entry(std::size_t place, const ChartContent& content, const Chart& chart) {
     const ElementIds ids = element_ids(chart, content.prefix);
     Json one = {{"figure", "chart-" + std::to_string(place)},
@@ -149,7 +150,7 @@ Json plant_json(const PageContent& content) {
 Json initial_json(const PageContent& content, const Playable& playable) {
     Json places = Json::object();
     if (!content.loop.valid()) return places;
-    for (const ClosedLoop::Instance& instance : content.model.loops[content.loop].instances)
+    for (const ClosedLoop::Instance& instance : model_of(content, playable).loops[content.loop].instances)
         places[instance.name] = instance.initial.index;
     for (const auto& [instance, location] : playable.initial)
         places[instance] = location ? Json(*location) : Json(nullptr);
@@ -241,8 +242,8 @@ std::optional<std::size_t> add_property(const PageContent& content, const Playab
     return add_once(property_json(model, loop, *found), properties);
 }
 
-/// Returns the indices of the charts of a run. A chart with other values of constants is added to `varied`, whose charts
-/// follow the charts of the page.
+/// Returns the indices of the charts of a run. A chart with other values of constants is added to `varied`, whose
+/// charts follow the charts of the page.
 Json chart_indices(const PageContent& content, const Playable& playable, Json& varied) {
     if (playable.model == nullptr) return playable.charts;
     Json indices = Json::array();

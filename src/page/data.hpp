@@ -57,7 +57,8 @@ struct Playable {
     std::vector<std::size_t> charts = {};  ///< index of the chart of each controller of the run
     /// Indices of the initial locations of instances, by name, if they are not those of the model; nothing if unknown.
     std::map<std::string, std::optional<std::size_t>> initial = {};
-    /// Model of the run if it is not the model of the page. Both models differ only in values of constants.
+    /// Model of the run if it is not the model of the page. Both models have the same controllers and the same elements
+    /// in their charts; conditions, properties and instances may differ.
     const Model* model = nullptr;
 };
 /// Maximum length of the runs on a page. It is limited because browsers are slow with large pages.
@@ -76,7 +77,8 @@ std::vector<Playable> playable_runs(const PageContent& content);
 /// Returns the runs of the fault analysis. `charts` contains the index of the chart of each controller.
 std::vector<Playable> fault_runs(const PageContent& content, const std::vector<std::size_t>& charts);
 
-/// Returns the runs at points of a grid. `charts` contains the index of the chart of each controller.
+/// Returns the runs at points of a grid whose models have the controllers and the elements of the drawings. `charts`
+/// contains the index of the chart of each controller.
 std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<std::size_t>& charts);
 
 /// Returns the selected properties of the loop that have no verdict because the model cannot express them.

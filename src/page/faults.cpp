@@ -48,7 +48,7 @@ PropertyLook look_of(const FaultAnalysis::Row& row) {
     return row.open.empty() ? PropertyLook{"ok", "✓"} : PropertyLook{"unknown", "?"};
 }
 
-std::string outcome_text(const FaultAnalysis::Row& row) {
+std::string outcome_text(const FaultAnalysis& analysis, const FaultAnalysis::Row& row) {
     if (row.without_faults != Outcome::Holds)
         return fmt::format("{} without faults{}", word(row.without_faults),
                            row.without_faults == Outcome::Violated && row.expected_violated ? ", as expected" : "");
@@ -58,7 +58,7 @@ std::string outcome_text(const FaultAnalysis::Row& row) {
     if (!row.open.empty())
         text += fmt::format("{}unknown for {}", text.empty() ? "" : ", ",
                             counted(row.open.size(), "combination", "combinations"));
-    return text.empty() ? "holds for all combinations" : text;
+    return text.empty() ? "holds for all combinations of at most " + counted(analysis.order, "fault", "faults") : text;
 }
 
 void add_cut(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut, Html& html) {
@@ -76,7 +76,7 @@ void add_cut(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const
     if (cut.from_power_on == cut.faults) remark += " present from power-on;";
     else if (!cut.from_power_on.empty())
         remark += " present from power-on: " + names_of(analysis, cut.from_power_on) + ";";
-    if (!cut.result.trace) remark += " no run reaches a state that satisfies the property;";
+    if (!cut.result.trace) remark += " " + absence_of_trace(row, cut) + ";";
     else if (!can_be_played(*cut.result.trace))
         remark +=
             fmt::format(" the run has {} steps, which is too many for the player;", cut.result.trace->moments.size());
@@ -98,7 +98,8 @@ void add_list(std::string_view title, const std::vector<std::string>& lines, Htm
 void add_row(const PageContent& content, const FaultAnalysis::Row& row, Html& html) {
     const FaultAnalysis& analysis = *content.faults;
     const PropertyLook look = look_of(row);
-    begin_property(look, row.property, row.text, outcome_text(row), look.kind == std::string_view("ok"), html);
+    begin_property(look, row.property, row.text, outcome_text(analysis, row), look.kind == std::string_view("ok"),
+                   html);
     add_formula(content, row.property, html);
     if (!row.declared && row.without_faults != Outcome::Unknown)
         html.put("p", "The model does not declare this property, or it was not selected; it is always checked.");

@@ -5,10 +5,11 @@
 //
 // The document permits its style and script by their hashes and forbids everything else (Content-Security-Policy). The
 // data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`, `runs`,
-// `findings`, `charts`, `plant`, `equations`, `coverage`. A page with a fault analysis has the section `faults` instead of
-// `verdicts`, a page about values of constants has `tuning`; both have neither `findings`, `equations` nor `coverage`. A property has the id `property-NAME`. The drawing of a chart
-// is in the figure `chart-N`, with the ids that element_ids() returns; the lines of a PLC program are in `program-N`,
-// the drawing of a component is in `component-N`.
+// `findings`, `charts`, `plant`, `equations`, `coverage`. A page with a fault analysis has the section `faults` instead
+// of `verdicts`, a page about values of constants has `tuning`; both have neither `findings`, `equations` nor
+// `coverage`. A property has the id `property-NAME`. The drawing of a chart is in the figure `chart-N`, with the ids
+// that element_ids() returns; the lines of a PLC program are in `program-N`, the drawing of a component is in
+// `component-N`.
 #pragma once
 
 #include <map>

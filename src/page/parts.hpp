@@ -13,7 +13,10 @@ struct SummaryItem {
     std::string words = {};
 };
 
+/// Returns the summary of a fault analysis. It is positive only if all verdicts are known.
 SummaryItem summary_of(const FaultAnalysis& analysis);
+/// Returns the summary of verdicts for values of constants. It is positive only if there is a property and each verdict
+/// is as expected at each point.
 SummaryItem summary_of(const Tuning& tuning);
 
 /// The CSS class of a property and the symbol with the same meaning.

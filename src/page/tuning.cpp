@@ -19,6 +19,27 @@ namespace {
 
 using Row = Tuning::Row;
 
+/// True if the drawings of the page show the elements of `model`, the model at a point: both models have the same
+/// controllers, with the same elements in their charts. An instance with the same name has the same component.
+bool has_drawn_elements(const PageContent& content, const Model& model) {
+    const ClosedLoop &drawn = content.model.loops[content.loop], &loop = model.loops[content.loop];
+    if (loop.controllers.size() != content.charts.size()) return false;
+    for (const Id<ClosedLoop::Controller> id : loop.controllers.ids()) {
+        const ChartContent& one = content.charts[id.index];
+        const Chart& chart = model.charts[loop.controllers[id].chart];
+        if (chart.name != content.model.charts[one.chart].name ||
+            static_cast<bool>(chart.program) != one.program.has_value())
+            return false;
+        if (!one.program && element_ids(chart, one.prefix) != element_ids(drawn_chart(content, one), one.prefix))
+            return false;
+    }
+    return std::ranges::all_of(loop.instances, [&](const ClosedLoop::Instance& instance) {
+        const auto same = std::ranges::find(drawn.instances, instance.name, &ClosedLoop::Instance::name);
+        return same == drawn.instances.end() ||
+               content.model.components[same->component].name == model.components[instance.component].name;
+    });
+}
+
 std::string run_name(const Tuning& tuning, const Row& row, std::size_t point) {
     return row.property + ": " + point_text(tuning, point);
 }
@@ -112,6 +133,8 @@ void add_margins(const Tuning& tuning, const Row& row, Html& html) {
     const std::vector<std::string> sentences = margin_sentences(tuning, row);
     const bool on_grid = std::ranges::all_of(
         tuning.constants, [](const TunedConstant& each) { return each.current_index().has_value(); });
+    if (row.current.outcome == Outcome::Unknown)
+        return void(html.put("p", "Current values: " + verdict_text(tuning, row.current) + "."));
     if (sentences.empty() && on_grid)
         html.put("p", fmt::format("Current values: {}. On the grid, a change of a single constant does not change this "
                                   "verdict.",
@@ -154,14 +177,15 @@ SummaryItem summary_of(const Tuning& tuning) {
     if (!tuning.failures.empty())
         return {"bad", "Internal error: the results fail an internal check, such as the replay of a trace."};
     const auto unexpected = static_cast<std::size_t>(std::ranges::count_if(tuning.rows, is_unexpected));
-    const auto open = static_cast<std::size_t>(
-        std::ranges::count_if(tuning.rows, [](const Row& row) { return row.declared && is_unknown(row); }));
+    const auto open = static_cast<std::size_t>(std::ranges::count_if(tuning.rows, is_unknown));
     std::vector<std::string> words;
     if (tuning.model_error) words.emplace_back("a model error occurs at some point");
     if (unexpected != 0)
         words.push_back(counted(unexpected, "property has", "properties have") +
                         " an unexpected verdict at some point");
     if (open != 0) words.push_back(counted(open, "property is", "properties are") + " unknown at some point");
+    if (words.empty() && std::ranges::none_of(tuning.rows, &Row::declared))
+        return {"unknown", "There are no properties."};
     if (words.empty())
         return {"ok", fmt::format("Each property has its expected verdict at {}.",
                                   tuning.points == 1 ? "the point" : fmt::format("all {} points", tuning.points))};
@@ -177,6 +201,7 @@ std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<
         for (const auto& [point, result] : row.runs) {
             const auto model = content.point_models.find(point);
             if (!result.trace || model == content.point_models.end()) continue;
+            if (!has_drawn_elements(content, model->second)) continue;
             const std::string end = result.trace->loop_from ? "" : std::string(end_of(result.verdict));
             const std::string name = run_name(*content.tuning, row, point);
             Playable run{name, "counterexample", name, end, row.property, &*result.trace, charts};
@@ -202,10 +227,16 @@ void add_tuning(const PageContent& content, Html& html) {
                  "✓ holds, ✗ violated, ? unknown; the cell with the current values has a frame. An underlined ✗ plays "
                  "a run that violates the property with these values.",
                  {{"class", "remark"}});
+    if (std::ranges::any_of(content.point_models,
+                            [&](const auto& each) { return !has_drawn_elements(content, each.second); }))
+        html.put("p",
+                 "At some points, the closed loop has other controllers, steps, transitions or components than the "
+                 "drawings. The page does not contain the runs at these points.",
+                 {{"class", "remark"}});
     std::set<std::string> runs;
     for (const Playable& run : playable_runs(content)) runs.insert(run.name);
     for (const Row& row : tuning.rows)
-        if (is_shown(tuning, row)) add_row(content, row, runs, html);
+        if (is_shown(tuning, row) || is_unknown(row)) add_row(content, row, runs, html);
     for (const std::string& failure : tuning.failures) html.put("p", failure, {{"class", "bad"}});
     html.close("section");
 }

@@ -47,6 +47,9 @@ class Variants(browser.Case):
         self.page.open(self.map)
         self.page.wait_for(".player")
         self.assertEqual(self.page.text(".map td.current"), "✓")
+        self.assertTrue(self.page.script("""return [...document.querySelectorAll('table.map')].every(map => {
+            const inner = map.getBoundingClientRect(), outer = map.closest('details').getBoundingClientRect();
+            return inner.top >= outer.top && inner.bottom <= outer.bottom && inner.left >= outer.left; })"""), "each map is in the box of its property")
         self.play("prompt: RAM = 7s, CLOSING = 2s")
         self.assertTrue(self.page.all(".chart-view .step.active"))
         steps = self.page.script("return page.player.run.data.violation.steps.map(s => s.words).join('; ')")

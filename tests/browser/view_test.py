@@ -105,6 +105,14 @@ class Views(browser.Case):
         box = self.page.script("const b = document.querySelector(arguments[0]).getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]", view)
         mouse = lambda kind, dy: self.driver.execute_cdp_cmd("Input.dispatchMouseEvent", {
             "type": kind, "x": box[0], "y": box[1] + dy, "button": "left", "buttons": 1, "clickCount": 1})
+        self.page.script("""window.listeners = 0;
+            for (const [name, change] of [['addEventListener', 1], ['removeEventListener', -1]]) {
+                const original = window[name];
+                window[name] = (kind, ...rest) => {
+                    if (kind === 'pointercancel') window.listeners += change;
+                    original.call(window, kind, ...rest);
+                };
+            }""")
         self.page.script("window.clicks = 0; document.querySelector(arguments[0]).addEventListener('click', () => ++window.clicks)", view)
         for kind, dy in (("mousePressed", 0), ("mouseMoved", -40), ("mouseMoved", -100), ("mouseReleased", -100)):
             mouse(kind, dy)
@@ -113,6 +121,7 @@ class Views(browser.Case):
         for kind in ("mousePressed", "mouseReleased"):
             mouse(kind, 0)
         eventually(lambda: self.page.script("return window.clicks") == 1, what="a click without movement")
+        self.assertEqual(self.page.script("return window.listeners"), 0, "no listener remains")
 
     def test_two_fingers_zoom(self):
         self.page.size("phone")
@@ -140,8 +149,8 @@ class Views(browser.Case):
             m.dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, clientX: b.left + b.width / 2, clientY: b.bottom - 1}))""")
         below = self.page.script("const v = document.querySelector('.charts .chart-view'); return v.scrollTop / (v.scrollHeight - v.clientHeight)")
         self.assertGreater(below, 0.9)
-        frame = self.page.script("const w = document.querySelector('.charts .map .window'), v = document.querySelector('.charts .chart-view'); return [Number(w.getAttribute('y')), v.scrollTop]")
-        eventually(lambda: abs(frame[0] - frame[1]) < 2 or frame[0] > 0)
+        frame = lambda: self.page.script("const w = document.querySelector('.charts .map .window'), v = document.querySelector('.charts .chart-view'); return Number(w.getAttribute('y')) - v.scrollTop")
+        eventually(lambda: abs(frame()) < 2, what="the frame at the visible part")
         self.press(".charts", "Fit")
         self.assertFalse(self.page.find(".charts .map").is_displayed(), "everything is visible")
         self.serve(SMALL)
@@ -181,6 +190,20 @@ class Views(browser.Case):
         self.assertEqual(self.page.all("rect.find"), [])
         self.assertEqual(self.page.script("return document.activeElement.className"), "chart-view zoomed")
 
+    def test_after_a_save_the_search_begins_at_the_first_or_last_match(self):
+        self.serve(SMALL)
+        self.page.wait_for("#charts svg.grafcet")
+        output = lambda: self.page.find(".find-bar output").text
+        for keys, place in ((Keys.ENTER, 1), (Keys.SHIFT + Keys.ENTER + Keys.NULL, 3)):
+            field = self.page.find(".find-bar input")
+            field.clear()
+            field.send_keys("ON")
+            eventually(lambda: output() == "1 of 3", what=output())
+            self.file.write_text(self.file.read_text(encoding="utf-8") + "// saved\n", encoding="utf-8")
+            eventually(lambda: output() == "3 found", what=output())
+            field.send_keys(keys)
+            self.assertEqual(output(), f"{place} of 3")
+
     def test_the_key_for_the_search_types_itself_in_a_field(self):
         self.report()
         self.page.find(".filters input").send_keys("/")
@@ -197,6 +220,12 @@ class Views(browser.Case):
         folder.mkdir()
         self.driver.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(folder)})
         return lambda kind: eventually(lambda: [f.read_bytes() for f in folder.glob(f"*.{kind}") if f.stat().st_size > 0], what=kind)[0]
+
+    def test_a_picture_that_the_browser_cannot_write_is_reported(self):
+        self.report()
+        self.page.script("HTMLCanvasElement.prototype.toDataURL = () => 'data:,'")
+        self.press(".charts", "PNG")
+        self.page.wait_for_text(".charts .zoom-bar .problem", "cannot write this drawing as PNG; download it as SVG")
 
     def test_a_drawing_is_downloaded_with_its_highlights_in_light_colours(self):
         self.page.scheme("dark")
@@ -257,6 +286,24 @@ class Views(browser.Case):
         self.page.wait_for(".player")
         self.assertEqual(self.page.script("return page.current"), "p")
         self.assertIn("violated here", self.page.text(".standing"))
+
+    def test_a_violated_reachable_of_serve_has_no_link_to_a_run(self):
+        self.serve(SMALL.replace("never LAMP", "reachable X0 && X1"))
+        self.page.wait_for("#models .property.bad")
+        self.assertIn("is violated", self.page.text("#models .property.bad .outcome"))
+        self.assertEqual([a.text for a in self.page.all("#models .model.done a")], ["Complete report with trace player"])
+
+    def test_a_report_without_runs_follows_its_address(self):
+        source, made = self.work / "held.grafcet", self.work / "held.html"
+        source.write_text(SMALL.replace("never LAMP", "never X0 && X1"), encoding="utf-8")
+        browser.run("report", source, "-o", made)
+        self.page.open(made.resolve().as_uri() + "#p")
+        self.assertEqual(self.page.all(".pick-run"), [])
+        self.assertTrue(self.page.find("#property-p").get_attribute("open"))
+        self.page.script("location.hash = '#gone/3'")
+        self.page.wait_for_text("main .warning", "“gone”")
+        self.page.script("location.hash = '#p'")
+        eventually(lambda: not self.page.find("main .warning").is_displayed())
 
     def test_the_simulator_reports_that_the_server_has_ended(self):
         self.serve(SMALL)

@@ -7,6 +7,7 @@ import os
 import pathlib
 import re
 import subprocess
+import warnings
 
 import grafverif
 import pytest
@@ -71,16 +72,36 @@ def test_points_outside_of_the_grid_and_wrong_ranges_are_rejected(press):
     for between in ("2s", "1500ms", "7s"):
         with pytest.raises(grafverif.NotFoundError, match="not a point of the grid"):
             coarse.at(RAM=between)
+    for value, error in ((2000, TypeError), (True, TypeError), (2.0, TypeError), ("2", ValueError), ("s", ValueError),
+                         (datetime.timedelta(milliseconds=1500, microseconds=1), ValueError)):
+        with pytest.raises(error, match="`RAM` must be"):
+            prompt.at(RAM=value)
+    assert prompt.at(RAM="3000ms") == prompt.at(RAM=datetime.timedelta(seconds=3)) == prompt.at(RAM="3s")
     with pytest.raises(TypeError, match="no truth value"):
         bool(prompt)
     with pytest.raises(ValueError, match="range"):
         loop.tune({"RAM": ("1s",)})
     with pytest.raises(grafverif.GrafverifError, match="did you mean `RAM`"):
         loop.tune({"RAN": ("1s", "3s")})
-    with pytest.raises(grafverif.GrafverifError, match="`--over` both name `RAM`"):
+    with pytest.raises(ValueError, match="`RAM` is in both over and constants"):
         grafverif.read(press, constants={"RAM": "2s"}).loop().tune({"RAM": ("1s", "3s")})
+    with pytest.raises(ValueError, match="over must contain a constant"):
+        loop.tune({})
     unfinished = loop.tune({"RAM": ("1s", "9s")}, timeout=0)["prompt"]
     assert {(each.verdict, each.reason) for each in unfinished.boxes} == {("unknown", "time limit reached")}
+
+
+def test_an_integer_constant_has_only_integers():
+    line = grafverif.parse("grafcet c { input A[1]; initial step 0; step 1; transition t: 0 -> 1 when A[1]; }\n"
+                           "closed_loop l { constant N = 1; controller c; for i in 1..N { environment E[i] = "
+                           "free(OUT = A[i]); } property p: never X0 && X1; }").loop()
+    held = line.tune({"N": (1, 1)})["p"]
+    assert held.at(N=1) == "holds"
+    for value in ("1", "1s", True, 1.0, datetime.timedelta(milliseconds=1)):
+        with pytest.raises(TypeError, match="`N` must be an int"):
+            held.at(N=value)
+    with pytest.raises(ValueError, match="multiple of 1 ms"):
+        grafverif.parse("", constants={"T": datetime.timedelta(microseconds=1)})
 
 
 def test_faults_are_those_of_the_program(driveway):
@@ -100,10 +121,9 @@ def test_faults_are_those_of_the_program(driveway):
 def test_limits_and_wrong_requests_of_a_fault_analysis(driveway, press):
     loop = grafverif.read(driveway).loop()
     assert loop.faults("safe", timeout=0)["safe"].without_faults == "unknown"
-    with pytest.raises(grafverif.GrafverifError, match="`--order 9` is not in 1..8"):
-        loop.faults(order=9)
-    with pytest.raises(ValueError, match="order"):
-        loop.faults(order=-1)
+    for order in (9, 0, -1):
+        with pytest.raises(ValueError, match=rf"order must be in 1\.\.8; got {order}"):
+            loop.faults(order=order)
     with pytest.raises(grafverif.GrafverifError, match="fault"):
         grafverif.read(press).loop().faults()
 
@@ -141,8 +161,36 @@ def test_a_deviation_is_reported_while_samples_arrive(pump):
     answers = [recording.add(1.1 + k / 10) for k in range(40)]
     assert answers[0] and not answers[-1] and answers.index(False) >= 28
     verdict = recording.finish()["pump"]
-    assert verdict.verdict == "deviates" and verdict.output == "PUMP" or verdict.output == "HORN"
+    assert verdict.verdict == "deviates" and verdict.output == "PUMP"
     assert 3.9 < verdict.time < 4.2
+
+
+def test_each_warning_of_a_recording_is_issued_once():
+    text = (root / "tests/diagnostics/forced-differently.grafcet").read_text()
+    text = text.replace("input STOP, HOLD;", "input STOP, HOLD; output LAMP, HORN;")
+    file = grafverif.parse(text.replace("step 21;", "step 21 { LAMP; HORN; }"))
+    with pytest.warns(UserWarning) as at_construction:
+        recording = file.recording()
+    with pytest.warns(UserWarning) as at_first_sample:
+        recording.add(0, STOP=False, HOLD=False, LAMP=False)
+    assert [str(each.message)[-20:] for each in at_construction] == ["[forced-differently]"]
+    assert ["HORN" in str(each.message) for each in at_first_sample] == [True]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        recording.add(1, HOLD=False)
+
+
+def test_the_end_of_a_check_ends_the_check_of_properties(pump):
+    text = pump.read_text() + ("closed_loop l { controller pump; environment S = free(OUT = START); environment T = "
+                               "free(OUT = STOP); property p: never PUMP && HORN; }")
+    recording = grafverif.parse(text).recording("pump")
+    recording.add(0, START=False, STOP=False, PUMP=False, HORN=False)
+    recording.add(1, PUMP=True)
+    assert not recording.add(2)
+    assert not recording.add(3, HORN=True) and not recording.add(5)
+    report = recording.finish()
+    assert report["pump"].verdict == "deviates" and not report.properties[0]["violated"] and report.samples == 3
+    assert "property p: not violated by these samples" in str(report)
 
 
 def test_wrong_samples_are_rejected(pump):

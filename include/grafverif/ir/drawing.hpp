@@ -89,6 +89,7 @@ struct DrawOptions {
 struct ElementIds {
     std::vector<std::string> steps = {}, transitions = {}, conditions = {}, partial_charts = {};
     std::vector<std::string> continuous = {}, stored = {}, forcing = {};
+    bool operator==(const ElementIds&) const = default;
 };
 ElementIds element_ids(const Chart& chart, std::string_view prefix = {});
 

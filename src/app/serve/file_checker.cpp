@@ -10,6 +10,7 @@
 
 #include "app/stop_text.hpp"
 #include "app/system/watchdog.hpp"
+#include "page/data.hpp"
 #include "page/terms.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/file_watcher.hpp"
@@ -50,6 +51,7 @@ Json json_of(const PropertyResult& answer, const std::string& claim) {
             {"as_expected", as_expected(verdict)},
             {"vacuous", verdict.vacuous},
             {"declared", verdict.declared},
+            {"has_trace", answer.trace && can_be_played(*answer.trace)},
             {"reason", printable(verdict.reason)},
             {"notes", std::move(notes)}};
 }

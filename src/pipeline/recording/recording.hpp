@@ -42,9 +42,10 @@ public:
     RecordingMonitor(const RecordingMonitor&) = delete;
     RecordingMonitor& operator=(const RecordingMonitor&) = delete;
 
-    /// Adds a line of a log in JSON lines; the first line determines the columns. Returns true if further lines can
-    /// change the verdicts. Returns false if all verdicts are final, or after an error. A sample is complete when a line
-    /// with a later time is added.
+    /// Adds a line of a log in JSON lines; the first line determines the columns. Returns false if the check has ended:
+    /// after an error, if the verdict on each chart is final or, with `stop_early`, after the first deviation or
+    /// violated property. Further lines are then ignored, so that the results for properties concern only the samples
+    /// before. A sample is complete when a line with a later time is added.
     bool add(const std::string& line);
     /// Returns the verdicts on the lines so far. The result is empty if at least one error was added to `diagnostics`.
     /// Must be called at most once, after the last line.

@@ -14,8 +14,8 @@
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
-#include "pipeline/staged_search.hpp"
 #include "pipeline/variants/fault_model.hpp"
+#include "pipeline/variants/fault_passes.hpp"
 #include "pipeline/variants/in_parallel.hpp"
 
 namespace grafverif {
@@ -24,58 +24,13 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Maximum number of states of the second pass, which searches only the complete network.
-constexpr std::uint64_t second_states = std::uint64_t{1} << 22U;
-
-bool is_about_existence(Pattern pattern) {
-    return pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
-}
-
 /// True if the verdict `holds` for a combination requires known verdicts for all its subsets. Reason: a state or run
 /// that violates the property without a fault may satisfy it in the model of the combination, in which this fault may
 /// still occur.
 bool needs_subsets(Pattern pattern) { return !is_about_existence(pattern) && !is_about_all_states(pattern); }
 
-/// Returns the name of the property in the model. For the row or verdict `S.X7`, the property is `S`.
-std::string base_name(const std::string& property, Pattern pattern) {
-    return pattern == Pattern::ReachableAllSteps ? property.substr(0, property.find('.')) : property;
-}
+/// Returns the name of the property of a row in the model.
 std::string base_name(const FaultAnalysis::Row& row) { return base_name(row.property, row.pattern); }
-
-void add_errors(std::vector<ModelErrorTrace>&& found, std::vector<ModelErrorTrace>& errors) {
-    for (ModelErrorTrace& error : found)
-        if (std::ranges::none_of(errors, [&](const ModelErrorTrace& each) {
-                return each.code == error.code && each.message == error.message;
-            }))
-            errors.push_back(std::move(error));
-}
-
-/// Adds the results of a later pass to `report`. Verdicts that an earlier pass decided are kept.
-void merge(Report&& later, Report& report) {
-    if (report.answers.empty()) return void(report = std::move(later));
-    for (PropertyResult& result : later.answers) {
-        const auto known = std::ranges::find(report.answers, result.verdict.property,
-                                             [](const PropertyResult& each) { return each.verdict.property; });
-        if (known == report.answers.end()) report.answers.push_back(std::move(result));
-        else if (known->verdict.outcome == Outcome::Unknown) *known = std::move(result);
-    }
-    add_errors(std::move(later.error_traces), report.error_traces);
-    std::ranges::move(later.failures, std::back_inserter(report.failures));
-}
-
-/// Returns the names of the undecided properties; empty if no property is undecided because of the limit on the number
-/// of states. Every check decides `no timelock`, but this property is only returned if `timelock` is true.
-std::vector<std::string> to_check_again(const Report& report, bool timelock) {
-    std::set<std::string> names;
-    bool limited = false;
-    for (const PropertyResult& result : report.answers) {
-        if (result.verdict.outcome != Outcome::Unknown) continue;
-        if (result.verdict.pattern == Pattern::NoTimelock && !timelock) continue;
-        names.insert(base_name(result.verdict.property, result.verdict.pattern));
-        limited = limited || result.verdict.obstacle == UnknownReason::Bound;
-    }
-    return limited ? std::vector(names.begin(), names.end()) : std::vector<std::string>{};
-}
 
 /// A combination of faults to check, the rows for which it is checked, and the results.
 struct CombinationCheck {
@@ -88,14 +43,6 @@ struct CombinationCheck {
     double states = 0;  ///< number of states of the model in which the faults may occur at any time; 0 if unknown
     bool done = false;
 };
-
-/// Returns the maximum number of states of a search.
-double states_of(const Report& report) {
-    double most = 0;
-    for (const PropertyResult& result : report.answers)
-        most = std::max(most, static_cast<double>(std::stoull("0" + result.verdict.states)));
-    return most;
-}
 
 class FaultAnalyzer {
 public:
@@ -112,7 +59,6 @@ public:
         for (std::size_t size = 1; size <= request_.order; ++size) check_combinations(size);
         if (request_.visible) find_visible(*network);
         analysis_.checks = checks_;
-        analysis_.skipped = skipped_;
         return std::move(analysis_);
     }
 
@@ -146,32 +92,17 @@ private:
         return options;
     }
 
-    /// Checks the network in passes, each for the properties that are still undecided. A network with faults often has
-    /// only a few more states than the limit above which localization is used. Therefore the second pass searches the
-    /// complete network, which then needs less time than localization. The first pass is skipped if the network is
-    /// expected to have more states than the first pass explores, but not more than the second pass explores. Skipping
-    /// is sound for every expectation, because each pass decides properties independently of other passes.
+    /// Checks the network for the properties of `options` (fault_passes.hpp).
     Report report_on(const Model& model, const Network& network, CheckOptions options, bool timelock,
                      double expected = 0) const {
         ++checks_;
-        const LoopToCheck loop = loop_to_check(model, loop_, network);
-        Report report;
-        const bool skips = expected > static_cast<double>(request_.first_states) && expected <= second_states;
-        if (skips) ++skipped_;
-        for (int pass = skips ? 2 : 1; pass <= 3; ++pass) {
-            if (pass == 3) options.limits.states.reset();
-            else options.limits.states = pass == 1 ? request_.first_states : second_states;
-            options.whole = pass == 2;
-            merge(check_without_causes(loop, options), report);
-            options.properties = to_check_again(report, timelock);
-            if (options.properties.empty() || stopped()) break;
-        }
-        return report;
+        return check_in_passes(loop_to_check(model, loop_, network), std::move(options), request_, timelock, expected);
     }
 
     /// Returns the expected number of states of the model in which the faults of a combination may occur at any time.
     /// Each fault multiplies the number of states by the factor by which it multiplies the states of the loop without
-    /// other faults. The result is 0 if the number of states with a single fault is unknown.
+    /// other faults. The result is 0 if the number of states without
+    /// faults or with a single fault is unknown.
     double expected_states(const FaultSet& faults) const {
         double states = states_without_faults_;
         for (const std::size_t fault : faults)
@@ -483,7 +414,7 @@ private:
     FaultAnalysis analysis_ = {};
     double states_without_faults_ = 0;
     std::vector<double> states_ = {};  ///< for each fault: number of states with this fault only
-    mutable std::atomic<std::size_t> checks_ = 0, skipped_ = 0;
+    mutable std::atomic<std::size_t> checks_ = 0;
 };
 
 }  // namespace

@@ -67,7 +67,8 @@ public:
           loop_(loop),
           request_(request),
           diagnostics_(diagnostics),
-          points_(model, loop, main, sources, request, tuning_) {
+          points_(model, loop, main, sources, request, tuning_),
+          runs_(tuning_, request.runs) {
         tuning_.model = model.loops[loop].name;
         tuning_.constants = request.constants;
         tuning_.reasons = {"not checked"};
@@ -90,7 +91,7 @@ public:
             if (points_.time_unit_ms() > 0) tuning_.settings.time_unit_ms = points_.time_unit_ms();
             note_current(report);
             search();
-            runs_.write(points_, request_.runs, tuning_);
+            runs_.write(points_, tuning_);
         } catch (const std::bad_alloc&) {
             tuning_.reasons.front() = "the memory limit was reached";
         }
@@ -477,7 +478,7 @@ private:
     Diagnostics& diagnostics_;
     Tuning tuning_ = {};
     TunePoints points_;
-    TuneRuns runs_ = {};
+    TuneRuns runs_;
     std::vector<RowKind> kinds_ = {};
     std::vector<std::size_t> open_ = {};  ///< for each row: number of undecided points
     std::size_t decided_ = 0;             ///< number of decided verdicts

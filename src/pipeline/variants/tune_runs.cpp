@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/variants/tune_runs.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -16,9 +16,6 @@
 namespace grafverif {
 
 namespace {
-
-/// Maximum number of stored runs of all rows. It limits the memory.
-constexpr std::size_t most_stored = 5'000;
 
 /// Returns the distance of a point from the current values, in steps of the grid.
 double distance(const Tuning& tuning, std::size_t point) {
@@ -42,28 +39,34 @@ Network seen_by(Network network, const std::string& name, bool watched, bool exa
     return network;
 }
 
+TuneRuns::Known* TuneRuns::place(std::size_t row, std::size_t point) {
+    auto& runs = runs_[row];
+    const auto [place, added] = runs.try_emplace({distance(tuning_, point), point});
+    if (!added) return nullptr;  // a run of the point is known
+    if (runs.size() <= most_) return &place->second;
+    const auto farthest = std::prev(runs.end());
+    Known* const made = farthest == place ? nullptr : &place->second;
+    runs.erase(farthest);
+    return made;
+}
+
 void TuneRuns::add(std::size_t row, std::size_t point, const Verdict& verdict, Run run, std::string name, bool watched,
                    bool exact) {
-    if (runs_.size() >= most_stored) return;
-    Known known{verdict, std::move(name), watched, exact};
-    known.verdict.run = std::move(run);
-    known.verdict.about = {};
-    runs_.emplace(std::pair(row, point), std::move(known));
+    Known* const known = place(row, point);
+    if (known == nullptr) return;
+    *known = {verdict, std::move(name), watched, exact};
+    known->verdict.run = std::move(run);
+    known->verdict.about = {};
 }
 
 void TuneRuns::add(std::size_t row, std::size_t point, const PropertyResult& result) {
-    if (runs_.size() < most_stored) runs_.emplace(std::pair(row, point), Known{.result = result});
+    if (Known* const known = place(row, point)) known->result = result;
 }
 
-void TuneRuns::write(const TunePoints& points, std::size_t most, Tuning& tuning) const {
-    for (std::size_t row = 0; row < tuning.rows.size(); ++row) {
-        std::vector<std::pair<double, std::size_t>> nearest;
-        for (auto at = runs_.lower_bound({row, 0}); at != runs_.end() && at->first.first == row; ++at)
-            nearest.emplace_back(distance(tuning, at->first.second), at->first.second);
-        std::ranges::sort(nearest);
-        nearest.resize(std::min(nearest.size(), most));
-        for (const auto& [_, point] : nearest) {
-            const Known& known = runs_.at({row, point});
+void TuneRuns::write(const TunePoints& points, Tuning& tuning) const {
+    for (const auto& [row, runs] : runs_)
+        for (const auto& [at, known] : runs) {
+            const std::size_t point = at.second;
             if (known.result) {
                 tuning.rows[row].runs.emplace(point, *known.result);
                 continue;
@@ -76,7 +79,6 @@ void TuneRuns::write(const TunePoints& points, std::size_t most, Tuning& tuning)
             }
             tuning.rows[row].runs.emplace(point, result_of(network, known.verdict, Detail::Chart));
         }
-    }
 }
 
 }  // namespace grafverif

@@ -17,20 +17,24 @@ namespace grafverif {
 /// probes only if `exact` is true: `network` is the network of a point, and not a relaxation.
 Network seen_by(Network network, const std::string& name, bool watched, bool exact);
 
+/// Collects the runs, and keeps those of the points nearest to the current values.
 class TuneRuns {
 public:
-    /// Stores a run that decides `verdict` in the network `seen_by(network of the point, name, watched, exact)`. The
-    /// total number of stored runs is limited; further runs are ignored.
+    /// Stores runs of at most `most` points per row: those nearest to the current values. `tuning` contains the
+    /// constants and must outlive this object.
+    TuneRuns(const Tuning& tuning, std::size_t most) : tuning_(tuning), most_(most) {}
+
+    /// Stores a run that decides `verdict` in the network `seen_by(network of the point, name, watched, exact)`.
     void add(std::size_t row, std::size_t point, const Verdict& verdict, Run run, std::string name, bool watched,
              bool exact);
 
-    /// Stores the result of the check of the model at a point, or of a model that is equal to it. The check has replayed
-    /// the run.
+    /// Stores the result of the check of the model at a point, or of a model that is equal to it. The check has
+    /// replayed the run.
     void add(std::size_t row, std::size_t point, const PropertyResult& result);
 
-    /// Adds the runs to `rows` of `tuning`: for each row, the runs of the `most` points that are nearest to the current
-    /// values. Each run is replayed on the charts of its point. A run that fails the replay becomes an internal error.
-    void write(const TunePoints& points, std::size_t most, Tuning& tuning) const;
+    /// Adds the runs to `rows` of `tuning`. Each run is replayed on the charts of its point. A run that fails the
+    /// replay becomes an internal error.
+    void write(const TunePoints& points, Tuning& tuning) const;
 
 private:
     struct Known {
@@ -39,7 +43,13 @@ private:
         bool watched = false, exact = false;
         std::optional<PropertyResult> result = {};  ///< if present, the other members are not used
     };
-    std::map<std::pair<std::size_t, std::size_t>, Known> runs_ = {};  ///< by row and point
+    /// Returns the place for the run of a point; null if `most_` nearer points of the row have runs.
+    Known* place(std::size_t row, std::size_t point);
+
+    const Tuning& tuning_;
+    std::size_t most_;
+    /// For each row: runs by distance and point.
+    std::map<std::size_t, std::map<std::pair<double, std::size_t>, Known>> runs_ = {};
 };
 
 }  // namespace grafverif

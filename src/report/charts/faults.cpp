@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ir/patterns.hpp"
 #include "report/json_place.hpp"
 #include "report/json_trace.hpp"
 #include "report/settings_text.hpp"
@@ -139,7 +140,7 @@ void print_run(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, con
     out << fmt::format("\n{}: violated by {}", printable(row.property), names_of(analysis, cut.faults));
     if (!cut.from_power_on.empty()) out << ", present from power-on: " << names_of(analysis, cut.from_power_on);
     out << '\n';
-    if (!cut.result.trace) return void(out << "    no run reaches a state that satisfies the property\n");
+    if (!cut.result.trace) return void(out << "    " << printable(absence_of_trace(row, cut)) << '\n');
     print_trace(*cut.result.trace, out);
     const std::string_view end = end_of(cut.result.verdict);
     if (!cut.result.trace->loop_from && !end.empty()) out << "    " << end << '\n';
@@ -206,6 +207,13 @@ std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cu
     if (cut.unknown_subsets.empty()) return "";
     return "minimality is unproved: " + names_of(analysis, cut.unknown_subsets) +
            (cut.unknown_subsets.size() == 1 ? " has" : " have") + " the verdict unknown";
+}
+
+std::string absence_of_trace(const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut) {
+    if (is_about_existence(row.pattern)) return "no run reaches a state that satisfies the property";
+    std::string text;
+    for (const std::string& note : cut.result.verdict.notes) text += (text.empty() ? "" : "; ") + note;
+    return text.empty() ? "no trace is given" : text;
 }
 
 bool is_shown(const FaultAnalysis::Row& row) {

@@ -29,6 +29,8 @@ std::string names_of(const FaultAnalysis& analysis, const FaultSet& faults);
 /// Returns text such as `minimality is unproved: V_stuck, H_stuck have the verdict unknown`; empty if the combination
 /// is proved to be minimal.
 std::string unproved(const FaultAnalysis& analysis, const FaultAnalysis::Cut& cut);
+/// Returns the reason why a combination has no trace.
+std::string absence_of_trace(const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut);
 /// True if the results for a property are shown. The row of an undeclared `no timelock` is omitted if this property
 /// holds without faults and for all checked combinations.
 bool is_shown(const FaultAnalysis::Row& row);

@@ -40,6 +40,22 @@ TEST(FaultsReport, TextStatesWhatIsUnknown) {
     EXPECT_EQ(text.find("violates no property"), std::string::npos) << text;
 }
 
+TEST(FaultsReport, OnlyAViolatedReachableHasNoRunThatSatisfiesTheProperty) {
+    const std::string absent = "no run reaches a state that satisfies the property";
+    FaultAnalysis made = analysis();
+    const auto text = [&] {
+        std::ostringstream out;
+        print_faults(made, false, out);
+        return out.str();
+    };
+    EXPECT_NE(text().find(absent), std::string::npos);
+    made.rows.front().pattern = Pattern::Never;
+    EXPECT_EQ(text().find(absent), std::string::npos);
+    EXPECT_NE(text().find("p: violated by _A + B\n    no trace is given\n"), std::string::npos) << text();
+    made.rows.front().minimal.front().result.verdict.notes = {"no trace is given: the trace has too many moves"};
+    EXPECT_NE(text().find("\n    no trace is given: the trace has too many moves\n"), std::string::npos) << text();
+}
+
 TEST(FaultsReport, JsonHasUnknownSubsetsAndTruthValues) {
     FaultAnalysis made = analysis();
     made.faults[0].visible = {.newly_true = {"X9"}, .always_shown = Outcome::Holds};

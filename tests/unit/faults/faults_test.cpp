@@ -2,6 +2,7 @@
 // Tests the fault analysis on small loops.
 #include "pipeline/variants/faults.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -313,6 +314,45 @@ TEST(Faults, UnknownVerdictsAreReportedAtALimit) {
     EXPECT_EQ(found.row("p").without_faults, Outcome::Unknown);
     EXPECT_FALSE(found.analysis.faults[0].visible.decided);
     EXPECT_EQ(found.analysis.checks, 1u);
+}
+
+// With two faults, the loop is expected to have more states than the first search may explore. The search of the complete
+// loop, which is then made first, reaches the memory limit. The first search decides `q` in the sub-loop of `lamp`.
+TEST(Faults, PropertiesAreDecidedBySmallSearchesIfTheSearchOfTheCompleteLoopFails) {
+    std::string text =
+        "component chatter(output OUT) {\n    clock t;\n\n    initial location chatter invariant t <= 4s;\n\n"
+        "    timed chatter -> chatter when t >= 1s do OUT := !OUT, t := 0;\n}\n";
+    for (const char* const name : {"lamp", "pump"})
+        text += fmt::format(
+            "grafcet {0} {{\n    input {0}_A, {0}_B;\n    output {0}_ON;\n\n    initial step 0;\n"
+            "    step 1 {{ {0}_ON; }}\n\n    transition a: 0 -> 1 when {0}_A && {0}_B;\n"
+            "    transition b: 1 -> 0 when !{0}_A;\n}}\n",
+            name);
+    text += "closed_loop station {\n    controller lamp;\n    controller pump;\n";
+    for (const char* const input : {"lamp_A", "lamp_B", "pump_A", "pump_B"})
+        text += fmt::format("    environment {0}_button = push_button(OUT = {0}, GAP = 1s);\n", input);
+    text +=
+        "    fault a of lamp_A_button: chatter();\n    fault b of lamp_B_button: chatter();\n"
+        "    property p: never lamp.X0 && lamp.X1 && pump_ON;\n    property q: never lamp.X0 && lamp.X1;\n}\n";
+    FaultsRequest request{.order = 2, .visible = false, .first_states = 4000};
+    request.limits.memory = 6'000'000;
+    const Analysed found = analysed(text, request);
+    for (const char* const property : {"p", "q"}) {
+        EXPECT_EQ(found.row(property).without_faults, Outcome::Holds);
+        EXPECT_TRUE(found.row(property).minimal.empty());
+        EXPECT_TRUE(found.row(property).open.empty()) << property;
+    }
+    const Id<ClosedLoop> loop = *find_loop(*found.read.model, "station");
+    const auto memory_suffices = [&](const std::vector<ActiveFault>& faults) {
+        Diagnostics diagnostics;
+        const Model made = with_faults(*found.read.model, loop, faults);
+        const auto whole =
+            check(made, loop, {}, {.properties = {"q"}, .limits = request.limits, .whole = true}, diagnostics);
+        return whole->answers.front().verdict.outcome == Outcome::Holds;
+    };
+    EXPECT_TRUE(memory_suffices({{{0}, false}}));
+    EXPECT_TRUE(memory_suffices({{{1}, false}}));
+    EXPECT_FALSE(memory_suffices({{{0}, false}, {{1}, false}}));
 }
 
 TEST(Faults, TheModelWithFaultsKeepsTheIdsOfTheLoop) {

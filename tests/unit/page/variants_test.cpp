@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests the pages of `faults` and `tune`: results for each property, and the data of the runs.
 #include <algorithm>
+#include <functional>
 
 #include "content.hpp"
 #include "pipeline/variants/faults.hpp"
@@ -57,17 +58,16 @@ std::string data_text(const std::string& page) {
     return between(page, "<script type=\"application/json\" id=\"data\">", "</script>");
 }
 
-/// Returns the page of a fault analysis of the first loop of `text`. If `from_power_on` is true, the page states that
-/// all faults are present from power-on.
-Made page_of_faults(const std::string& text, std::size_t order, bool from_power_on = false) {
+/// Returns the page of a fault analysis of the first loop of `text`, after `change` has changed the results.
+Made page_of_faults(
+    const std::string& text, std::size_t order,
+    const std::function<void(FaultAnalysis&)>& change = [](FaultAnalysis&) {}) {
     Made made{read_string(text, "room.grafcet")};
     EXPECT_TRUE(made.reading.model) << made.reading.diagnostics_text();
     PageContent content = drawn_content(*made.reading.model, made.reading.sources, {0});
     content.faults = analysed_faults(*made.reading.model, {0}, {.order = order, .jobs = 1}, made.reading.diagnostics);
     EXPECT_TRUE(content.faults) << made.reading.diagnostics_text();
-    for (FaultAnalysis::Row& row : content.faults->rows)
-        for (FaultAnalysis::Cut& cut : row.minimal)
-            if (from_power_on) cut.from_power_on = cut.faults;
+    change(*content.faults);
     content.report.model = content.faults->model;
     content.report.settings = content.faults->settings;
     made.page = page_of(content);
@@ -89,28 +89,54 @@ TEST(FaultsPage, ShowsTheCombinationsOfEachPropertyAndTheEffectsOfEachFault) {
           "<strong>On_dead</strong><span class=\"remark\"> present from power-on; no run reaches a state that "
           "satisfies the property</span>",
           "violated without faults, as expected", "<details class=\"property ok\" id=\"property-rare\">",
-          "holds for all combinations", "Effects of each fault (FMEA)", "violates never_both, lit"})
+          "holds for all combinations of at most 2 faults", "Effects of each fault (FMEA)", "violates never_both, lit"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     for (const char* const absent : {"id=\"verdicts\"", "id=\"equations\"", "id=\"coverage\"", "property-no_timelock"})
         EXPECT_EQ(page.find(absent), std::string::npos) << absent;
     EXPECT_EQ(page, page_of_faults(lamp, 2).page);
 }
 
-// The instance of a fault that is present from power-on begins in a location of the fault.
+// The instance of a fault that is present from power-on begins in a location of the fault. OFF is true at power-on only
+// if the switch is held from power-on.
 TEST(FaultsPage, RunsBeginInTheLocationsOfTheFaultsFromPowerOn) {
+    std::string text = lamp;
+    text.insert(text.find("    property rare"), "    property released: inevitable !OFF;\n");
+    const Made made = page_of_faults(text, 1);
     for (const bool from_power_on : {false, true}) {
-        const Made made = page_of_faults(lamp, 1, from_power_on);
-        const auto* const run = run_called(made.data, "never_both: Off_held");
+        const auto* const run = run_called(made.data, from_power_on ? "released: Off_held" : "never_both: Off_held");
         ASSERT_NE(run, nullptr);
-        std::size_t instances = 0;
+        std::size_t instances = 0, values = 0;
         for (const auto& instance : run->at("run").at("instances")) {
             const std::string name = instance.at("name");
+            if (!run->at("initial").contains(name)) continue;  // the observer of a property
             const auto initial = run->at("initial").at(name).get<std::size_t>();
             EXPECT_EQ(instance.at("locations").at(initial), from_power_on && name == "Off" ? "Off_held" : "switch");
             ++instances;
         }
         EXPECT_EQ(instances, 2U);
+        for (const auto& value : run->at("run").at("moments").at(0).at("values"))
+            if (run->at("run").at("signals").at(value.at(0).get<std::size_t>()).at("name") == "OFF") {
+                EXPECT_EQ(value.at(1), from_power_on ? 1 : 0);
+                ++values;
+            }
+        EXPECT_EQ(values, 1U);
     }
+}
+
+TEST(FaultsPage, OnlyAViolatedReachableHasNoRunThatSatisfiesTheProperty) {
+    const Made made = page_of_faults(lamp, 1, [](FaultAnalysis& analysis) {
+        for (FaultAnalysis::Row& row : analysis.rows)
+            for (FaultAnalysis::Cut& cut : row.minimal) {
+                if (row.property != "never_both") continue;
+                cut.result.trace.reset();
+                cut.result.verdict.notes = {"no trace is given: the trace has too many moves"};
+            }
+    });
+    EXPECT_NE(
+        made.page.find("<strong>Off_held</strong><span class=\"remark\"> no trace is given: the trace has too many "
+                       "moves</span>"),
+        std::string::npos);
+    EXPECT_EQ(count_of(made.page, "no run reaches a state that satisfies the property"), 2U);
 }
 
 // The analysis does not state if the fault of a model error is present from power-on.
@@ -174,9 +200,10 @@ closed_loop press {
 }
 )";
 
-/// Returns the page about the values of constants of the first loop of `text`.
-Made page_of_tuning(const std::string& text, std::vector<TunedConstant> constants, std::size_t runs = 24,
-                    bool every_point = false) {
+/// Returns the page about the values of constants of the first loop of `text`, after `change` has changed the results.
+Made page_of_tuning(
+    const std::string& text, std::vector<TunedConstant> constants, std::size_t runs = 24, bool every_point = false,
+    const std::function<void(Tuning&)>& change = [](Tuning&) {}) {
     Made made{read_string(text, "press.grafcet")};
     EXPECT_TRUE(made.reading.model) << made.reading.diagnostics_text();
     const Model& model = *made.reading.model;
@@ -192,6 +219,7 @@ Made page_of_tuning(const std::string& text, std::vector<TunedConstant> constant
                                                           sources, made.reading.diagnostics));
         }
     EXPECT_EQ(content.tuning->failures, std::vector<std::string>{});
+    change(*content.tuning);
     made.page = page_of(content);
     made.data = nlohmann::json::parse(data_text(made.page));
     return made;
@@ -272,6 +300,77 @@ TEST(TuningPage, RunsAreThoseNearestToTheCurrentValues) {
     EXPECT_EQ(made.data.at("runs").at(0).at("name"), "prompt: RAM = 6s");
     EXPECT_EQ(made.data.at("runs").at(1).at("name"), "prompt: RAM = 7s");
     EXPECT_EQ(count_of(made.page, "<td class=\"violated"), 7U);
+    const Made far = page_of_tuning(press_loop, {{"RAM", duration, 1000, 12000, 1000, 13000}}, 2);
+    ASSERT_EQ(far.data.at("runs").size(), 2U);
+    EXPECT_EQ(far.data.at("runs").at(0).at("name"), "prompt: RAM = 11s");
+    EXPECT_EQ(far.data.at("runs").at(1).at("name"), "prompt: RAM = 12s");
+}
+
+const std::string heads = R"(
+grafcet head(input GO; output VALVE) {
+    initial step 0;
+    step 1 { VALVE; }
+
+    transition t0: 0 -> 1 when GO;
+    transition t1: 1 -> 0 when !GO;
+}
+
+closed_loop line {
+    constant N = 2, GAP = 1s;
+
+    for i in 1..N {
+        controller Head[i] = head(GO = GO[i], VALVE = VALVE[i]);
+        environment Go[i] = push_button(OUT = GO[i], GAP = GAP);
+    }
+    property closed: never VALVE[1];
+}
+)";
+
+// The drawings of the page show the controllers for the current values only.
+TEST(TuningPage, RunsOfLoopsWithOtherControllersAreOmitted) {
+    const char* const omitted = "The page does not contain the runs at these points.";
+    const Made made = page_of_tuning(heads, {{"N", NamedConstant::Kind::Integer, 1, 3, 1, 2}});
+    EXPECT_NE(made.page.find("violated at 3 of 3 points"), std::string::npos);
+    ASSERT_EQ(made.data.at("runs").size(), 1U);
+    EXPECT_EQ(made.data.at("runs").at(0).at("name"), "closed: N = 2");
+    EXPECT_EQ(made.data.at("runs").at(0).at("charts"), nlohmann::json::parse("[0, 1]"));
+    EXPECT_EQ(count_of(made.page, "data-run="), 1U);
+    EXPECT_NE(made.page.find(omitted), std::string::npos);
+    const Made same = page_of_tuning(heads, {{"GAP", duration, 1000, 3000, 1000, 1000}});
+    EXPECT_EQ(same.data.at("runs").size(), 3U);
+    EXPECT_EQ(same.page.find(omitted), std::string::npos);
+}
+
+const std::string positive = "<p class=\"glance ok\">", unknown = "<p class=\"glance unknown\">";
+
+TEST(TuningPage, TheSummaryIsPositiveOnlyIfThereIsAPropertyAndEachVerdictIsKnown) {
+    const std::vector<TunedConstant> constants = {{"RAM", duration, 1000, 3000, 1000, 3000}};
+    EXPECT_NE(page_of_tuning(press_loop, constants).page.find(positive), std::string::npos);
+    const Made open = page_of_tuning(press_loop, constants, 24, false, [](Tuning& tuning) {
+        for (Tuning::Row& row : tuning.rows)
+            if (!row.declared) row.verdicts.back() = {};
+    });
+    EXPECT_NE(open.page.find(unknown + "<strong>1 property is unknown at some point."), std::string::npos);
+    EXPECT_NE(open.page.find("id=\"property-no_timelock\""), std::string::npos) << "the page shows what is unknown";
+    std::string text = press_loop;
+    const std::size_t first = text.find("    property prompt");
+    text.erase(first, text.find("}", first) - first);
+    EXPECT_NE(page_of_tuning(text, constants).page.find(unknown + "<strong>There are no properties."),
+              std::string::npos);
+}
+
+TEST(TuningPage, AnUnknownVerdictHasNoMargins) {
+    const char* const sentence = "On the grid, a change of a single constant does not change this verdict.";
+    const std::vector<TunedConstant> constants = {{"RAM", duration, 1000, 3000, 1000, 3000}};
+    EXPECT_EQ(count_of(page_of_tuning(press_loop, constants).page, sentence), 2U);
+    const Made open = page_of_tuning(press_loop, constants, 24, false, [](Tuning& tuning) {
+        for (Tuning::Row& row : tuning.rows) {
+            row.current = {};
+            for (PointVerdict& verdict : row.verdicts) verdict = {};
+        }
+    });
+    EXPECT_EQ(count_of(open.page, sentence), 0U);
+    EXPECT_EQ(count_of(open.page, "Current values: unknown: not checked."), 3U);
 }
 
 }  // namespace
