@@ -199,7 +199,7 @@ struct Compared {
             if (!here.abstraction || (there.outcome == Outcome::Unknown && !faulty)) continue;
             if (!is_progress(network, here)) ++seen["verdicts on " + here.property];
             ++seen[std::string(word(here.outcome)) + (here.run ? " with a run" : " without a run")];
-            if (*here.abstraction == InputsAbstracted{}) ++seen["with a run of the novelty search"];
+            if (*here.abstraction == InputsAbstracted{} && here.run) ++seen["with a run of the novelty search"];
             if (here.property == "no_timelock" || here.property == "d") ++seen[here.property];
             seen["evolutions end"] += static_cast<int>(std::ranges::count(
                 here.notes, "proved separately for the processes and for the evolutions of the charts"));

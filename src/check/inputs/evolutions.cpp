@@ -5,7 +5,7 @@
 #include <array>
 #include <deque>
 #include <map>
-#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -171,7 +171,8 @@ private:
             solver.add(std::array{solver.of(is_reachable(gates, instance, cycle_.before))});
     }
 
-    /// True if a cycle may have a model error in a reachable valuation of each group.
+    /// True if a cycle may have a model error in a reachable valuation of each group. The valuations include those after
+    /// cycles with a model error.
     bool may_have_error() {
         pdr::Solver solver(cycle_.circuit, monitor_);
         add_ranges(solver);
@@ -360,8 +361,8 @@ private:
 
 }  // namespace
 
-bool evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
-                    const pdr::SolverLimits& limits) {
+std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
+                                   const pdr::SolverLimits& limits) {
     const std::vector<TimerRequest> requests = requests_of(network);
     const auto is_request = [&](VariableId variable) {
         return std::ranges::find(requests, variable, &TimerRequest::request) != requests.end();
@@ -389,7 +390,7 @@ bool evolutions_end(const Network& network, const std::vector<AbstractableProces
                 if (open.contains(controller.process) && ends(controller)) grows = open.erase(controller.process) > 0;
         }
     } catch (const pdr::Exhausted&) {
-        return false;
+        return {};
     }
     return open.empty();
 }

@@ -6,18 +6,21 @@
 // some cycle on. A variable of the PLC is *steady* if in each such run, it is also constant from some cycle on. The
 // proof computes steady variables in groups: the steps whose activities depend on the same firing conditions form a
 // group, and each other variable forms a group of its own. The values of a group in a run are a path in a graph. Its
-// nodes are valuations of the group that are reachable if all other variables have arbitrary values, and its edges are
-// changes of the valuation in a cycle. If no valuation of the steady variables admits all edges of a cycle of the graph,
-// the group changes finitely often, so it is also steady. A SAT solver decides this for all cycles of the graph at once:
-// it searches a nonempty set of edges in which each edge has a successor.
+// nodes are the valuations of the group that are reachable if all other variables have arbitrary values of their
+// ranges, and the outputs of each instance one of its reachable valuations. Its edges are changes of the valuation in a
+// cycle. If no valuation of the steady variables admits all edges of a cycle of the graph, the group changes finitely
+// often, so it is also steady. A SAT solver decides this for all cycles of the graph at once: it searches a nonempty
+// set of edges in which each edge has a successor.
 //
-// Conditions on the edges: all steady variables have the same values before and after the cycle of the PLC. If a cycle
-// requests a timer, the timer accepts the request before the next cycle. If each edge of the timer that accepts a request
-// leads to the same output, the constant output of the timer has this value.
+// Each variable that another process assigns is read by only one edge of a cycle (PlcCycle), so it has one value per
+// cycle. Further conditions on the edges: all steady variables have the same values before and after the cycle of the
+// PLC. If a cycle requests a timer, the timer accepts the request before the next cycle. If each edge of the timer that
+// accepts a request leads to the same output, the constant output of the timer has this value.
 //
 // Evolutions end if no cycle of the PLC can begin and end with the same values of all steady variables.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "check/pdr/solver.hpp"
@@ -25,11 +28,11 @@
 
 namespace grafverif {
 
-/// True if no edge of a PLC has a model error, and in each run of infinitely many urgent edges, infinitely many edges of
-/// other processes than PLCs and timers assign variables that PLCs read. False if there is no proof. Requires that
-/// `network` is expanded, has no observers, and satisfies lets_time_pass (check/inputs/resting.hpp). `instances` are its
-/// abstractable processes.
-bool evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
-                    const pdr::SolverLimits& limits);
+/// True if no reachable edge of a PLC has a model error, and in each run of infinitely many urgent edges, infinitely
+/// many edges of other processes than PLCs and timers assign variables that PLCs read. False if there is no proof;
+/// nullopt if a limit is reached. Requires that `network` is expanded, has no observers, and satisfies lets_time_pass
+/// (check/inputs/resting.hpp). `instances` are its abstractable processes.
+std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
+                                   const pdr::SolverLimits& limits);
 
 }  // namespace grafverif

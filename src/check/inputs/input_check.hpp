@@ -91,10 +91,15 @@ private:
     std::uint64_t bound_of(const Task& task) const {
         return std::min(options_.max_states, task.coarse ? limits_.coarse_states : limits_.states);
     }
-    /// True if the search of the task ended because it reached the bound on states of the current round.
+    /// True if the current round limits the number of transitions of the search of the task.
+    bool is_bounded_in_transitions(const Task& task) const {
+        return task.kind == Kind::SingleStates && round_ < bound_of(task);
+    }
+    /// True if the search of the task ended because it reached the bound of the current round.
     bool ends_with_round(const Task& task, const TimedResult& found) const {
         return round_ < bound_of(task) && !found.complete &&
-               (found.states >= round_ || found.transitions >= round_ * limits_.transitions);
+               (found.states >= round_ ||
+                (is_bounded_in_transitions(task) && found.transitions >= round_ * limits_.transitions));
     }
 
     bool has_open(const Task& task) const {
@@ -163,8 +168,8 @@ private:
     double symbolic_seconds_ = 0;
     const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::optional<bool> evolutions_end_ = {};  // result of evolutions_end; empty if it is not computed yet
-    std::optional<bool> takes_time_ = {};  // premise of prove_response; empty if not computed yet
-    std::uint64_t round_ = 0;              // bound of the searches of the current round
+    std::optional<bool> takes_time_ = {};      // premise of prove_response; empty if not computed yet
+    std::uint64_t round_ = 0;                  // bound of the searches of the current round
     Deadline deadline_ = {};
 };
 

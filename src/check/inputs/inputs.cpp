@@ -212,7 +212,7 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
     options.choices = abstraction.choices;
     options.macro_steps = {.enabled = true, .deferred = abstraction.deferred};
     options.max_states = std::min(round_, bound_of(task));
-    options.max_transitions = options.max_states * limits_.transitions;
+    if (is_bounded_in_transitions(task)) options.max_transitions = round_ * limits_.transitions;
     options.deadline = deadline_;
     TimedResult found = check_timed(network, options);
     result_.states += found.states;

@@ -63,7 +63,8 @@ struct InputLimits {
     std::uint64_t states = std::uint64_t{1} << 24U;  ///< maximum number of states of one search of an abstraction
     /// Maximum number of states of one search in which instances that read the loop are also abstracted.
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;
-    /// Maximum number of transitions of one search, per state of its bound. A macro-step consists of many transitions.
+    /// Maximum number of transitions of one search with macro-steps, per state of the bound of the round. A macro-step
+    /// consists of many transitions. In the last round, the number of transitions is not limited.
     std::uint64_t transitions = 8;
     std::size_t followed = 200'000;  ///< maximum number of states of one guided search
     /// Maximum number of states of one guided search, for a run of an abstraction in which instances that read the loop

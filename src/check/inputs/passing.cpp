@@ -50,8 +50,9 @@ InputAbstractionCheck::Task InputAbstractionCheck::passing_task() const {
 void InputAbstractionCheck::search_passing(const Task& task) {
     const bool by_evolutions = task.kind == Kind::Evolution;
     if (by_evolutions && !evolutions_end_ && !ablations_.search_evolutions)
-        evolutions_end_ = evolutions_end(loop_, instances_,
-                                         {.memory = options_.max_memory, .deadline = deadline_, .stop = options_.stop});
+        evolutions_end_ =
+            evolutions_end(loop_, instances_,
+                           {.memory = options_.max_memory, .deadline = share_of(deadline_, 8), .stop = options_.stop});
     if (by_evolutions && evolutions_end_.value_or(false)) {
         Verdict proof;
         proof.outcome = Outcome::Holds;

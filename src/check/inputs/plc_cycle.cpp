@@ -19,14 +19,14 @@ bool PlcCycle::build() {
         if (variable == network_.race) values[variable] = {Gate::constant(false)};  // a race ends the run
         else values[variable] = now(variable);
     }
-    if (!follow(waiting_, values, Gate::constant(true))) return false;
+    if (!follow(waiting_, {Gate::constant(true), values})) return false;
     enabled = join(next);
     for (const VariableId variable : slots_.written())
         if (!shared_.contains(variable)) values[variable] = bits_of(initial(variable), variable);
     paths_.clear();
     taken_ = 0;
     if (slots_.process.initial == waiting_) paths_.push_back({Gate::constant(true), std::move(values)});
-    else if (!follow(slots_.process.initial, values, Gate::constant(true))) return false;
+    else if (!follow(slots_.process.initial, {Gate::constant(true), values})) return false;
     starts = join(first);
     error = error_.literal;
     return true;
@@ -63,25 +63,27 @@ std::vector<Gate> PlcCycle::bits_of(const BitTerm<Gate>& term, VariableId variab
 }
 
 /// Adds the paths from `location` to W. Returns false if they have too many edges.
-bool PlcCycle::follow(Id<Network::Location> location, const Values& values, const Gate& condition) {
+bool PlcCycle::follow(Id<Network::Location> location, const Path& before) {
     for (const Network::Edge& edge : slots_.automaton.edges) {
         if (edge.from != location) continue;
-        Path path{condition, values};
+        Path path = before;
         if (taken_++ == most_edges_of_plc || !take(edge, path)) return false;
         if (path.condition.is_false()) continue;
         if (network_.race.valid() && path.values.contains(network_.race))
             error_ = error_ | (path.condition & path.values.at(network_.race).front());
         if (edge.to == waiting_) paths_.push_back(std::move(path));
-        else if (!follow(edge.to, path.values, path.condition)) return false;
+        else if (!follow(edge.to, path)) return false;
     }
     return true;
 }
 
 bool PlcCycle::take(const Network::Edge& edge, Path& path) {
     std::set<VariableId> read;  // variables that the translated terms have read
+    std::set<VariableId> shared;
     const auto leaf = [&](const Expr& node) {
         const VariableId variable = slots_.variable(node);
         read.insert(variable);
+        if (shared_.contains(variable)) shared.insert(variable);
         return term_of(path.values.at(variable), variable);
     };
     std::optional<BitTerms<Gate>> terms(std::in_place, network_.exprs, leaf);
@@ -98,6 +100,8 @@ bool PlcCycle::take(const Network::Edge& edge, Path& path) {
         terms.emplace(network_.exprs, leaf);
         read.clear();
     }
+    for (const VariableId variable : shared)
+        if (!path.read.insert(variable).second) return false;
     return true;
 }
 

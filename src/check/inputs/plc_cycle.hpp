@@ -25,14 +25,15 @@ public:
     PlcCycle(const Network& network, const Network::Controller& controller, const std::set<VariableId>& shared)
         : network_(network), slots_(network, controller.process), waiting_(controller.waiting), shared_(shared) {}
 
-    /// Computes the functions. Returns false if there are too many paths or gates.
+    /// Computes the functions. Returns false if there are too many paths or gates, or if two edges of a path read the same
+    /// shared variable, because its value may change between the edges.
     bool build();
 
     Circuit circuit = {};                    ///< contains only gates
     std::map<VariableId, Bits> before = {};  ///< values before the cycle, of all variables that the PLC uses
     std::map<VariableId, Bits> next = {};    ///< values after the cycle, of all variables that the PLC assigns
     std::map<VariableId, Bits> first = {};   ///< values of these variables before the first cycle
-    /// True if a cycle, or a path to the first cycle, is possible without a race.
+    /// True if a cycle, or a path to the first cycle, is possible. Cycles with a model error are included.
     Literal enabled = Gates::no, starts = Gates::no;
     /// True if a cycle, or a path to the first cycle, has a race or a value that is undefined or out of range.
     Literal error = Gates::no;
@@ -42,6 +43,7 @@ private:
     struct Path {
         Gate condition = {};
         Values values = {};
+        std::set<VariableId> read = {};  // shared variables that the edges of the path have read
     };
 
     Type type_of(VariableId variable) const { return network_.variables[variable].type; }
@@ -49,7 +51,7 @@ private:
     BitTerm<Gate> initial(VariableId variable) const;
     BitTerm<Gate> term_of(const std::vector<Gate>& value, VariableId variable) const;
     std::vector<Gate> bits_of(const BitTerm<Gate>& term, VariableId variable) const;
-    bool follow(Id<Network::Location> location, const Values& values, const Gate& condition);
+    bool follow(Id<Network::Location> location, const Path& before);
     bool take(const Network::Edge& edge, Path& path);
     Literal join(std::map<VariableId, Bits>& results);
 

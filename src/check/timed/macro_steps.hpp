@@ -11,7 +11,8 @@
 //   - A PLC is within a cycle, and the other enabled edges belong to processes that may as well move after the enabled
 //     edges of the PLC: the edges are independent, the edges of the PLC change nothing that an observer or a property
 //     reads, and these processes enable no edge that depends on the edges of the PLC. Only the PLC moves. Properties
-//     about quiescent states are false within a cycle.
+//     about quiescent states are false within a cycle; the edge that ends the cycle in a stable situation is excluded.
+//     Requests to observers are ignored, because reading equal states repeatedly does not change an observer.
 //   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. The PLC cannot leave
 //     W before, and the edges of all other processes are independent of the request and remain enabled.
 // The conditions on timers reorder edges of timers. They require that only the PLC and its timers use the variables that

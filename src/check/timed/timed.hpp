@@ -130,7 +130,8 @@ struct TimedResult {
     std::vector<Verdict> verdicts = {};
     std::vector<ModelError> errors = {};  ///< at most one error for each kind, edge and variable
     std::uint64_t states = 0;
-    std::uint64_t transitions = 0;  ///< number of edges and delays of one unit
+    /// Number of computed edges, with those between the states of macro-steps, and delays of one unit.
+    std::uint64_t transitions = 0;
     std::uint64_t bytes = 0;        ///< peak memory in bytes
     std::uint64_t state_bytes = 0;  ///< size of one packed state in bytes
     double seconds = 0;

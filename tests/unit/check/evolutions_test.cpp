@@ -27,7 +27,7 @@ Network with_chart(const std::string& body, Grain grain = Grain::Phased) {
 
 bool ends(const Network& network) {
     EXPECT_TRUE(lets_time_pass(network)) << "required by evolutions_end";
-    return evolutions_end(network, abstractable_processes(network), {});
+    return evolutions_end(network, abstractable_processes(network), {}).value();
 }
 bool ends(const std::string& body) {
     const bool phased = ends(with_chart(body));
@@ -51,7 +51,7 @@ TEST(EvolutionsEnd, OnlyForReachableValuesOfInstances) {
     const std::string body = two_steps("IN", "OUT");
     EXPECT_TRUE(ends(body)) << "the cylinder is never in both end positions";
     const Network network = with_chart(body);
-    EXPECT_FALSE(evolutions_end(network, {}, {})) << "without its reachable values";
+    EXPECT_FALSE(evolutions_end(network, {}, {}).value()) << "without its reachable values";
 }
 
 TEST(EvolutionsEnd, BecauseConstantInputsHaveNoEdges) {
@@ -125,6 +125,31 @@ TEST(EvolutionsEnd, WithStoredValues) {
              "1 -> 0 when true;"));
 }
 
+TEST(EvolutionsEnd, OnlyWithoutModelErrors) {
+    EXPECT_FALSE(
+        ends("initial step 0; step 1 { N := N + 1 on activation; } transition t0: 0 -> 1 when A; "
+             "transition t1: 1 -> 0 when !A;"));
+    EXPECT_FALSE(
+        ends("partial L { initial step 0; step 1 { M := true on activation; } transition t0: 0 -> 1 when A; "
+             "transition t1: 1 -> 0 when !A; } partial R { initial step 2; step 3 { M := false on activation; } "
+             "transition t2: 2 -> 3 when B; transition t3: 3 -> 2 when !B; }"))
+        << "both actions can write M in one evolution";
+}
+
+TEST(EvolutionsEnd, OnlyIfACycleReadsEachInputOnce) {
+    Network network = with_chart(two_steps("A", "!A"));
+    ASSERT_TRUE(ends(network));
+    const auto named = [&](const std::string& name) {
+        const auto at = std::ranges::find(network.variables, name, &Network::Variable::name);
+        return network.exprs.leaf(Op::Variable, static_cast<std::uint32_t>(at - network.variables.begin()));
+    };
+    const Network::Controller& controller = network.controllers[{0}];
+    Network::Template& plc = network.templates[network.processes[controller.process].automaton];
+    for (const Id<Network::Edge> id : plc.edges.ids())
+        if (has_call(plc.edges[id], controller.evolve)) plc.edges[id].assignments.push_back({named("M"), named("A")});
+    EXPECT_FALSE(ends(network)) << "A may change between two edges of the cycle";
+}
+
 TEST(EvolutionsEnd, OfControllersThatReadEachOther) {
     const Network network =
         expand(read_loop("grafcet c { input A; output Q; initial step 0; step 1 { Q; } transition t0: 0 -> 1 when A; "
@@ -133,7 +158,7 @@ TEST(EvolutionsEnd, OfControllersThatReadEachOther) {
                          "transition t1: 1 -> 0 when !Q; }\n"
                          "closed_loop l { controller c; controller d; environment EA = push_button(OUT = A); }\n")
                    .network);
-    EXPECT_TRUE(evolutions_end(network, abstractable_processes(network), {})) << "c does not depend on d";
+    EXPECT_TRUE(evolutions_end(network, abstractable_processes(network), {}).value()) << "c does not depend on d";
     const std::string feedback =
         "grafcet c { input R; output Q; initial step 0; step 1 { Q; } transition t0: 0 -> 1 when !R; transition t1: 1 "
         "-> 0 when R; }\n"
@@ -142,7 +167,7 @@ TEST(EvolutionsEnd, OfControllersThatReadEachOther) {
         "0 when !Q; }\n"
         "closed_loop l { controller c; controller d; }\n";
     const Network coupled = expand(read_loop(feedback).network);
-    EXPECT_FALSE(evolutions_end(coupled, abstractable_processes(coupled), {})) << "the controllers alternate";
+    EXPECT_FALSE(evolutions_end(coupled, abstractable_processes(coupled), {}).value()) << "the controllers alternate";
 }
 
 }  // namespace
