@@ -5,12 +5,12 @@
 // of urgent edges contains infinitely many cycles, although the inputs and the outputs of the timers are constant from
 // some cycle on. A variable of the PLC is *steady* if in each such run, it is also constant from some cycle on. The
 // proof computes steady variables in groups: the steps whose activities depend on the same firing conditions form a
-// group, and each other variable forms a group of its own. The values of a group in a run are a path in a graph. Its
-// nodes are the valuations of the group that are reachable if all other variables have arbitrary values of their
-// ranges, and the outputs of each instance one of its reachable valuations. Its edges are changes of the valuation in a
-// cycle. If no valuation of the steady variables admits all edges of a cycle of the graph, the group changes finitely
-// often, so it is also steady. A SAT solver decides this for all cycles of the graph at once: it searches a nonempty
-// set of edges in which each edge has a successor.
+// group, and each other variable forms a separate group. The values of a group in a run are a path in a graph. Its
+// nodes are the reachable valuations of the group, and its edges are changes of the valuation in a cycle. To compute
+// them, all other variables have arbitrary values of their ranges, but the outputs of each instance have one of their
+// reachable valuations. If no valuation of the steady variables admits all edges of a cycle of the graph, the group
+// changes finitely often, so it is also steady. A SAT solver decides this for all cycles of the graph at once: it
+// searches a nonempty set of edges in which each edge has a successor.
 //
 // Each variable that another process assigns is read by only one edge of a cycle (PlcCycle), so it has one value per
 // cycle. Further conditions on the edges: all steady variables have the same values before and after the cycle of the
@@ -28,10 +28,10 @@
 
 namespace grafverif {
 
-/// True if no reachable edge of a PLC has a model error, and in each run of infinitely many urgent edges, infinitely
-/// many edges of other processes than PLCs and timers assign variables that PLCs read. False if there is no proof;
-/// nullopt if a limit is reached. Requires that `network` is expanded, has no observers, and satisfies lets_time_pass
-/// (check/inputs/resting.hpp). `instances` are its abstractable processes.
+/// Returns true under two conditions. No reachable edge of a PLC has a model error. Each infinite run of urgent edges
+/// contains infinitely many edges of other processes than PLCs and timers that assign variables of PLCs. Returns false
+/// if there is no proof, and nullopt if a limit is reached. Requires that `network` is expanded, has no observers, and
+/// satisfies lets_time_pass (check/inputs/resting.hpp). `instances` are its abstractable processes.
 std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
                                    const pdr::SolverLimits& limits);
 

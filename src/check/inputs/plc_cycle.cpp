@@ -63,10 +63,10 @@ std::vector<Gate> PlcCycle::bits_of(const BitTerm<Gate>& term, VariableId variab
 }
 
 /// Adds the paths from `location` to W. Returns false if they have too many edges.
-bool PlcCycle::follow(Id<Network::Location> location, const Path& before) {
+bool PlcCycle::follow(Id<Network::Location> location, const Path& start) {
     for (const Network::Edge& edge : slots_.automaton.edges) {
         if (edge.from != location) continue;
-        Path path = before;
+        Path path = start;
         if (taken_++ == most_edges_of_plc || !take(edge, path)) return false;
         if (path.condition.is_false()) continue;
         if (network_.race.valid() && path.values.contains(network_.race))

@@ -51,7 +51,7 @@ private:
     BitTerm<Gate> initial(VariableId variable) const;
     BitTerm<Gate> term_of(const std::vector<Gate>& value, VariableId variable) const;
     std::vector<Gate> bits_of(const BitTerm<Gate>& term, VariableId variable) const;
-    bool follow(Id<Network::Location> location, const Path& before);
+    bool follow(Id<Network::Location> location, const Path& start);
     bool take(const Network::Edge& edge, Path& path);
     Literal join(std::map<VariableId, Bits>& results);
 

@@ -78,9 +78,9 @@ public:
     }
 
     /// Returns, per edge of the PLC and per process, whether the process may move after the edge instead of before it.
-    /// This requires that the edges of both are independent, that the process cannot enable or disable another edge of
-    /// the PLC, and that the edge of the PLC changes nothing that an observer or a property reads. It also requires that
-    /// the process does not enable an edge of another process for which the result is false.
+    /// This requires that the edges of both are independent, and that the process cannot enable or disable another edge
+    /// of the PLC. The edge of the PLC must change nothing that an observer or a property reads. The process must not
+    /// enable an edge of another process for which the result is false.
     std::vector<std::vector<bool>> movable_processes() const {
         const std::size_t count = network_.processes.size();
         std::vector<Uses> uses(count);

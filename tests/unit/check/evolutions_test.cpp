@@ -170,5 +170,11 @@ TEST(EvolutionsEnd, OfControllersThatReadEachOther) {
     EXPECT_FALSE(evolutions_end(coupled, abstractable_processes(coupled), {}).value()) << "the controllers alternate";
 }
 
+TEST(EvolutionsEnd, OfTheStations) {
+    for (const char* name : {"kettle", "lift", "press", "undecided/capper", "undecided/carwash", "undecided/paintbooth",
+                             "undecided/washer"})
+        EXPECT_TRUE(ends(expand(read_sample("../bench/stations/" + std::string(name) + ".grafcet").network))) << name;
+}
+
 }  // namespace
 }  // namespace grafverif
