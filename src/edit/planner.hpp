@@ -68,7 +68,7 @@ private:
     std::string fresh_or(const std::string& name);
     /// Returns `stem` with the first number that makes a name that the file does not use.
     std::string fresh_name(const std::string& stem);
-    /// The words of the file and the new names.
+    /// Returns all names of the file and the new names.
     std::set<std::string, std::less<>>& used();
 
     // -- changes and deletions ----------------------------------------------------------------------------------------
