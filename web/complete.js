@@ -10,7 +10,7 @@ export class Completion {
     // `context()` returns the text of the file before and after the cursor of `field`, as `{before, after}`. `place` will
     // contain the list; `align(list)` moves the list to the cursor.
     constructor(field, place, context, align = () => {}) {
-        Object.assign(this, {field, context, align, number: 0, at: -1, timer: null, accepting: false});
+        Object.assign(this, {field, context, align, number: 0, asking: false, again: false, at: -1, timer: null, accepting: false});
         this.list = make("ul", {class: "proposals", role: "listbox", id: `proposals-${++lists}`, "aria-label": "Proposals", hidden: true});
         place.append(this.list);
         for (const [name, value] of [["aria-autocomplete", "list"], ["aria-controls", this.list.id], ["aria-haspopup", "listbox"]]) field.setAttribute(name, value);
@@ -28,9 +28,15 @@ export class Completion {
     // Returns the part of a name before the cursor.
     word() { return this.field.value.slice(0, this.field.selectionStart).match(/[\p{L}\p{M}\p{N}_]*$/u)[0]; }
 
+    // Requests proposals. While a request is not answered, a later request waits.
     async request() {
+        this.again = this.asking;
+        if (this.asking) return;
         const number = ++this.number, {value, selectionStart} = this.field;
+        this.asking = true;
         const answer = await ask("/completion", this.context()).catch(() => null);
+        this.asking = false;
+        if (this.again) return this.request();
         if (number !== this.number || value !== this.field.value || selectionStart !== this.field.selectionStart) return;
         const word = this.word(), low = word.toLowerCase();
         const found = (answer?.proposals ?? []).filter(({label}) => label !== word && label.toLowerCase().startsWith(low));
@@ -52,6 +58,7 @@ export class Completion {
 
     close() {
         clearTimeout(this.timer);
+        this.again = false;
         ++this.number;
         this.list.hidden = true;
         this.field.setAttribute("aria-expanded", "false");

@@ -441,7 +441,8 @@ class Page {
         else if (document.activeElement === this.text.field) this.caret(this.text.field.selectionStart);
     }
 
-    // Sends a change after the typed text, and shows its result. Returns the response.
+    // Sends a change after the typed text, and shows its result. Returns the response. A request with positions contains
+    // the version of the text to which they belong, so that the server rejects it if the typed text has changed them.
     change(path, request = {}) {
         let result = null;
         return this.enqueue(async () => {
@@ -548,18 +549,18 @@ class Page {
         if (operation.run) return operation.run(this);
         if (operation.field !== undefined) return this.openField(operation, element);
         by("charts").focus({preventScroll: true});
-        if (operation.operation !== "jump") return this.change("/edit", {operation: operation.operation, at: element.at});
-        this.jumping = element;
+        if (operation.operation !== "jump") return this.change("/edit", {version: this.state.text_version, operation: operation.operation, at: element.at});
+        this.jumping = {...element, version: this.state.text_version};
         by("charts").classList.add("jumping");
         by("selection").textContent = `Select the target step of the jump from ${titleOf(element)}: click on it, or use the arrow keys and Enter. Esc cancels.`;
     }
 
     // Copies the marked steps, or the selected step.
     copy() {
-        const steps = this.drawing.chosen();
+        const steps = this.drawing.chosen(), version = this.state.text_version;
         return this.enqueue(async () => {
             await this.sendText();
-            const answer = await ask("/copy", {version: this.state.text_version, steps: steps.map((each) => each.at)});
+            const answer = await ask("/copy", {version, steps: steps.map((each) => each.at)});
             this.report(answer.problem);
             if (answer.problem) return;
             this.copied = answer.text;
@@ -570,7 +571,7 @@ class Page {
 
     paste() {
         if (!this.copied) return this.report("Copy steps first.");
-        return this.change("/edit", {operation: "paste", at: this.drawing.selected.at, text: this.copied});
+        return this.change("/edit", {version: this.state.text_version, operation: "paste", at: this.drawing.selected.at, text: this.copied});
     }
 
     edit(name = this.drawing.selected.kind === "step" ? "rename" : "replace") { this.start(operations.find((each) => each.operation === name)); }
@@ -579,7 +580,7 @@ class Page {
         const from = this.jumping;
         if (target?.kind !== "step") return this.report("Select a step as the target of the jump, or press Esc.");
         this.endJump();
-        this.change("/edit", {operation: "jump", at: from.at, target: target.at});
+        this.change("/edit", {version: from.version, operation: "jump", at: from.at, target: target.at});
     }
 
     endJump() {
@@ -594,7 +595,7 @@ class Page {
         const label = operation.field || (element.kind === "transition" ? "Condition" : "Action");
         const version = this.state.text_version;
         let checked = 0;
-        const request = () => ({operation: operation.operation, at: element.at, text: (kind ? `${kind.value} ` : "") + input.value});
+        const request = () => ({version, operation: operation.operation, at: element.at, text: (kind ? `${kind.value} ` : "") + input.value});
         const problem = make("p", {class: "problem", role: "alert"});
         const close = () => { form.remove(); by("charts").focus({preventScroll: true}); };
         const check = async () => {

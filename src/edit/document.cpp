@@ -151,7 +151,7 @@ Change Document::accept(Plan plan, bool trial) {
 
 Copy Document::copied(const std::vector<std::uint32_t>& at) {
     if (has_errors(reading())) return {"correct the errors of the text first", {}};
-    return edit::copied(text(), Elements(parsed_->tree), at);
+    return edit::copied(text(), parsed_->tree, Elements(parsed_->tree), at);
 }
 
 std::vector<lsp::Proposal> Document::proposals(const std::string& text, std::size_t cursor) const {

@@ -6,6 +6,7 @@
 // unambiguous. All other new transitions have the condition `true`.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -53,13 +54,18 @@ struct Plan {
 /// Computes an operation other than Rename. Requires a text without syntax errors.
 Plan plan_of(std::string_view text, const tree::File& file, const Elements& elements, const Operation& operation);
 
-/// Text for Paste: the declarations of steps, and of all transitions that begin or end at them.
+/// Maximum number of steps of a copy.
+inline constexpr std::size_t most_copied = 1'000;
+
+/// Text for Paste: a comment with the chart, the declarations of steps, and of all transitions that begin or end at
+/// them.
 struct Copy {
     std::string obstacle = {};  ///< reason for rejection; if not empty, there is no text
     std::string text = {};
 };
 /// Returns the text of the steps at the positions `at`, which must be in the same chart or partial chart.
-Copy copied(std::string_view text, const Elements& elements, const std::vector<std::uint32_t>& at);
+Copy copied(std::string_view text, const tree::File& file, const Elements& elements,
+            const std::vector<std::uint32_t>& at);
 
 /// Returns the new text of an unnamed transition with the name `name`.
 TextEdit naming(const tree::Transition& transition, const std::string& name);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "edit/planner.hpp"
 #include "edit/written.hpp"
@@ -25,32 +24,29 @@ std::string not_a_name(const std::string& name) {
 }  // namespace
 
 void Planner::declare(const std::string& declaration) {
-    if (obstacle_ = fault_of_declaration(declaration); !obstacle_.empty()) return;
-    const std::vector<lsp::Word> words = lsp::words_of(declaration);
-    const auto word = [&](std::string_view text, const lsp::Word& at) {
-        return text.substr(at.begin, at.end - at.begin);
-    };
-    const std::string_view kind = word(declaration, words[0]);
-    if (kind == "input") drive(std::string(word(declaration, words[1])));
+    const Declared declared = declared_variable(declaration);
+    if (obstacle_ = declared.fault; !obstacle_.empty()) return;
+    if (declared.kind == tree::VariableKind::Input) drive(declared);
     const tree::Variables *last = nullptr, *same = nullptr;
     for (const tree::ChartItem& item : element_.chart->items)
         if (const auto* variables = std::get_if<tree::Variables>(&item)) {
             last = variables;
-            const std::string_view text = layout_.text(variables->where);
-            if (word(text, lsp::words_of(text)[0]) == kind) same = variables;
+            if (variables->kind == declared.kind) same = variables;
         }
     if (last != nullptr) return add(layout_.added_after((same != nullptr ? same : last)->where, declaration + ';'));
     const Span chart = element_.chart->where;
-    for (const lsp::Word& sign : lsp::words_of(layout_.text(chart)))
-        if (word(layout_.text(chart), sign) == "{") {
+    const std::string_view text = layout_.text(chart);
+    for (const lsp::Word& sign : lsp::words_of(text))
+        if (text.substr(sign.begin, sign.end - sign.begin) == "{") {
             const Span head{chart.source, chart.begin, chart.begin + sign.end};
             return add(layout_.added_lines_after(head, {"    " + declaration + ';'}));
         }
 }
 
 /// Adds an environment that sets a new input to any value to each closed loop that controls the chart: each input of a
-/// closed loop must be driven.
-void Planner::drive(const std::string& input) {
+/// closed loop must be driven. Rejects an input with an index, and an input of an instance of the chart.
+void Planner::drive(const Declared& input) {
+    std::string name;
     for (const tree::Declaration& declaration : file_.declarations) {
         const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
         if (loop == nullptr) continue;
@@ -58,12 +54,29 @@ void Planner::drive(const std::string& input) {
         std::optional<Span> place;
         for (const tree::LoopItem& item : loop->items) {
             const auto* controller = std::get_if<tree::Controller>(&item);
-            is_controlled |= controller != nullptr && !controller->instance.valid() &&
-                             controller->chart.word == element_.chart->name.word;
+            if (controller != nullptr && controller->chart.word == element_.chart->name.word) {
+                is_controlled = true;
+                if (controller->instance.valid()) {
+                    obstacle_ = fmt::format(
+                        "`{}` is an instance of the chart; declare the input in the text, and pass it to the instance",
+                        file_.text(controller->instance));
+                    return;
+                }
+            }
             if (controller != nullptr || std::holds_alternative<tree::Instance>(item)) place = place_of(item);
         }
-        if (is_controlled)
-            add(layout_.added_after(*place, fmt::format("environment {0}_any = free(OUT = {0});", input)));
+        if (!is_controlled) continue;
+        if (input.has_index) {
+            obstacle_ = fmt::format(
+                "`{}` has an index, and closed loop `{}` controls the chart; declare the input and its environment in "
+                "the text",
+                input.name, file_.text(loop->name));
+            return;
+        }
+        if (name.empty()) name = fresh_or(input.name + "_any");
+        add(layout_.added_after(
+            *place, fmt::format("environment {} = {}(OUT = {}{});", name, input.range.empty() ? "free" : "free_integer",
+                                input.name, input.range)));
     }
 }
 
@@ -78,10 +91,10 @@ void Planner::add_macro() {
     const std::string expansion = fresh_name("E");
     add_step_with("macro step ", " expands " + expansion);
     if (!obstacle_.empty()) return;
-    const std::string link = fresh_transition();
+    const std::string entry = fresh_or("E"), exit = fresh_or("S"), link = fresh_transition();
     add_part("expansion " + expansion,
-             {"entry step E;", "exit step S;",
-              fmt::format("transition{} E -> S when true;", link.empty() ? "" : ' ' + link + ':')});
+             {"entry step " + entry + ';', "exit step " + exit + ';',
+              fmt::format("transition{} {} -> {} when true;", link.empty() ? "" : ' ' + link + ':', entry, exit)});
 }
 
 void Planner::add_enclosing(const std::string& partial) {
@@ -108,10 +121,14 @@ void Planner::add_part(const std::string& head, const std::vector<std::string>& 
 }
 
 std::string Planner::fresh_name(const std::string& stem) {
-    std::set<std::string_view> words;
-    for (const tree::Word& word : file_.words) words.insert(word.text);
     for (int number = 1;; ++number)
-        if (std::string name = stem + std::to_string(number); !words.contains(name)) return names_.emplace_back(name);
+        if (std::string name = stem + std::to_string(number); !used().contains(name) && !used().contains('X' + name))
+            return *used().insert(name).first;
+}
+
+std::string Planner::fresh_or(const std::string& name) {
+    if (used().contains(name) || used().contains('X' + name)) return fresh_name(name);
+    return *used().insert(name).first;
 }
 
 }  // namespace grafverif::edit

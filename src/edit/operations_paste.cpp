@@ -15,10 +15,16 @@ namespace {
 
 using Words = std::set<Id<tree::Word>>;
 
-Words words(const std::vector<tree::Name>& names) {
-    Words found;
-    for (const tree::Name& name : names) found.insert(name.word);
-    return found;
+constexpr std::string_view origin = "// steps of ";
+
+/// Returns the name of the chart or partial chart with an element, such as `g.P`.
+std::string name_of_list(const tree::File& file, const Element& element) {
+    std::string name(file.text(element.chart->name));
+    for (const tree::ChartItem& item : element.chart->items)
+        if (const auto* partial = std::get_if<tree::Partial>(&item);
+            partial != nullptr && &partial->items == element.items)
+            name.append(1, '.').append(file.text(partial->name));
+    return name;
 }
 
 /// The copied steps and the transitions that begin or end at them.
@@ -40,6 +46,10 @@ public:
             else if (transition != nullptr) transitions.push_back(transition);
         }
         if (!is_copy) steps.clear();
+        for (const tree::Transition* const transition : transitions)
+            for (const tree::Name& name : own(transition->from)) leaving_[name.word].push_back(transition);
+        if (!file_.comments.empty() && file_.comments.front().text.starts_with(origin))
+            list = file_.comments.front().text.substr(origin.size());
     }
     Fragment(const Fragment&) = delete;
     Fragment& operator=(const Fragment&) = delete;
@@ -59,10 +69,11 @@ public:
         return names;
     }
     std::string_view name(const tree::Name& name) const { return file_.text(name); }
+    const Table<tree::Word>& words() const { return file_.words; }
 
     /// Returns the copied steps at which a copy is entered, so that links lead from them to all copied steps; empty if
-    /// there are none. Considers the steps to which the first transitions from other steps lead, then initial steps, then
-    /// each step.
+    /// there are none. Considers the steps to which the first transitions from other steps lead, then initial steps,
+    /// then each step.
     std::vector<tree::Name> entries() const {
         std::vector<std::vector<tree::Name>> choices;
         for (const tree::Transition* const each : transitions)
@@ -77,16 +88,22 @@ public:
 
     std::vector<const tree::Step*> steps = {};  ///< empty if the text is not a copy
     std::vector<const tree::Transition*> transitions = {};
+    std::string list = {};  ///< chart or partial chart of the originals; empty if the text does not contain it
 
 private:
     bool reaches_all(const std::vector<tree::Name>& first) const {
-        Words reached = words(first);
-        for (std::size_t known = 0; known != reached.size();) {
-            known = reached.size();
-            for (const tree::Transition* const each : transitions)
-                if (std::ranges::any_of(own(each->from), [&](const auto& name) { return reached.contains(name.word); }))
-                    reached.merge(words(own(each->to)));
-        }
+        Words reached;
+        std::vector<Id<tree::Word>> queue;
+        std::set<const tree::Transition*> used;
+        const auto reach = [&](const std::vector<tree::Name>& names) {
+            for (const tree::Name& name : names)
+                if (reached.insert(name.word).second) queue.push_back(name.word);
+        };
+        reach(first);
+        for (std::size_t next = 0; next < queue.size(); ++next)
+            if (const auto found = leaving_.find(queue[next]); found != leaving_.end())
+                for (const tree::Transition* const each : found->second)
+                    if (used.insert(each).second) reach(own(each->to));
         return !first.empty() && reached.size() == own_.size();
     }
 
@@ -94,46 +111,72 @@ private:
     tree::File file_ = {};
     std::string_view text_ = {};
     Words own_ = {};
+    std::map<Id<tree::Word>, Transitions> leaving_ = {};  ///< transitions that begin at each step
 };
 
-/// Returns `text` with the variables of the steps in `fresh`, such as `X1`, renamed.
-std::string renamed(std::string_view text, const std::map<std::string, std::string, std::less<>>& fresh) {
-    std::vector<TextEdit> edits;
-    std::string_view last;
-    for (const lsp::Word& word : lsp::words_of(text)) {
-        const std::string_view bytes = text.substr(word.begin, word.end - word.begin);
-        const auto step = bytes.starts_with('X') && last != "." ? fresh.find(bytes.substr(1)) : fresh.end();
-        if (step != fresh.end() && word.kind == lsp::Word::Kind::Name)
-            edits.push_back({word.begin, word.end, 'X' + step->second});
-        last = bytes;
+/// Names of the copies by the names of the originals, and the step variables of other steps in the copied text.
+struct Renaming {
+    std::map<std::string, std::string, std::less<>> fresh = {};
+    std::string owner = {};  ///< chart or partial chart of the originals, without the chart of the partial chart
+    std::set<std::string> others = {};
+
+    /// Returns `text` with the variables of copied steps, such as `X1` or `P.X1`, renamed. Collects all others.
+    std::string operator()(std::string_view text) {
+        std::vector<lsp::Word> words = lsp::words_of(text);
+        std::erase_if(words, [](const lsp::Word& word) { return word.kind == lsp::Word::Kind::Comment; });
+        const auto bytes = [&](std::size_t k) { return text.substr(words[k].begin, words[k].end - words[k].begin); };
+        std::vector<TextEdit> edits;
+        for (std::size_t k = 0; k < words.size(); ++k) {
+            if (words[k].kind != lsp::Word::Kind::Name || !bytes(k).starts_with('X')) continue;
+            const bool is_member = k >= 2 && bytes(k - 1) == ".";
+            const auto step = fresh.find(bytes(k).substr(1));
+            const std::uint32_t begin = words[is_member ? k - 2 : k].begin;
+            if (step != fresh.end() && (!is_member || bytes(k - 2) == owner))
+                edits.push_back({begin, words[k].end, 'X' + step->second});
+            else others.insert((is_member ? std::string(bytes(k - 2)) + '.' : std::string()).append(bytes(k)));
+        }
+        return applied(text, edits);
     }
-    return applied(text, edits);
-}
+};
 
 }  // namespace
 
-Copy copied(std::string_view text, const Elements& elements, const std::vector<std::uint32_t>& at) {
-    const auto bytes = [&](Span where) { return std::string(text.substr(where.begin, where.end - where.begin)); };
-    Copy copy;
+Copy copied(std::string_view text, const tree::File& file, const Elements& elements,
+            const std::vector<std::uint32_t>& at) {
+    if (at.empty()) return {"no step is selected; select or mark the steps", {}};
+    if (at.size() > most_copied) return {fmt::format("at most {} steps can be copied", most_copied), {}};
+    const Layout layout(text, file);
+    const Element* first = nullptr;
+    std::vector<const tree::Step*> steps;
     Words own;
-    const std::vector<tree::ChartItem>* items = nullptr;
     for (const std::uint32_t each : at) {
         const Element* const element = elements.at(each);
         if (element == nullptr || !element->is_step()) return {"only steps can be copied", {}};
         if (element->repeated) return {"a step is declared in a repeated declaration (`for`); copy its text", {}};
-        if (items != nullptr && element->items != items)
+        if (first == nullptr) first = element;
+        if (element->items != first->items)
             return {"the steps belong to different charts or partial charts; copy them separately", {}};
-        items = element->items;
-        if (own.insert(element->step->name.word).second) copy.text += bytes(element->where) + '\n';
+        if (own.insert(element->step->name.word).second) steps.push_back(element->step);
     }
-    if (items == nullptr) return {"select the steps first", {}};
-    const auto touches = [&](const std::vector<tree::Name>& names) {
-        return std::ranges::any_of(names, [&](const tree::Name& name) { return own.contains(name.word); });
-    };
-    for (const tree::ChartItem& item : *items)
-        if (const auto* transition = std::get_if<tree::Transition>(&item);
-            transition != nullptr && (touches(transition->from) || touches(transition->to)))
-            copy.text += bytes(transition->where) + '\n';
+    const Connections connections(file, layout, *first);
+    Copy copy{{}, fmt::format("{}{}\n", origin, name_of_list(file, *first))};
+    for (const tree::Step* const step : steps) {
+        if (std::string obstacle = connections.obstacle(step->name); !obstacle.empty()) return {obstacle, {}};
+        copy.text.append(layout.text(step->where)).append(1, '\n');
+    }
+    const auto is_copied = [&](const tree::Name& name) { return !name.index.valid() && own.contains(name.word); };
+    for (const tree::Transition* const transition : connections.transitions()) {
+        const auto begins = std::ranges::count_if(transition->from, is_copied);
+        const auto ends = std::ranges::count_if(transition->to, is_copied);
+        if (begins + ends == 0) continue;
+        for (const auto& [names, count, verb] :
+             {std::tuple(&transition->from, begins, "begins at"), std::tuple(&transition->to, ends, "leads to")})
+            if (const auto other = std::ranges::find_if_not(*names, is_copied); count > 0 && other != names->end())
+                return {fmt::format("{} also {} step `{}`; copy this step too", connections.title(*transition), verb,
+                                    layout.text(layout.whole(*other))),
+                        {}};
+        copy.text.append(layout.text(transition->where)).append(1, '\n');
+    }
     return copy;
 }
 
@@ -145,9 +188,14 @@ void Planner::paste(const std::string& copied) {
         obstacle_ = "the copied text does not consist of steps and their transitions";
         return;
     }
+    if (fragment.steps.size() > most_copied || fragment.transitions.size() > 2 * most_copied) {
+        obstacle_ = fmt::format("at most {} steps and {} transitions can be pasted", most_copied, 2 * most_copied);
+        return;
+    }
     const std::vector<tree::Name> entries = fragment.entries();
     if (entries.empty()) {
-        obstacle_ = "the copied steps are not connected; copy steps to which links lead from one of them";
+        obstacle_ =
+            "the copied steps are not connected; copy a branch in which all steps can be reached from its first steps";
         return;
     }
     const tree::Transition* transition = element_.transition;
@@ -161,14 +209,19 @@ void Planner::paste(const std::string& copied) {
     const std::vector<tree::Name> from = transition != nullptr ? transition->from : std::vector{element_.step->name};
     const tree::Step* near = from.empty() ? nullptr : connections_.step(from.front());
     if (near == nullptr) near = last_step();
-    std::map<std::string, std::string, std::less<>> fresh;
-    for (const tree::Step* const step : fragment.steps) fresh[fragment.name(*step)] = fresh_step(fragment.name(*step));
+    const std::string here = name_of_list(file_, element_), original = fragment.list.empty() ? here : fragment.list;
+    Renaming renamed{.owner = original.substr(original.find('.') + 1)};
+    // A new step must not be the step that a condition of the copied text reads.
+    for (const tree::Word& word : fragment.words())
+        if (word.text.starts_with('X')) used().insert(word.text);
+    for (const tree::Step* const step : fragment.steps)
+        renamed.fresh[fragment.name(*step)] = fresh_step(fragment.name(*step));
     for (const tree::Step* const step : fragment.steps) {
         const std::string kind = step->kind == tree::StepKind::Macro       ? "macro "
                                  : step->kind == tree::StepKind::Enclosing ? "enclosing "
                                                                            : "";
-        const std::string declaration = kind + "step " + fresh[fragment.name(*step)] +
-                                        renamed(fragment.text(step->name.where.end, step->where.end), fresh);
+        const std::string declaration = kind + "step " + renamed.fresh[fragment.name(*step)] +
+                                        renamed(fragment.text(step->name.where.end, step->where.end));
         const TextEdit edit = layout_.added_after(near != nullptr ? near->where : element_.where, declaration);
         if (step->name.word == entries.front().word) select(edit, declaration);
         else add(edit);
@@ -176,7 +229,7 @@ void Planner::paste(const std::string& copied) {
 
     const auto names = [&](const std::vector<tree::Name>& steps) {
         std::vector<std::string> list;
-        for (const tree::Name& step : steps) list.push_back(fresh.at(std::string(fragment.name(step))));
+        for (const tree::Name& step : steps) list.push_back(renamed.fresh.at(std::string(fragment.name(step))));
         return list_of(list);
     };
     const Span place =
@@ -195,7 +248,23 @@ void Planner::paste(const std::string& copied) {
         const std::string name = fresh_transition(), to = leaves ? targets : names(ends);
         add(layout_.added_after(
             place, fmt::format("transition{} {} ->{}{}{}", name.empty() ? "" : ' ' + name + ':', names(begins),
-                               to.empty() ? "" : " ", to, renamed(fragment.rest(*each), fresh))));
+                               to.empty() ? "" : " ", to, renamed(fragment.rest(*each)))));
+    }
+    if (fragment.list != here) reject_other_steps(renamed.others, original.substr(0, original.find('.')));
+}
+
+void Planner::reject_other_steps(const std::set<std::string>& variables, std::string_view chart) {
+    std::set<std::string_view> steps;
+    for (const Element& each : elements_.all())
+        if (each.is_step()) steps.insert(file_.text(each.step->name));
+    for (const std::string& variable : variables) {
+        const std::size_t dot = variable.rfind('.');
+        if (dot != std::string::npos && chart == file_.text(element_.chart->name)) continue;
+        const std::string name = variable.substr(dot == std::string::npos ? 1 : dot + 2);
+        if (steps.contains(name))
+            obstacle_ = fmt::format(
+                "the copied text reads `{}`, which can be another step here; copy step `{}` too, or edit the text",
+                variable, name);
     }
 }
 

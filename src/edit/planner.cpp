@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <set>
 
 #include "syntax/language/format.hpp"
 
@@ -79,8 +78,6 @@ std::string Planner::fresh_step(const std::vector<tree::Name>& neighbours) {
 }
 
 std::string Planner::fresh_step(std::string stem) {
-    std::set<std::string_view> words;
-    for (const tree::Word& word : file_.words) words.insert(word.text);
     std::uint64_t next = 2;
     if (is_number(stem)) {
         next = 0;
@@ -100,17 +97,19 @@ std::string Planner::fresh_step(std::string stem) {
             stem.resize(digits);
         }
     }
-    const auto taken = [&](const std::string& name) {
-        return words.contains(name) || words.contains('X' + name) || std::ranges::find(names_, name) != names_.end();
-    };
+    const auto taken = [&](const std::string& name) { return used().contains(name) || used().contains('X' + name); };
     std::string name = stem + std::to_string(next);
     while (taken(name)) name = stem + std::to_string(++next);
-    return names_.emplace_back(name);
+    return *used().insert(name).first;
+}
+
+std::set<std::string, std::less<>>& Planner::used() {
+    if (used_.empty())
+        for (const tree::Word& word : file_.words) used_.insert(word.text);
+    return used_;
 }
 
 std::string Planner::fresh_transition() {
-    std::set<std::string_view> words;
-    for (const tree::Word& word : file_.words) words.insert(word.text);
     std::uint64_t next = 1;
     for (const Element& each : elements_.all()) {
         if (each.chart != element_.chart || !each.is_transition()) continue;
@@ -118,8 +117,8 @@ std::string Planner::fresh_transition() {
         ++next;
     }
     std::string name = fmt::format("t{}", next);
-    while (words.contains(name) || std::ranges::find(names_, name) != names_.end()) name = fmt::format("t{}", ++next);
-    return names_.emplace_back(name);
+    while (used().contains(name)) name = fmt::format("t{}", ++next);
+    return *used().insert(name).first;
 }
 
 void Planner::append(std::vector<TextEdit> edits) {

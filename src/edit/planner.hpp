@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Planner: computes one operation on an element of a drawing as edits. The operations are in operations*.cpp, the parts that
-// they share in planner.cpp.
+// Planner: computes one operation on an element of a drawing as edits. The operations are in operations*.cpp, the parts
+// that they share in planner.cpp.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "edit/connections.hpp"
 #include "edit/layout.hpp"
 #include "edit/operations.hpp"
+#include "edit/written.hpp"
 
 namespace grafverif::edit {
 
@@ -29,7 +32,7 @@ public:
 private:
     void execute(const Operation& operation);
 
-    // -- additions --------------------------------------------------------------------------------------------------------
+    // -- additions ----------------------------------------------------------------------------------------------------
 
     /// Adds a step between an element and the elements after it (To) or before it (From).
     void add_neighbour(End side);
@@ -46,11 +49,14 @@ private:
     void add_jump(const Operation& operation);
     void add_action(const std::string& action);
     void paste(const std::string& copied);
+    /// Rejects the operation if one of the step variables of a copied text can denote another step than in the chart
+    /// from which the text was copied: a text of another chart or partial chart.
+    void reject_other_steps(const std::set<std::string>& variables, std::string_view chart);
 
-    // -- declarations -----------------------------------------------------------------------------------------------------
+    // -- declarations -------------------------------------------------------------------------------------------------
 
     void declare(const std::string& declaration);
-    void drive(const std::string& input);
+    void drive(const Declared& input);
     void add_partial(const std::string& name);
     void add_macro();
     void add_enclosing(const std::string& partial);
@@ -58,17 +64,21 @@ private:
     void add_step_with(const std::string& words, const std::string& contents);
     /// Adds the block `head { lines }` at the end of the chart, after an empty line.
     void add_part(const std::string& head, const std::vector<std::string>& lines);
+    /// Returns `name` if the file does not use it; otherwise with a number.
+    std::string fresh_or(const std::string& name);
     /// Returns `stem` with the first number that makes a name that the file does not use.
     std::string fresh_name(const std::string& stem);
+    /// Returns all names of the file and the new names.
+    std::set<std::string, std::less<>>& used();
 
-    // -- changes and deletions --------------------------------------------------------------------------------------------
+    // -- changes and deletions ----------------------------------------------------------------------------------------
 
     void replace(const std::string& written);
     void remove();
     void remove_action();
     void remove_assignment();
 
-    // -- parts --------------------------------------------------------------------------------------------------------------
+    // -- parts --------------------------------------------------------------------------------------------------------
 
     /// Returns the position of an action with its `;`.
     static Span declared(const tree::Action& action);
@@ -93,7 +103,7 @@ private:
     /// Returns the name of a new transition; empty if a transition of the chart has no name.
     std::string fresh_transition();
 
-    // -- the result ---------------------------------------------------------------------------------------------------------
+    // -- the result ---------------------------------------------------------------------------------------------------
 
     void add(TextEdit edit) { edits_.push_back(std::move(edit)); }
     void add(std::vector<TextEdit> edits) { append(std::move(edits)); }
@@ -109,12 +119,12 @@ private:
     Connections connections_;
     std::vector<TextEdit> edits_ = {};
     std::string obstacle_ = {};
-    std::vector<std::string> names_ = {};          ///< new names
-    std::string new_words_ = "step ";              ///< words before the name of a new step of `add_neighbour`
-    std::string new_contents_ = {};                ///< words after its name
-    std::optional<std::size_t> selected_in_ = {};  ///< index of the edit that adds the selected element
-    std::size_t selected_at_ = 0;                  ///< offset of this element in the replacement
-    std::optional<std::uint32_t> selected_ = {};   ///< position of a selected element before the edits
+    std::set<std::string, std::less<>> used_ = {};  ///< see used(); empty before the first use
+    std::string new_words_ = "step ";               ///< words before the name of a new step of `add_neighbour`
+    std::string new_contents_ = {};                 ///< words after its name
+    std::optional<std::size_t> selected_in_ = {};   ///< index of the edit that adds the selected element
+    std::size_t selected_at_ = 0;                   ///< offset of this element in the replacement
+    std::optional<std::uint32_t> selected_ = {};    ///< position of a selected element before the edits
 };
 
 }  // namespace grafverif::edit

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "support/wording.hpp"
+#include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
 
 namespace grafverif::edit {
@@ -26,7 +27,7 @@ std::string fault_of(const std::string& written, std::string_view what, const st
                            diagnostics.all().empty() ? "syntax error" : diagnostics.all().front().message);
     const auto* chart = file.declarations.size() == 1 ? std::get_if<tree::Chart>(&file.declarations[0]) : nullptr;
     const auto* item = chart != nullptr && chart->items.size() == 1 ? std::get_if<Item>(&chart->items[0]) : nullptr;
-    if (item != nullptr && accepts(*item)) return {};
+    if (item != nullptr && accepts(*item, file)) return {};
     return fmt::format("`{}` is not {}", messages::clipped(written), what);
 }
 
@@ -42,22 +43,35 @@ std::string trimmed(std::string_view text) {
 std::string fault_of_condition(const std::string& text) {
     return fault_of<tree::Transition>(
         text, "a condition", "grafcet g { transition t: a -> b when ",
-        [](const tree::Transition& t) { return t.condition.valid() && t.assignments.empty(); });
+        [](const tree::Transition& t, const tree::File&) { return t.condition.valid() && t.assignments.empty(); });
 }
 
 std::string fault_of_action(const std::string& text) {
     return fault_of<tree::Step>(text, "one action", "grafcet g { step s { ",
-                                [](const tree::Step& step) { return step.actions.size() == 1; });
+                                [](const tree::Step& step, const tree::File&) { return step.actions.size() == 1; });
 }
 
 std::string fault_of_assignment(const std::string& text) {
-    return fault_of<tree::Transition>(text, "one assignment", "grafcet g { transition t: a -> b when c do ",
-                                      [](const tree::Transition& t) { return t.assignments.size() == 1; });
+    return fault_of<tree::Transition>(
+        text, "one assignment", "grafcet g { transition t: a -> b when c do ",
+        [](const tree::Transition& t, const tree::File&) { return t.assignments.size() == 1; });
 }
 
-std::string fault_of_declaration(const std::string& text) {
-    return fault_of<tree::Variables>(text, "the declaration of one variable", "grafcet g {",
-                                     [](const tree::Variables& all) { return all.variables.size() == 1; });
+Declared declared_variable(const std::string& text) {
+    Declared found;
+    const auto take = [&](const tree::Variables& all, const tree::File& file) {
+        if (all.variables.size() != 1) return false;
+        const tree::Variable& variable = all.variables.front();
+        found.kind = all.kind;
+        found.name = file.text(variable.name);
+        found.has_index = variable.name.index.valid();
+        if (variable.range)
+            found.range = fmt::format(", LOW = {}, HIGH = {}", formatted(file, variable.range->low),
+                                      formatted(file, variable.range->high));
+        return true;
+    };
+    found.fault = fault_of<tree::Variables>(text, "the declaration of one variable", "grafcet g {", take);
+    return found;
 }
 
 }  // namespace grafverif::edit

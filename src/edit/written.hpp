@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "syntax/language/tree.hpp"
+
 namespace grafverif::edit {
 
 /// Returns `text` without white space at both ends and without the `;` at its end.
@@ -15,7 +17,15 @@ std::string fault_of_condition(const std::string& text);
 std::string fault_of_action(const std::string& text);
 /// For an assignment of a transition, `n := 0`.
 std::string fault_of_assignment(const std::string& text);
-/// For the declaration of one variable of a chart, `output n: int 0..3 = 1`.
-std::string fault_of_declaration(const std::string& text);
+
+/// The declaration of one variable of a chart, `output n: int 0..3 = 1`.
+struct Declared {
+    std::string fault = {};  ///< if not empty, the other members are empty
+    tree::VariableKind kind = tree::VariableKind::Input;
+    std::string name = {};
+    bool has_index = false;
+    std::string range = {};  ///< arguments of a component for the range of an integer, `, LOW = 0, HIGH = 3`
+};
+Declared declared_variable(const std::string& text);
 
 }  // namespace grafverif::edit

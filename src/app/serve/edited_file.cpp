@@ -296,7 +296,7 @@ std::string EditedFile::copy(const nlohmann::ordered_json& request) {
     return json_text(Json{{"problem", printable(copy.obstacle)}, {"text", page_text(copy.text)}}, -1);
 }
 
-/// Returns proposals between the texts `before` and `after` of a page.
+/// Returns proposals between the texts `before` and `after` of a page. Reads only immutable members, without the lock.
 std::string EditedFile::completion(const nlohmann::ordered_json& request) const {
     const std::string before = text_in(request, "before"), text = before + text_in(request, "after");
     Json list = Json::array();
@@ -369,9 +369,9 @@ std::string EditedFile::respond(const std::string& path, const std::string& body
     const Json json = shallow_json(body, 3);
     if (!json.is_object()) return json_text(Json{{"problem", "malformed request; send a JSON object"}}, -1);
     const bool trial = path == "/edit" && json.contains("trial") && json["trial"] == true;
+    if (path == "/completion") return completion(json);
     std::unique_lock lock(mutex_);
     if (path == "/copy") return copy(json);
-    if (path == "/completion") return completion(json);
     if (!trial && path != "/save") changing_();
     edit::Change change;
     const std::string before = document_.text();

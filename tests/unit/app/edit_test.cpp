@@ -74,10 +74,11 @@ TEST(EditedFile, StepsAreCopiedAndPasted) {
     Session session(folder);
     const Json copy = session.ask("/copy", {{"steps", Json::array({session.element("c0-step-1")["at"]})}});
     EXPECT_EQ(copy["problem"], "");
-    EXPECT_EQ(copy["text"], "step 1;\ntransition on: 0 -> 1 when ON;\ntransition off: 1 -> 0 when !ON;\n");
+    EXPECT_EQ(copy["text"],
+              "// steps of lamp\nstep 1;\ntransition on: 0 -> 1 when ON;\ntransition off: 1 -> 0 when !ON;\n");
     EXPECT_EQ(session.problem("/copy", {{"steps", Json::array({session.element("c0-transition-on")["at"], "x", -1})}}),
               "only steps can be copied");
-    EXPECT_EQ(session.problem("/copy"), "select the steps first");
+    EXPECT_EQ(session.problem("/copy"), "no step is selected; select or mark the steps");
     const Json old = Json::parse(session.file().respond("/copy", R"({"version": 99, "steps": [0]})"));
     EXPECT_EQ(old["problem"], "the text has changed in the meantime; copy again");
     EXPECT_EQ(session.problem(

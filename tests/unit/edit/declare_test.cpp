@@ -44,6 +44,39 @@ TEST(EditDeclare, InputOfAControlledChartIsDriven) {
         .expect("OUT = OFF);\n", "OUT = OFF);\n    environment DOOR_any = free(OUT = DOOR);\n");
 }
 
+TEST(EditDeclare, IntegerInputOfAControlledChartIsDrivenWithinItsRange) {
+    Editing edit(std::string(lamp) +
+                 "closed_loop l {\n    controller lamp;\n    environment a = free(OUT = ON);\n"
+                 "    environment n_any = free(OUT = OFF);\n    property P: never LAMP && FAN;\n}\n");
+    edit.perform(OperationKind::Declare, "step 1", "input /* level */ n: int 1..3");
+    edit.expect("input ON, OFF;\n", "input ON, OFF;\n    input /* level */ n: int 1..3;\n")
+        .expect("OUT = OFF);\n", "OUT = OFF);\n    environment n_any1 = free_integer(OUT = n, LOW = 1, HIGH = 3);\n");
+    EXPECT_EQ(
+        edit.obstacle(OperationKind::Declare, "step 1", "input FULL[1]"),
+        "`FULL` has an index, and closed loop `l` controls the chart; declare the input and its environment in the "
+        "text");
+}
+
+TEST(EditDeclare, InputOfAnInstanceIsRejected) {
+    Editing edit(
+        "grafcet g(input A) {\n    initial step 0;\n}\n"
+        "closed_loop l {\n    environment b = free(OUT = B);\n    controller c = g(A = B);\n"
+        "    property P: never c.X0 && !c.X0;\n}\n");
+    EXPECT_EQ(edit.obstacle(OperationKind::Declare, "initial", "input D"),
+              "`c` is an instance of the chart; declare the input in the text, and pass it to the instance");
+}
+
+TEST(EditDeclare, ExpansionOfAMacroStepHasNewNames) {
+    Editing edit(
+        "grafcet g {\n    input A;\n    initial step E;\n    step S;\n    transition E -> S when A;\n    transition S "
+        "-> E when XE;\n}\n");
+    edit.perform(OperationKind::Macro, "step S");
+    edit.expect("step S;\n", "step S;\n    macro step S2 expands E1;\n")
+        .expect("S -> E when XE;\n}",
+                "S2 -> E when XE;\n    transition S -> S2 when true;\n\n    expansion E1 {\n        entry step E2;\n"
+                "        exit step S1;\n        transition E2 -> S1 when true;\n    }\n}");
+}
+
 TEST(EditDeclare, PartialChartHasAnInitialStep) {
     Editing edit(lamp);
     edit.perform(OperationKind::Partial, "step 1", "G2");
@@ -73,8 +106,8 @@ TEST(EditDeclare, MacroStepHasAnExpansion) {
         .expect("off: 2 -> 0 when OFF && !ON;\n",
                 "off: 2 -> 4 when OFF && !ON;\n    transition t6: 4 -> 0 when true;\n")
         .expect("E -> S when true;\n    }\n",
-                "E -> S when true;\n    }\n\n    expansion E2 {\n        entry step E;\n        exit step S;\n"
-                "        transition t7: E -> S when true;\n    }\n");
+                "E -> S when true;\n    }\n\n    expansion E2 {\n        entry step E3;\n        exit step S1;\n"
+                "        transition t7: E3 -> S1 when true;\n    }\n");
 }
 
 TEST(EditDeclare, EnclosingStepEnclosesKnownAndNewPartialCharts) {
