@@ -11,7 +11,6 @@
 
 #include "check/inputs/plc_cycle.hpp"
 #include "check/inputs/resting.hpp"
-#include "ir/junction.hpp"
 #include "ir/network/variables.hpp"
 #include "ir/slots.hpp"
 
@@ -40,6 +39,17 @@ struct Group {
     bool is_steady = false;
 };
 
+bool is_request(const std::vector<TimerRequest>& requests, VariableId variable) {
+    return std::ranges::find(requests, variable, &TimerRequest::request) != requests.end();
+}
+
+/// Returns the condition that the bits have the values of `valuation`.
+Literal have_values(Gates& gates, const Bits& bits, const Valuation& valuation) {
+    Literal result = Gates::yes;
+    for (std::size_t i = 0; i < bits.size(); ++i) result = gates.both(result, bits[i] ^ (valuation[i] ? 0U : 1U));
+    return result;
+}
+
 class EvolutionProof {
 public:
     EvolutionProof(const Network& network, const Network::Controller& controller,
@@ -58,6 +68,8 @@ public:
         if (!cycle_.build()) return false;
         for (const auto& [variable, bits] : cycle_.before)
             if (constant.contains(variable)) (cycle_.next.contains(variable) ? kept_ : steady_).insert(variable);
+        for (const TimerRequest& request : requests_)
+            if (waits_for(request.request)) awaited_.push_back(&request);
         find_groups();
         if (may_have_error()) return false;
         for (bool grows = true; std::exchange(grows, false);)
@@ -185,11 +197,8 @@ private:
     /// Returns the condition that the bits are a reachable valuation of the group.
     static Literal is_reachable(Gates& gates, const Group& group, const Bits& bits) {
         Literal result = Gates::no;
-        for (const Valuation& valuation : group.valuations) {
-            Literal row = Gates::yes;
-            for (std::size_t i = 0; i < bits.size(); ++i) row = gates.both(row, bits[i] ^ (valuation[i] ? 0U : 1U));
-            result = gates.either(result, row);
-        }
+        for (const Valuation& valuation : group.valuations)
+            result = gates.either(result, have_values(gates, bits, valuation));
         return result;
     }
 
@@ -218,7 +227,8 @@ private:
         Bits roots{cycle_.enabled};
         roots.insert(roots.end(), group.next.begin(), group.next.end());
         for (const auto& [variable, bits] : cycle_.next)
-            if (steady_.contains(variable) || is_request(variable)) roots.insert(roots.end(), bits.begin(), bits.end());
+            if (steady_.contains(variable) || is_request(requests_, variable))
+                roots.insert(roots.end(), bits.begin(), bits.end());
         const std::vector<std::uint32_t> nodes = cone(cycle_.circuit.gates, roots);
         Circuit copies;
         Gates& gates = copies.gates;
@@ -277,22 +287,21 @@ private:
             copies[node] =
                 cycle_.circuit.gates.is_gate(node) ? gates.both(copy(gate.left), copy(gate.right)) : gates.source();
         }
-        Literal result = copy(cycle_.enabled);
-        for (std::size_t i = 0; i < to.size(); ++i)
-            result = gates.both(result, copy(group.next[i]) ^ (to[i] ? 0U : 1U));
+        Bits next;
+        for (const Literal bit : group.next) next.push_back(copy(bit));
+        Literal result = gates.both(copy(cycle_.enabled), have_values(gates, next, to));
         for (const auto& [variable, bits] : cycle_.next) {
             if (!steady_.contains(variable)) continue;
             for (std::size_t place = 0; place < bits.size(); ++place)
                 result = gates.both(result, equal(gates, copy(bits[place]), copy(cycle_.before.at(variable)[place])));
         }
-        for (const TimerRequest& request : requests_) {
-            const auto requested = cycle_.next.find(request.request);
-            if (requested == cycle_.next.end() || !waits_for(request.request)) continue;
-            for (const auto& [output, value] : request.results) {
+        for (const TimerRequest* const request : awaited_) {
+            const Literal is_requested = copy(cycle_.next.at(request->request).front());
+            for (const auto& [output, value] : request->results) {
                 const auto at = cycle_.before.find(output);
                 if (at == cycle_.before.end() || !steady_.contains(output)) continue;
                 const Literal has_value = sources.at(node_of(at->second.front())) ^ (value ? 0U : 1U);
-                result = gates.both(result, gates.either(copy(requested->second.front()) ^ 1U, has_value));
+                result = gates.both(result, gates.either(is_requested ^ 1U, has_value));
             }
         }
         return result;
@@ -300,21 +309,13 @@ private:
 
     static Literal equal(Gates& gates, Literal left, Literal right) { return gates.choice(left, right, right ^ 1U); }
 
-    bool is_request(VariableId variable) const {
-        return std::ranges::find(requests_, variable, &TimerRequest::request) != requests_.end();
-    }
-    /// True if no cycle of the PLC begins while the request is pending.
+    /// True if the PLC assigns the request, and no cycle of the PLC begins while the request is pending.
     bool waits_for(VariableId request) const {
         const Slots slots(network_, controller_.process);
-        return std::ranges::all_of(slots.automaton.edges, [&](const Network::Edge& edge) {
-            if (edge.from != controller_.waiting) return true;
-            const auto conjuncts = operands_of(network_.exprs, edge.guard, Op::And);
-            return std::ranges::any_of(conjuncts, [&](Id<Expr> conjunct) {
-                if (network_.exprs[conjunct].op != Op::Not) return false;
-                const Expr& negated = network_.exprs[network_.exprs.operands(conjunct)[0]];
-                return negated.op == Op::Variable && slots.variable(negated) == request;
-            });
-        });
+        return cycle_.next.contains(request) &&
+               std::ranges::all_of(slots.automaton.edges, [&](const Network::Edge& edge) {
+                   return edge.from != controller_.waiting || has_conjunct(network_.exprs, edge.guard, request, true);
+               });
     }
 
     /// Returns the condition that the bits represent a value of the variable's type.
@@ -356,6 +357,7 @@ private:
     PlcCycle cycle_;
     std::set<VariableId> kept_ = {};  // variables that only the PLC assigns from some time on
     std::set<VariableId> steady_ = {};
+    std::vector<const TimerRequest*> awaited_ = {};  // requests that timers accept before the next cycle
     std::vector<Group> groups_ = {};
 };
 
@@ -364,16 +366,13 @@ private:
 std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
                                    const pdr::SolverLimits& limits) {
     const std::vector<TimerRequest> requests = requests_of(network);
-    const auto is_request = [&](VariableId variable) {
-        return std::ranges::find(requests, variable, &TimerRequest::request) != requests.end();
-    };
     std::set<Id<Network::Process>> open;  // PLCs whose evolutions may not end
     for (const Network::Controller& controller : network.controllers) open.insert(controller.process);
     pdr::LimitMonitor monitor(limits);
     const auto ends = [&](const Network::Controller& controller) {
         std::set<VariableId> shared, constant;
         for (const VariableId variable : network.variables.ids())
-            if (!is_request(variable)) constant.insert(variable);
+            if (!is_request(requests, variable)) constant.insert(variable);
         for (const Id<Network::Process> id : network.processes.ids()) {
             if (id == controller.process) continue;
             for (const VariableId variable : Slots(network, id).written()) {

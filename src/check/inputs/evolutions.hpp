@@ -29,9 +29,9 @@
 namespace grafverif {
 
 /// Returns true under two conditions. No reachable edge of a PLC has a model error. Each infinite run of urgent edges
-/// contains infinitely many edges of other processes than PLCs and timers that assign variables of PLCs. Returns false
-/// if there is no proof, and nullopt if a limit is reached. Requires that `network` is expanded, has no observers, and
-/// satisfies lets_time_pass (check/inputs/resting.hpp). `instances` are its abstractable processes.
+/// contains infinitely many edges of other processes than PLCs and timers that assign variables which PLCs read.
+/// Returns false if there is no proof, and nullopt if a limit is reached. Requires that `network` is expanded, has no
+/// observers, and satisfies lets_time_pass (check/inputs/resting.hpp). `instances` are its abstractable processes.
 std::optional<bool> evolutions_end(const Network& network, const std::vector<AbstractableProcess>& instances,
                                    const pdr::SolverLimits& limits);
 

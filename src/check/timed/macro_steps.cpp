@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "ir/junction.hpp"
 #include "ir/network/variables.hpp"
 #include "ir/slots.hpp"
 
@@ -156,12 +155,7 @@ private:
     }
 
     bool has_conjunct(Id<Expr> guard, Id<Network::Variable> variable, bool negated) const {
-        return std::ranges::any_of(operands_of(network_.exprs, guard, Op::And), [&](Id<Expr> conjunct) {
-            const bool is_negation = network_.exprs[conjunct].op == Op::Not;
-            const Expr& node = network_.exprs[is_negation ? network_.exprs.operands(conjunct)[0] : conjunct];
-            return is_negation == negated && node.op == Op::Variable &&
-                   static_cast<std::uint32_t>(node.value) == variable.index;
-        });
+        return grafverif::has_conjunct(network_.exprs, guard, variable, negated);
     }
 
     /// Returns the variables that a process, the condition of quiescence, or a property that is not only evaluated in
@@ -376,8 +370,7 @@ void MacroSteps::append(Word* words, std::uint32_t edge, std::size_t depth, cons
     if (buffers.levels.size() <= depth) buffers.levels.resize(depth + 1);
     Moves moves = std::move(buffers.levels[depth]);
     const std::size_t size = machine_->layout().words;
-    const bool continues = is_transient(words, moves) && is_covered(words, moves, first, buffers);
-    if (continues) {
+    if (is_transient(words, moves) && is_covered(words, moves, first, buffers)) {
         buffers.computed += moves.edges.size();
         for (std::size_t i = 0; i < moves.edges.size(); ++i)
             append(moves.words.data() + i * size, edge, depth + 1, first, buffers);

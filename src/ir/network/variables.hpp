@@ -2,7 +2,10 @@
 // Functions that find the variables that a term of a network reads.
 #pragma once
 
+#include <algorithm>
+
 #include "grafverif/ir/network.hpp"
+#include "ir/junction.hpp"
 
 namespace grafverif {
 
@@ -16,6 +19,15 @@ template <class Visit>
 void each_variable(const Exprs& exprs, Id<Expr> term, const Visit& visit) {
     for (const Id<Expr> leaf : leaves(exprs, term))
         if (exprs[leaf].op == Op::Variable) visit(variable_of(exprs, leaf));
+}
+
+/// True if `variable`, or its negation if `negated` is true, is a conjunct of `guard`.
+inline bool has_conjunct(const Exprs& exprs, Id<Expr> guard, Id<Network::Variable> variable, bool negated) {
+    return std::ranges::any_of(operands_of(exprs, guard, Op::And), [&](Id<Expr> conjunct) {
+        const bool is_negation = exprs[conjunct].op == Op::Not;
+        const Id<Expr> term = is_negation ? exprs.operands(conjunct)[0] : conjunct;
+        return is_negation == negated && exprs[term].op == Op::Variable && variable_of(exprs, term) == variable;
+    });
 }
 
 }  // namespace grafverif
