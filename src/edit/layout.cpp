@@ -81,11 +81,7 @@ bool Layout::ends_line(std::uint32_t offset) const {
 }
 
 TextEdit Layout::added_after(Span where, const std::string& declaration) const {
-    if (!begins_line(where.begin) || !ends_line(where.end)) return {where.end, where.end, ' ' + declaration};
-    const std::uint32_t first = line_begin(where.begin), end = line_end(where.end);
-    const std::string indentation(text_.substr(first, where.begin - first));
-    const std::string line = text_.substr(end, 2) == "\r\n" ? "\r\n" : "\n";
-    return {end, end, line + indentation + declaration};
+    return added_lines_after(where, {declaration});
 }
 
 TextEdit Layout::added_lines_after(Span where, const std::vector<std::string>& lines) const {

@@ -42,7 +42,7 @@ void Planner::execute(const Operation& operation) {
     }
 }
 
-void Planner::add_neighbour(End side) {
+void Planner::add_neighbour(End side, const std::string& words, const std::string& contents) {
     const bool forward = side == End::To;
     if (element_.is_transition()) {
         const tree::Transition& transition = *element_.transition;
@@ -50,7 +50,7 @@ void Planner::add_neighbour(End side) {
             for (const tree::Name& name : transition.from) reject_readers({&transition}, name);
         const std::string fresh = fresh_step(transition.from.empty() ? transition.to : transition.from);
         const std::string others = connections_.written(transition, side);
-        add_step(fresh, transition.from);
+        add_step(fresh, transition.from, words, contents);
         add(connections_.replaced_all(transition, side, fresh));
         add_link(transition.where, forward ? fresh : others, forward ? others : fresh, "true");
         return;
@@ -60,7 +60,7 @@ void Planner::add_neighbour(End side) {
     const std::string fresh = fresh_step({step.name}), name(layout_.text(step.name.where));
     const Transitions links = forward ? connections_.outgoing(step.name) : connections_.incoming(step.name);
     if (forward) reject_readers(links, step.name);
-    select(layout_.added_after(step.where, new_words_ + fresh + new_contents_ + ';'), new_words_);
+    select(layout_.added_after(step.where, words + fresh + contents + ';'), words);
     for (const tree::Transition* const link : links)
         add(connections_.replaced(*link, forward ? End::From : End::To, step.name, {fresh}));
     const Span place =
@@ -168,8 +168,7 @@ void Planner::add_jump(const Operation& operation) {
     const Transitions links = connections_.outgoing(step.name);
     add_link(place_of_link(links, connections_.incoming(step.name)), std::string(layout_.text(step.name.where)), name,
              exclusive(links));
-    selected_in_ = edits_.size() - 1;
-    selected_at_ = edits_.back().replacement.find("transition");
+    select_last("transition");
 }
 
 void Planner::add_action(const std::string& action) {
@@ -215,8 +214,8 @@ void Planner::replace(const std::string& written) {
 void Planner::remove() {
     if (element_.action != nullptr) return remove_action();
     if (element_.assignment != nullptr) return remove_assignment();
-    append(element_.is_step() ? connections_.without_step(*element_.step, obstacle_)
-                              : connections_.without_transition(*element_.transition, obstacle_));
+    add(element_.is_step() ? connections_.without_step(*element_.step, obstacle_)
+                           : connections_.without_transition(*element_.transition, obstacle_));
 }
 
 void Planner::remove_action() {
@@ -237,7 +236,7 @@ void Planner::remove_assignment() {
     std::vector<Span> places;
     for (const tree::Assignment& each : transition.assignments) places.push_back(each.where);
     const auto index = static_cast<std::size_t>(element_.assignment - transition.assignments.data());
-    if (places.size() > 1) return append(layout_.removed_name(places, index));
+    if (places.size() > 1) return add(layout_.removed_name(places, index));
     const std::uint32_t after = layout_.condition(transition).end;  // without brackets
     std::uint32_t begin = after;
     for (const lsp::Word& word : lsp::words_of(text_.substr(after, places[0].begin - after)))

@@ -83,13 +83,12 @@ void Planner::drive(const Declared& input) {
 void Planner::add_partial(const std::string& name) {
     if (obstacle_ = not_a_name(name); !obstacle_.empty()) return;
     add_part("partial " + name, {"initial step " + fresh_step("0") + ';'});
-    selected_in_ = edits_.size() - 1;
-    selected_at_ = edits_.back().replacement.find("initial step");
+    select_last("initial step");
 }
 
 void Planner::add_macro() {
     const std::string expansion = fresh_name("E");
-    add_step_with("macro step ", " expands " + expansion);
+    add_neighbour(End::To, "macro step ", " expands " + expansion);
     if (!obstacle_.empty()) return;
     const std::string entry = fresh_or("E"), exit = fresh_or("S"), link = fresh_transition();
     add_part("expansion " + expansion,
@@ -99,18 +98,12 @@ void Planner::add_macro() {
 
 void Planner::add_enclosing(const std::string& partial) {
     if (obstacle_ = not_a_name(partial); !obstacle_.empty()) return;
-    add_step_with("enclosing step ", " encloses " + partial);
+    add_neighbour(End::To, "enclosing step ", " encloses " + partial);
     const bool is_known = std::ranges::any_of(element_.chart->items, [&](const tree::ChartItem& item) {
         const auto* known = std::get_if<tree::Partial>(&item);
         return known != nullptr && file_.text(known->name) == partial;
     });
     if (obstacle_.empty() && !is_known) add_part("partial " + partial, {"linked step " + fresh_step("0") + ';'});
-}
-
-void Planner::add_step_with(const std::string& words, const std::string& contents) {
-    new_words_ = words;
-    new_contents_ = contents;
-    add_neighbour(End::To);
 }
 
 void Planner::add_part(const std::string& head, const std::vector<std::string>& lines) {
@@ -122,12 +115,11 @@ void Planner::add_part(const std::string& head, const std::vector<std::string>& 
 
 std::string Planner::fresh_name(const std::string& stem) {
     for (int number = 1;; ++number)
-        if (std::string name = stem + std::to_string(number); !used().contains(name) && !used().contains('X' + name))
-            return *used().insert(name).first;
+        if (std::string name = stem + std::to_string(number); !is_used(name)) return *used().insert(name).first;
 }
 
 std::string Planner::fresh_or(const std::string& name) {
-    if (used().contains(name) || used().contains('X' + name)) return fresh_name(name);
+    if (is_used(name)) return fresh_name(name);
     return *used().insert(name).first;
 }
 

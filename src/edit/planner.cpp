@@ -23,11 +23,12 @@ Span Planner::declared(const tree::Action& action) {
     return {place.source, place.begin, place.end + 1};
 }
 
-void Planner::add_step(const std::string& fresh, const std::vector<tree::Name>& neighbours) {
+void Planner::add_step(const std::string& fresh, const std::vector<tree::Name>& neighbours, const std::string& words,
+                       const std::string& contents) {
     const tree::Step* near = neighbours.empty() ? nullptr : connections_.step(neighbours.front());
     if (near == nullptr) near = last_step();
     const Span place = near != nullptr ? near->where : element_.where;
-    select(layout_.added_after(place, new_words_ + fresh + new_contents_ + ';'), new_words_);
+    select(layout_.added_after(place, words + fresh + contents + ';'), words);
 }
 
 const tree::Step* Planner::last_step() const {
@@ -97,9 +98,8 @@ std::string Planner::fresh_step(std::string stem) {
             stem.resize(digits);
         }
     }
-    const auto taken = [&](const std::string& name) { return used().contains(name) || used().contains('X' + name); };
     std::string name = stem + std::to_string(next);
-    while (taken(name)) name = stem + std::to_string(++next);
+    while (is_used(name)) name = stem + std::to_string(++next);
     return *used().insert(name).first;
 }
 
@@ -121,14 +121,18 @@ std::string Planner::fresh_transition() {
     return *used().insert(name).first;
 }
 
-void Planner::append(std::vector<TextEdit> edits) {
+void Planner::add(std::vector<TextEdit> edits) {
     for (TextEdit& edit : edits) edits_.push_back(std::move(edit));
 }
 
 void Planner::select(TextEdit edit, std::string_view words) {
-    selected_in_ = edits_.size();
-    selected_at_ = edit.replacement.find(words);
-    edits_.push_back(std::move(edit));
+    add(std::move(edit));
+    select_last(words);
+}
+
+void Planner::select_last(std::string_view words) {
+    selected_in_ = edits_.size() - 1;
+    selected_at_ = edits_.back().replacement.find(words);
 }
 
 Plan Planner::finished() {

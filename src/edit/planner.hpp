@@ -35,7 +35,8 @@ private:
     // -- additions ----------------------------------------------------------------------------------------------------
 
     /// Adds a step between an element and the elements after it (To) or before it (From).
-    void add_neighbour(End side);
+    /// `words` are written before the name of the step, and `contents` after it.
+    void add_neighbour(End side, const std::string& words = "step ", const std::string& contents = {});
 
     /// Rejects the operation if one of `links`, which will no longer begin at `step`, reads its step variable: the
     /// condition `3s/X1` would never be true.
@@ -60,14 +61,14 @@ private:
     void add_partial(const std::string& name);
     void add_macro();
     void add_enclosing(const std::string& partial);
-    /// Adds a step as StepAfter does, with `words` before its name and `contents` after it.
-    void add_step_with(const std::string& words, const std::string& contents);
     /// Adds the block `head { lines }` at the end of the chart, after an empty line.
     void add_part(const std::string& head, const std::vector<std::string>& lines);
     /// Returns `name` if the file does not use it; otherwise with a number.
     std::string fresh_or(const std::string& name);
     /// Returns `stem` with the first number that makes a name that the file does not use.
     std::string fresh_name(const std::string& stem);
+    /// True if the file, or the new text, contains the name or the step variable of a step with this name.
+    bool is_used(const std::string& name) { return used().contains(name) || used().contains('X' + name); }
     /// Returns all names of the file and the new names.
     std::set<std::string, std::less<>>& used();
 
@@ -84,7 +85,8 @@ private:
     static Span declared(const tree::Action& action);
 
     /// Adds a step after the declaration of the first of `neighbours`; if it is not in the list, after the last step.
-    void add_step(const std::string& fresh, const std::vector<tree::Name>& neighbours);
+    void add_step(const std::string& fresh, const std::vector<tree::Name>& neighbours,
+                  const std::string& words = "step ", const std::string& contents = {});
     const tree::Step* last_step() const;
 
     /// Returns the declaration after which a new transition is added: the last of `near`, otherwise the last of `next`,
@@ -106,10 +108,11 @@ private:
     // -- the result ---------------------------------------------------------------------------------------------------
 
     void add(TextEdit edit) { edits_.push_back(std::move(edit)); }
-    void add(std::vector<TextEdit> edits) { append(std::move(edits)); }
-    void append(std::vector<TextEdit> edits);
+    void add(std::vector<TextEdit> edits);
     /// Adds an edit, and selects the declaration in its replacement that begins with `words`.
     void select(TextEdit edit, std::string_view words);
+    /// Selects the declaration in the last edit that begins with `words`.
+    void select_last(std::string_view words);
     Plan finished();
     std::string_view text_;
     const tree::File& file_;
@@ -120,8 +123,6 @@ private:
     std::vector<TextEdit> edits_ = {};
     std::string obstacle_ = {};
     std::set<std::string, std::less<>> used_ = {};  ///< see used(); empty before the first use
-    std::string new_words_ = "step ";               ///< words before the name of a new step of `add_neighbour`
-    std::string new_contents_ = {};                 ///< words after its name
     std::optional<std::size_t> selected_in_ = {};   ///< index of the edit that adds the selected element
     std::size_t selected_at_ = 0;                   ///< offset of this element in the replacement
     std::optional<std::uint32_t> selected_ = {};    ///< position of a selected element before the edits
