@@ -159,10 +159,9 @@ private:
         const auto property = std::ranges::find(loop().properties, selection(answer), &Property::name);
         if (property == loop().properties.end()) return "applies only to grain atomic";
         const bool about_state = is_about_single_states(property->pattern);
-        const bool has_run =
-            answer.verdict.outcome == Outcome::Holds
-                ? property->pattern == Pattern::Reachable || property->pattern == Pattern::ReachableAllSteps
-                : about_state && property->pattern != Pattern::Reachable;
+        const bool has_run = answer.verdict.outcome == Outcome::Holds
+                                 ? is_about_existence(property->pattern)
+                                 : about_state && property->pattern != Pattern::Reachable;
         return has_run ? "valid for grain phased" : "applies only to grain atomic";
     }
 

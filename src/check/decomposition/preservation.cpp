@@ -86,7 +86,7 @@ bool settled_separately(Pattern pattern) { return is_about_states(pattern); }
 
 void mark_vacuous(Verdict& verdict, const std::vector<const OmittedSubsystem*>& left_out) {
     const char* const why = "time does not pass in this model";
-    const bool wanted = verdict.pattern == Pattern::Reachable || verdict.pattern == Pattern::ReachableAllSteps;
+    const bool wanted = is_about_existence(verdict.pattern);
     if (verdict.outcome != Outcome::Holds || wanted) return;
     for (const OmittedSubsystem* const other : left_out) {
         if (!other->searched || other->time_passes) continue;

@@ -123,7 +123,7 @@ void PropertyQueries::holds_unless(PropertyQuery& query, UnknownReason obstacle,
 void PropertyQueries::result_state(PropertyQuery& query, Graph& graph) const {
     const std::uint32_t state = monitor_.found(query.search);
     const Pattern pattern = query.property->pattern;
-    const bool wanted = pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
+    const bool wanted = is_about_existence(pattern);
     if (state != PropertyMonitor::none) {
         violated(query.verdict, graph.run_to(state));
         if (wanted) query.verdict.outcome = Outcome::Holds;
@@ -291,8 +291,7 @@ void PropertyQueries::mark_vacuous(PropertyQuery& query, const Graph& graph) con
         verdict.vacuous = true;
         verdict.notes.emplace_back(why);
     };
-    if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock)
-        return;
+    if (is_about_existence(pattern) || pattern == Pattern::NoTimelock) return;
     if (!graph.time_passes) vacuous("time does not pass in this model");
     if (is_declared_response(*query.property) && monitor_.found(query.search) == PropertyMonitor::none)
         vacuous("the premise is never true");

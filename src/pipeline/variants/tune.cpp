@@ -271,8 +271,7 @@ private:
     /// True if the verdict on the relaxation is also the verdict at `point` (docs/explanation/parameters.md).
     bool is_shared(Job& job, std::size_t row, const Verdict& verdict, std::size_t point) {
         const Pattern pattern = verdict.pattern;
-        if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps)
-            return verdict.outcome == Outcome::Violated;
+        if (is_about_existence(pattern)) return verdict.outcome == Outcome::Violated;
         if (verdict.outcome != Outcome::Holds) return false;
         if (is_about_all_states(pattern)) return true;
         if (pattern == Pattern::NoTimelock)
