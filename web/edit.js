@@ -262,7 +262,7 @@ class TextPane {
         this.field.addEventListener("scroll", () => this.align());
         this.field.addEventListener("keydown", (event) => this.key(event));
         this.field.addEventListener("blur", () => { this.free = false; });
-        this.completion = new Completion(this.field, by("field"), () => {
+        new Completion(this.field, by("field"), () => {
             const {value, selectionStart} = this.field;
             return {before: value.slice(0, selectionStart), after: value.slice(selectionStart)};
         }, (list) => this.place(list));
@@ -640,7 +640,7 @@ class Page {
         if (["replace", "action"].includes(operation.operation)) {
             const proposals = make("div", {});
             input.after(proposals);
-            this.completion = new Completion(input, proposals, () => this.contextOf(operation, element, input), place);
+            new Completion(input, proposals, () => this.contextOf(operation, element, input), place);
         }
         input.focus({preventScroll: true});
         input.select();

@@ -8,7 +8,7 @@ const inherited = ["color", "fill", "fill-opacity", "font-family", "font-size", 
 const longest_side = 16000, most_pixels = 1e8;  // limits of browsers for the size of a picture
 
 // Returns a copy of the drawing `svg` that needs no style sheet.
-export function pictureOf(svg) {
+function pictureOf(svg) {
     const copy = svg.cloneNode(true), {width, height} = svg.viewBox.baseVal;
     for (const mark of copy.querySelectorAll("rect.find, rect.choice")) mark.remove();
     copy.style.cssText = "";

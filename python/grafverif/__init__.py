@@ -248,11 +248,7 @@ class Report(_Tabular):
         return iter(self.verdicts)
 
     def __getitem__(self, name: str) -> Verdict:
-        for each in self.verdicts:
-            if each.name == name:
-                return each
-        raise NotFoundError(
-            f"unknown property `{name}`; choose one of {', '.join(each.name for each in self.verdicts)}")
+        return _property(self.verdicts, name)
 
     def __str__(self) -> str:
         return self._core.text()
@@ -331,7 +327,7 @@ class Analysis(_Tabular):
 
 
 _Shown = tuple[str, str, list[tuple[str, str]]]  #: text, JSON, and the text and drawing of each trace
-_Named = TypeVar("_Named", "TunedProperty", "FaultedProperty")
+_Named = TypeVar("_Named", "Verdict", "TunedProperty", "FaultedProperty")
 
 
 def _property(properties: Iterable[_Named], name: str) -> _Named:

@@ -44,6 +44,7 @@ struct Tuning {
         std::string property = {};
         std::string text = {};  ///< text of the property in the model
         bool expected_violated = false;
+        Outcome expected() const { return expected_violated ? Outcome::Violated : Outcome::Holds; }
         bool declared = true;
         Span origin = {};
         PointVerdict current = {};                ///< the verdict for the current values

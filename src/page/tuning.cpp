@@ -44,11 +44,9 @@ std::string run_name(const Tuning& tuning, const Row& row, std::size_t point) {
     return row.property + ": " + point_text(tuning, point);
 }
 
-Outcome expected(const Row& row) { return row.expected_violated ? Outcome::Violated : Outcome::Holds; }
-
 bool is_unexpected(const Row& row) {
     return std::ranges::any_of(row.verdicts, [&](const PointVerdict& each) {
-        return each.outcome != Outcome::Unknown && each.outcome != expected(row);
+        return each.outcome != Outcome::Unknown && each.outcome != row.expected();
     });
 }
 
@@ -80,7 +78,8 @@ void add_cell(const Tuning& tuning, const Row& row, std::size_t point, bool curr
                                    {"title", current ? about + " (current values)" : about}};
     if (current) attributes.emplace_back("aria-current", "true");
     html.open("td", attributes);
-    if (const std::string run = run_name(tuning, row, point); row.runs.contains(point) && runs.contains(run))
+    const std::string run = row.runs.contains(point) ? run_name(tuning, row, point) : std::string();
+    if (runs.contains(run))
         html.put("button", mark,
                  {{"type", "button"}, {"class", "link"}, {"data-run", run}, {"aria-label", "Play the run: " + about}});
     else html.text(mark);

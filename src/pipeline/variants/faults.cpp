@@ -104,10 +104,11 @@ private:
     /// other faults. The result is 0 if the number of states without
     /// faults or with a single fault is unknown.
     double expected_states(const FaultSet& faults) const {
+        if (faults.size() < 2 || states_without_faults_ <= 0) return 0;
         double states = states_without_faults_;
         for (const std::size_t fault : faults)
             states *= fault < states_.size() ? states_[fault] / states_without_faults_ : 0;
-        return faults.size() > 1 && states_without_faults_ > 0 ? states : 0;
+        return states;
     }
 
     /// True if the property of the row is requested. A check also decides `no timelock` if this property is not

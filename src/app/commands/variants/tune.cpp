@@ -25,9 +25,8 @@ ExitCode exit_code(const Tuning& tuning) {
     bool open = false, unexpected = tuning.model_error;
     for (const Tuning::Row& row : tuning.rows)
         for (const PointVerdict& verdict : row.verdicts) {
-            const Outcome expected = row.expected_violated ? Outcome::Violated : Outcome::Holds;
             if (verdict.outcome == Outcome::Unknown) open = open || row.declared;
-            else unexpected = unexpected || verdict.outcome != expected;
+            else unexpected = unexpected || verdict.outcome != row.expected();
         }
     return unexpected ? ExitCode::Verdict : open ? ExitCode::Unknown : ExitCode::Done;
 }
