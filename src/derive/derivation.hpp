@@ -76,7 +76,7 @@ private:
 enum class TermPosition {
     Before,  ///< in a cycle, over the values before the cycle: conditions, events, stored values
     After,   ///< at the end of a cycle, over the values after the cycle: outputs, terms observed by timers
-    First,   ///< in the first evolution, in which no signal has an edge: stored values
+    First,   ///< over the values before an evolution in which no signal has an edge, such as the first evolution
 };
 
 struct Derivation {
@@ -147,6 +147,14 @@ std::string qualifier(const StepName& step);
 /// Adds `size` to the number of added nodes. Returns false if this number exceeds total_size_limit. The error is
 /// reported only once per derivation.
 bool afford(Derivation& derivation, std::uint64_t size);
+
+/// Returns the condition under which `transition` is cleared (equation (11)). With TermPosition::First, no signal has an
+/// edge. After an error, the term of the transition is missing.
+Id<Expr> clearing_condition(Derivation& derivation, const Chart::Transition& transition, TermPosition reading);
+
+/// Returns the condition under which `action` is executed: its transition is cleared, its step changes, or an event
+/// occurs while its step is active. The result is invalid after an error.
+Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action);
 
 /// `derive_firings` derives equations (11). `derive_steps` derives equations (12) and the conflicts between forcing
 /// orders.

@@ -23,6 +23,7 @@ struct Edges {
     std::vector<bool> occur = {};   ///< true if the term contains an edge
     std::vector<bool> needed = {};  ///< true if the term is false whenever no edge occurs
     std::vector<bool> nested = {};  ///< true if the term contains an edge of an edge
+    std::vector<bool> after = {};   ///< true if the term can become true because an edge that it reads has passed
 };
 
 bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& needed) {
@@ -40,12 +41,16 @@ bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& need
 
 /// Determines the properties of all terms in one pass, which is possible because operands precede their term.
 Edges edges(const Exprs& exprs) {
-    Edges result{std::vector<bool>(exprs.size()), std::vector<bool>(exprs.size()), std::vector<bool>(exprs.size())};
+    const std::vector<bool> none(exprs.size());
+    Edges result{none, none, none, none};
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const Id<Expr> id{index};
         const bool is_edge = exprs[id].op == Op::Rise || exprs[id].op == Op::Fall;
+        const bool is_monotone = is_edge || exprs[id].op == Op::And || exprs[id].op == Op::Or;
         result.occur[index] = is_edge;
         for (const Id<Expr> operand : exprs.operands(id)) {
+            if (result.after[operand.index] || (!is_monotone && result.occur[operand.index]))
+                result.after[index] = true;
             if (result.occur[operand.index]) result.occur[index] = true;
             if (result.nested[operand.index] || (is_edge && result.occur[operand.index])) result.nested[index] = true;
         }
@@ -158,16 +163,23 @@ void index_actions(Derivation& derivation) {
 
 /// Returns the stability condition, which is true if one more cycle with the same inputs changes nothing. A stored
 /// value changes only when a transition is cleared, when a step changes (which also requires a clearing), or at an
-/// event (which requires an edge). From power-on, forced and enclosed charts are consistent with their forcing orders
-/// and enclosing steps. They change only when one of these orders or steps changes.
+/// event. From power-on, forced and enclosed charts are consistent with their forcing orders and enclosing steps. They
+/// change only when one of these orders or steps changes. In one more cycle, no signal has an edge; therefore, a
+/// condition such as `!rise(a)` can become true.
 Id<Expr> stable(Derivation& derivation) {
+    const Chart& chart = derivation.chart;
     const Equations& equations = derivation.equations;
     Exprs& exprs = derivation.equations.exprs;
     std::vector<Id<Expr>> changes;
     for (std::size_t k = 0; k < equations.firings.size(); ++k)
         if (!is_false(exprs, equations.firings[k].condition)) changes.push_back(derivation.firing_leaves[k]);
-    for (const Equations::Previous& previous : equations.previous)
-        changes.push_back(exprs.apply(Op::NotEqual, previous.value, variable_leaf(derivation, previous.variable)));
+    const Edges edge = edges(chart.exprs);
+    for (const Chart::Transition& transition : chart.transitions)
+        if (edge.after[transition.condition.index])
+            changes.push_back(clearing_condition(derivation, transition, TermPosition::First));
+    for (const Chart::StoredAction& action : chart.stored)
+        if (action.on == Chart::StoredOn::Event) changes.push_back(trigger_of(derivation, action));
+    if (failed(derivation)) return exprs.constant(true);
     return exprs.negation(exprs.disjunction(changes));
 }
 

@@ -173,17 +173,21 @@ void derive_conflicts(Derivation& derivation) {
 
 }  // namespace
 
+Id<Expr> clearing_condition(Derivation& derivation, const Chart::Transition& transition, TermPosition reading) {
+    std::vector<Id<Expr>> operands = enabling(derivation, transition);
+    const Id<Expr> condition = over_equations(derivation, transition.condition, reading, transition.origin,
+                                              "transition `" + transition.name + "`");
+    if (condition.valid()) operands.push_back(condition);
+    return derivation.equations.exprs.conjunction(operands);
+}
+
 void derive_firings(Derivation& derivation) {
     const Chart& chart = derivation.chart;
-    Exprs& exprs = derivation.equations.exprs;
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
         const Chart::Transition& transition = chart.transitions[id];
-        std::vector<Id<Expr>> operands = enabling(derivation, transition);
-        const Id<Expr> condition = over_equations(derivation, transition.condition, TermPosition::Before,
-                                                  transition.origin, "transition `" + transition.name + "`");
-        if (condition.valid()) operands.push_back(condition);
-        derivation.equations.firings.push_back(
-            {derivation.firings[id.index], exprs.conjunction(operands), transition.name, transition.origin});
+        derivation.equations.firings.push_back({derivation.firings[id.index],
+                                                clearing_condition(derivation, transition, TermPosition::Before),
+                                                transition.name, transition.origin});
         if (derivation.diagnostics.full() || derivation.exhausted) return;
     }
 }

@@ -19,22 +19,6 @@ struct Group {
     std::vector<Id<Expr>> triggers = {};
 };
 
-/// Returns the condition under which `action` is executed: its transition is cleared, its step changes, or an event
-/// occurs while its step is active. The result is invalid after an error.
-Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
-    const std::string& target = derivation.chart.variables[action.target].name;
-    switch (action.on) {
-    case Chart::StoredOn::Clearing: return derivation.firing_leaves[action.transition.index];
-    case Chart::StoredOn::Activation: return derivation.equations.steps[action.step.index].activated;
-    case Chart::StoredOn::Deactivation: return derivation.equations.steps[action.step.index].deactivated;
-    case Chart::StoredOn::Event: break;
-    }
-    const Id<Expr> event = over_equations(derivation, action.event, TermPosition::Before, action.origin,
-                                          "the event of an action on `" + target + "`");
-    if (!event.valid()) return {};
-    return derivation.equations.exprs.conjunction(derivation.step_leaves[action.step.index], event);
-}
-
 /// The writes of all actions on `variable`, in order. The list is incomplete after an error.
 struct Writes {
     std::vector<Equations::Write> list = {};
@@ -155,6 +139,20 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
 }
 
 }  // namespace
+
+Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
+    const std::string& target = derivation.chart.variables[action.target].name;
+    switch (action.on) {
+    case Chart::StoredOn::Clearing: return derivation.firing_leaves[action.transition.index];
+    case Chart::StoredOn::Activation: return derivation.equations.steps[action.step.index].activated;
+    case Chart::StoredOn::Deactivation: return derivation.equations.steps[action.step.index].deactivated;
+    case Chart::StoredOn::Event: break;
+    }
+    const Id<Expr> event = over_equations(derivation, action.event, TermPosition::Before, action.origin,
+                                          "the event of an action on `" + target + "`");
+    if (!event.valid()) return {};
+    return derivation.equations.exprs.conjunction(derivation.step_leaves[action.step.index], event);
+}
 
 void derive_stored(Derivation& derivation) {
     for (const Id<Chart::Variable> variable : derivation.chart.variables.ids()) {

@@ -11,9 +11,11 @@ namespace grafverif {
 
 namespace {
 
-/// Rules 2 and 4: determines all transitions to clear from the old situation.
-void clear_transitions(const Chart& chart, const Levels& levels, const State& old, Reader& reader,
-                       Evolution& evolution) {
+/// Rules 2 and 4: determines all transitions to clear from the old situation. The first condition without value
+/// is a fault.
+std::vector<Id<Chart::Transition>> transitions_to_clear(const Chart& chart, const Levels& levels, const State& old,
+                                                        Reader& reader, std::optional<RunFault>& fault) {
+    std::vector<Id<Chart::Transition>> cleared;
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
         const Chart::Transition& transition = chart.transitions[id];
         const bool enabled = std::ranges::all_of(
@@ -21,11 +23,12 @@ void clear_transitions(const Chart& chart, const Levels& levels, const State& ol
         if (!enabled || !levels.is_free(transition, old.situation)) continue;
         const std::optional<std::int64_t> condition = reader.value(transition.condition);
         if (!condition) {
-            evolution.fault = RunFault{RunFault::Kind::NoValue, {}, 0, transition.origin};
-            return;
+            if (!fault) fault = RunFault{RunFault::Kind::NoValue, {}, 0, transition.origin};
+            continue;
         }
-        if (*condition != 0) evolution.fired.push_back(id);
+        if (*condition != 0) cleared.push_back(id);
     }
+    return cleared;
 }
 
 /// Updates the ages: steps that have become active have age 0, and inactive steps have no age.
@@ -62,7 +65,8 @@ std::optional<bool> is_triggered(const Chart::StoredAction& action, const State&
     return event ? std::optional(*event != 0) : std::nullopt;
 }
 
-/// Executes the triggered stored actions. All values are evaluated before any value is stored.
+/// Executes the triggered stored actions. All values are evaluated before any value is stored. After an event, another
+/// evolution may change more.
 void store(const Chart& chart, const State& old, Reader& reader, Evolution& evolution) {
     std::vector<std::pair<Id<Chart::StoredAction>, std::int64_t>> writes;
     for (const Id<Chart::StoredAction> id : chart.stored.ids()) {
@@ -75,6 +79,7 @@ void store(const Chart& chart, const State& old, Reader& reader, Evolution& evol
             return;
         }
         writes.emplace_back(id, *value);
+        if (action.on == Chart::StoredOn::Event) evolution.stable = false;
     }
     if (writes.empty()) return;
     std::vector<Id<Chart::StoredAction>> writer(chart.variables.size());
@@ -175,10 +180,17 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
     const Memory remembered = memory(chart);
     Reader before(chart, state, inputs, timed, state.started ? &remembered : nullptr);
     const Levels levels(chart);
-    if (state.started) clear_transitions(chart, levels, state, before, evolution);
+    if (state.started) {
+        evolution.fired = transitions_to_clear(chart, levels, state, before, evolution.fault);
+        if (evolution.fault) return evolution;
+        // In another evolution with the same inputs, all edges are false. A condition without value is not true.
+        Reader without_edges(chart, state, inputs, timed, nullptr);
+        std::optional<RunFault> undefined;
+        evolution.stable =
+            evolution.fired.empty() && transitions_to_clear(chart, levels, state, without_edges, undefined).empty();
+    }
     if (evolution.fault) return evolution;
     remember(chart, remembered, before, evolution);
-    evolution.stable = state.started && evolution.fired.empty() && evolution.state.previous == state.previous;
     if (!evolution.fired.empty()) change_situation(chart, levels, state, evolution);
     const Id<Chart::ForcingOrder> conflict = levels.conflict(evolution.state.situation);
     if (conflict.valid())

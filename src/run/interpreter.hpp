@@ -94,7 +94,8 @@ struct RunFault {
 struct Evolution {
     State state = {};  ///< state after the evolution; after a race or a fault it must not be used
     std::vector<Id<Chart::Transition>> fired = {};
-    /// True if no transition was cleared and no value changed: the situation is stable for these inputs.
+    /// True if the situation is stable for these inputs: no transition was cleared, no event executed an action, and in
+    /// another evolution with these inputs, in which all edges are false, no transition would be cleared.
     bool stable = false;
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};

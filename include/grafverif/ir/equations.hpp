@@ -159,9 +159,9 @@ struct Equations {
     std::vector<Id<Timer>> conditions = {};
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
-    /// True if one more cycle with the same inputs would change nothing: no firing condition holds, no stored variable
-    /// has changed, and no previous value differs from the current value. `stable` reads firing conditions and values
-    /// before the cycle.
+    /// True if one more cycle with the same inputs would change nothing except previous values: no firing condition
+    /// holds, no event executes an action, and no firing condition would hold in a cycle in which no signal has an edge.
+    /// `stable` reads firing conditions and values before the cycle. For a program: true if the scan changes nothing.
     Id<Expr> stable = {};
     /// True for a PLC program. Then each cycle, including the first evolution, is one scan, and terms share many
     /// subterms.

@@ -88,6 +88,17 @@ TEST(Derive, FollowsEquationTwelveForEveryKindOfStep) {
     EXPECT_EQ(text(e, e.stable), "not (CF_t0 or CF_t1 or CF_t2)");
 }
 
+TEST(Derive, ASituationIsNotStableIfAConditionIsTrueOnceEdgesAreOver) {
+    const std::string steps = "input a, b; internal N: int 0..9 = 0; initial step 1; step 2; ";
+    const Equations positive = equations(steps + "transition t0: 1 -> 2 when rise(a) && b || fall(a);");
+    EXPECT_EQ(text(positive, positive.stable), "not CF_t0");
+    const Equations negative = equations(steps + "transition t0: 1 -> 2 when b && !rise(a);");
+    EXPECT_EQ(text(negative, negative.stable), "not (CF_t0 or (X_1 and b))");
+    const Equations event =
+        equations("input a, b; internal N: int 0..9 = 0; initial step 1 { N := 1 on event rise(a); }");
+    EXPECT_EQ(text(event, event.stable), "not (X_1 and a and not P_a)");
+}
+
 TEST(Derive, FollowsEquationThirteenForEveryOutput) {
     const Equations e = equations(
         "input a, b; output O, P, UNUSED; initial step 1 { O; P if a && b; } step 2 { O if a; O if b; }"

@@ -36,15 +36,6 @@ P_X_2 = X_2
 )");
 }
 
-TEST(Memory, StableAsksThatNoPreviousValueDiffers) {
-    const Equations e = equations("input a, b; initial step 1; transition t0: 1 -> 1 when rise(a && b);");
-    ASSERT_EQ(e.previous.size(), 1U);
-    EXPECT_EQ(e.variables[e.previous[0].variable].name, "P_1");
-    std::ostringstream out;
-    print_equations_json(out, e);
-    EXPECT_NE(out.str().find("not (CF_t0 or (a and b) != P_1)"), std::string::npos) << out.str();
-}
-
 TEST(Memory, ATimeOverAnythingButAStepWatchesItsLevel) {
     EXPECT_EQ(notation("input a, b; output O, R; initial step 1 { O if 2s/X1/4s; R after 3s for 5s; }"
                        "transition t0: 1 -> when 3s/a && a/2s && 1s/(a && b)/2s;"),

@@ -40,12 +40,36 @@ TEST(Edges, OfAStepAreTrueInTheEvolutionAfterItsChange) {
     EXPECT_EQ(situation(chart), "2 9");
 }
 
-TEST(Edges, ASituationIsStableOnlyOnceTheyAreOver) {
-    Play chart = play("input a; initial step 1; transition t1: 1 -> 1 when fall(a);", ExecutionMode::EveryCycle);
+TEST(Edges, DoNotMakeASituationUnstableIfTheyClearNoTransition) {
+    Play chart =
+        play("input a; initial step 1; step 2; transition t1: 1 -> 2 when fall(a); transition t2: 2 -> 1 when rise(a);",
+             ExecutionMode::EveryCycle);
+    run(chart);
+    EXPECT_TRUE(run(chart, "a").stable);
+    EXPECT_FALSE(run(chart).stable);
+    EXPECT_EQ(situation(chart), "2");
+    EXPECT_TRUE(run(chart).stable);
+}
+
+TEST(Edges, MakeASituationUnstableIfAConditionIsTrueAfterThem) {
+    Play chart =
+        play("input a; initial step 1; step 2; transition t1: 1 -> 2 when a && !rise(a);", ExecutionMode::EveryCycle);
     run(chart);
     EXPECT_TRUE(run(chart).stable);
     EXPECT_FALSE(run(chart, "a").stable);
+    EXPECT_EQ(situation(chart), "1");
+    EXPECT_FALSE(run(chart, "a").stable);
+    EXPECT_EQ(situation(chart), "2");
     EXPECT_TRUE(run(chart, "a").stable);
+}
+
+TEST(Events, MakeASituationUnstableIfTheyExecuteAnAction) {
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on event rise(a); } step 2;"
+        "transition t1: 1 -> 2 when N == 1;");
+    run(chart);
+    EXPECT_EQ(fired(chart, run(chart, "a")), "; t1; ; ");
+    EXPECT_EQ(situation(chart), "2");
 }
 
 TEST(Edges, OfATermCompareItsValueAsAWhole) {
