@@ -57,6 +57,7 @@ struct InputAblations {
     bool initial_values = false;      ///< Chosen instances keep their initial outputs
     /// A process that reads a Chosen instance always reads the initial outputs of this instance.
     bool ignore_readers = false;
+    bool ignore_readings = false;  ///< all previous values are dead (ir/network/dead_values.hpp)
     /// Valuations are computed for the initial values of other variables instead of arbitrary values.
     bool own_guards_only = false;
     bool all_can_rest = false;  ///< instances with invariants or urgent edges are abstracted as if they need not move
@@ -139,6 +140,8 @@ struct InputAbstraction {
     /// Untimed timers. A search may take the edges of these timers that are not urgent only while their PLC waits. The
     /// reachable states are then the same except for EVOL_TI, if only the PLC and its timers read the timers.
     std::vector<Id<Network::Process>> deferred = {};
+    /// PLCs that may begin a cycle whenever they wait and no timer has a request.
+    std::vector<Id<Network::Process>> unprompted = {};
 };
 
 /// Builds the input abstraction. `levels` contains one level per process. Requires that store_what_is_read has been

@@ -357,6 +357,7 @@ TEST(InputAbstraction, EachPremiseIsNeeded) {
          {Premise{"a change of an input begins a cycle", &InputAblations::no_cycle_on_change, {"follower"}, 1121},
           Premise{"all reachable values are chosen", &InputAblations::initial_values},
           Premise{"readers see the instance", &InputAblations::ignore_readers},
+          Premise{"nothing reads dead values", &InputAblations::ignore_readings},
           Premise{"guards on other variables may hold", &InputAblations::own_guards_only},
           Premise{"an abstracted instance can rest", &InputAblations::all_can_rest, {"follower"}, 1061},
           Premise{"bounds are left", &InputAblations::ignore_bounds, {"stuck"}},

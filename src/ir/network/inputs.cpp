@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ir/junction.hpp"
+#include "ir/network/dead_values.hpp"
 #include "ir/network/variables.hpp"
 #include "ir/network_inputs.hpp"
 #include "ir/slots.hpp"
@@ -90,6 +91,7 @@ private:
         const Network::Controller& controller = made_.network.controllers[id];
         Network::Template& plc = automaton(controller.process);
         read_inputs_for_samples(plc);
+        if (lifetime_ == ChoiceLifetime::Cycle) clear_dead_values(made_.network, id, ablations_.ignore_readings);
         const std::size_t first = made_.choices.size();
         std::set<std::size_t> read;  // instances that the edges of the PLC read
         for (const Network::Edge& edge : plc.edges)
@@ -225,6 +227,7 @@ private:
             copy.guard = exprs.conjunction(woken, exprs.negation(edge.guard));
             more.push_back(std::move(copy));
         }
+        if (!more.empty()) made_.unprompted.push_back(controller.process);
         for (Network::Edge& edge : more) {
             const Id<Network::Edge> id = plc.edges.add(std::move(edge));
             for (InputChoice& choice : made_.choices) {
