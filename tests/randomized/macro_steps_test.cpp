@@ -53,7 +53,9 @@ int compare(const Network& network, const std::vector<InputChoice>& choices, con
     seen["states with macro-steps"] += static_cast<int>(macro.states);
     for (std::size_t k = 0; k < plain.verdicts.size(); ++k) {
         const Verdict& verdict = macro.verdicts[k];
-        if (verdict.outcome != plain.verdicts[k].outcome) ++different;
+        // A model error ends a search; a search without macro-steps may find a violation before it.
+        const bool is_ended = !macro.errors.empty() && verdict.outcome == Outcome::Unknown;
+        if (verdict.outcome != plain.verdicts[k].outcome && !is_ended) ++different;
         ++seen["verdicts: " + std::string(word(verdict.outcome))];
         if (!verdict.run || !choices.empty()) continue;
         EXPECT_TRUE(replay(network, *verdict.run)) << verdict.property;
@@ -141,10 +143,13 @@ int compare(const Network& loop, const MacroStepAblations& without, std::map<std
                      .at_stable = stable && loop.settled.valid()});
     abstraction.network = with_combinations(std::move(abstraction.network));
     const InputAbstraction moving = with_moving_instances(loop);
-    different += compare(moving.network, moving.choices,
-                         {.enabled = true, .deferred = moving.deferred, .without = without}, seen);
-    different += compare(abstraction.network, abstraction.choices,
-                         {.enabled = true, .deferred = abstraction.deferred, .without = without}, seen);
+    different += compare(
+        moving.network, moving.choices,
+        {.enabled = true, .deferred = moving.deferred, .unprompted = moving.unprompted, .without = without}, seen);
+    different += compare(
+        abstraction.network, abstraction.choices,
+        {.enabled = true, .deferred = abstraction.deferred, .unprompted = abstraction.unprompted, .without = without},
+        seen);
     return different;
 }
 
@@ -186,7 +191,9 @@ TEST(MacroSteps, EachPremiseIsNeeded) {
     };
     for (const Premise& premise : {Premise{"states that decide a property are stored", &MacroStepAblations::properties},
                                    Premise{"nothing else reads the timers", &MacroStepAblations::timers},
-                                   Premise{"no other process can move", &MacroStepAblations::processes}}) {
+                                   Premise{"no other process can move", &MacroStepAblations::processes},
+                                   Premise{"shared variables are unchanged", &MacroStepAblations::changes},
+                                   Premise{"a cycle can begin unrequested", &MacroStepAblations::requests}}) {
         MacroStepAblations without;
         without.*premise.omitted = true;
         std::map<std::string, int> seen;

@@ -210,7 +210,7 @@ TimedResult InputAbstractionCheck::searched(const Network& network, const InputA
     options.profile = ProfileFor::None;
     options.many = {};
     options.choices = abstraction.choices;
-    options.macro_steps = {.enabled = true, .deferred = abstraction.deferred};
+    options.macro_steps = {.enabled = true, .deferred = abstraction.deferred, .unprompted = abstraction.unprompted};
     options.max_states = std::min(round_, bound_of(task));
     if (is_bounded_in_transitions(task)) options.max_transitions = round_ * limits_.transitions;
     options.deadline = deadline_;

@@ -9,10 +9,13 @@
 //     neither read nor write the variables of the timers; and an edge that is not urgent, if the timer is deferred
 //     (InputAbstraction::deferred).
 //   - A PLC is within a cycle, and the other enabled edges belong to processes that may as well move after the enabled
-//     edges of the PLC: the edges are independent, the edges of the PLC change nothing that an observer or a property
-//     reads, and these processes enable no edge that depends on the edges of the PLC. Only the PLC moves. Properties
-//     about quiescent states are false within a cycle; the edge that ends the cycle in a stable situation is excluded.
-//     Requests to observers are ignored, because reading equal states repeatedly does not change an observer.
+//     edges of the PLC (Independence). Only the PLC moves. For example, the PLC writes its outputs, and no output changes
+//     its value. Properties about quiescent states are false within a cycle. Requests to observers are ignored, because
+//     reading equal states repeatedly does not change an observer.
+//   - A PLC has begun a cycle, but has not sampled its inputs yet, and it may begin a cycle whenever it waits
+//     (MacroStepOptions::unprompted). Only the PLC moves, because the other processes may as well move before the cycle
+//     begins. The two orders lead to the same states, except that a flag that requests a cycle may be true in addition.
+//     The PLC may begin this cycle without the flag.
 //   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. The PLC cannot leave
 //     W before, and the edges of all other processes are independent of the request and remain enabled.
 // The conditions on timers reorder edges of timers. They require that only the PLC and its timers use the variables that
@@ -80,6 +83,11 @@ public:
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
+    struct Reset {
+        Field field = {};
+        std::int64_t value = 0;
+    };
+
     template <class Keeps>
     void keep(Moves& moves, const Keeps& keeps) const;
     std::size_t cycle_of(const Word* words) const;
@@ -94,19 +102,19 @@ private:
     PropertyMonitor monitor_ = {};
     std::vector<Field> races_ = {};
     MacroStepAblations without_ = {};
-    struct Reset {
-        Field field = {};
-        std::int64_t value = 0;
-    };
     struct Cycle {
+        struct Edge {
+            std::vector<bool> always = {}, if_unchanged = {};  // Independence
+            std::vector<Field> shared = {};
+        };
         std::uint32_t process = 0;
         std::vector<bool> within = {};       // per location of the PLC: true if the PLC is within a cycle
         std::vector<bool> independent = {};  // per location: true if its edges are independent of the timers' edges
-        std::vector<std::vector<bool>> movable = {};  // per edge and process: CyclePremises::movable_processes
-        std::size_t waiting = 0;                      // location W
+        std::vector<Edge> edges = {};
+        std::vector<bool> like_waiting = {};  // per location: the PLC moves first, as if it were still in W
+        std::size_t waiting = 0;              // location W
         Field stable = {};
         std::vector<Reset> outputs = {};  // outputs that are not read before the PLC writes them
-        std::vector<Reset> flags = {};    // flags that are not read in W if the PLC is not stable
     };
     std::vector<Cycle> cycles_ = {};
     std::vector<bool> observers_ = {}, deferred_ = {};  // per process

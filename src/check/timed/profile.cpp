@@ -54,7 +54,7 @@ struct ProfiledElement {
 };
 
 /// A field of a state, with the part and the clock to which the field belongs.
-struct Column {
+struct ProfiledField {
     static constexpr std::size_t none = ~std::size_t{0};
     Field field = {};
     std::size_t part = none;
@@ -108,7 +108,7 @@ private:
 
     /// Creates one part for each controller with its timers, and one part for each other process.
     void name_parts() {
-        part_of_.assign(network_.processes.size(), Column::none);
+        part_of_.assign(network_.processes.size(), ProfiledField::none);
         display_names_ = display_names(network_);
         for (const Network::Controller& controller : network_.controllers) {
             part_of_[controller.process.index] = profile_.parts.size();
@@ -120,7 +120,7 @@ private:
                                 network_.processes[controller.process].initial.index});
         }
         for (const Id<Network::Process> id : network_.processes.ids()) {
-            if (part_of_[id.index] != Column::none) continue;
+            if (part_of_[id.index] != ProfiledField::none) continue;
             part_of_[id.index] = profile_.parts.size();
             const bool environment = network_.processes[id].kind == Network::ProcessKind::Environment;
             add_part(id, environment ? Kind::Environment : Kind::Instance);
@@ -163,13 +163,13 @@ private:
 
     /// Assigns a variable to a part if only edges of this part write the variable.
     void add_variables() {
-        constexpr std::size_t several = Column::none - 1;
-        std::vector<std::size_t> writer(network_.variables.size(), Column::none);
+        constexpr std::size_t several = ProfiledField::none - 1;
+        std::vector<std::size_t> writer(network_.variables.size(), ProfiledField::none);
         for (const Id<Network::Process> id : network_.processes.ids()) {
             const auto take = [&](const std::vector<Network::Assignment>& assignments) {
                 for (const Network::Assignment& assignment : assignments) {
                     std::size_t& part = writer[static_cast<std::size_t>(network_.exprs[assignment.target].value)];
-                    if (part == Column::none) part = part_of_[id.index];
+                    if (part == ProfiledField::none) part = part_of_[id.index];
                     else if (part != part_of_[id.index]) part = several;
                 }
             };
@@ -180,7 +180,7 @@ private:
         for (const Id<Network::Variable> id : network_.variables.ids()) {
             const Field& field = graph_.machine.layout().variables[id.index];
             if (network_.variables[id].scratch || field.width == 0) continue;
-            columns_.push_back({field, writer[id.index] == several ? Column::none : writer[id.index]});
+            columns_.push_back({field, writer[id.index] == several ? ProfiledField::none : writer[id.index]});
         }
     }
 
@@ -195,11 +195,11 @@ private:
         finer_.now = 0;
         std::uint64_t whole = 0;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const Column& column = columns_[i];
+            const ProfiledField& column = columns_[i];
             const std::uint64_t value = mixed(mixed(i) ^ column.field.raw(words));
             whole += value;
-            if (column.part != Column::none) elements_[column.part].now += value;
-            if (column.clock == Column::none) continue;
+            if (column.part != ProfiledField::none) elements_[column.part].now += value;
+            if (column.clock == ProfiledField::none) continue;
             elements_[profile_.parts.size() + column.clock].now += value;
             if (profile_.finest) finer_.now += value - mixed(mixed(i) ^ coarser(column.field.raw(words)));
         }
@@ -218,7 +218,7 @@ private:
     std::vector<std::size_t> part_of_ = {};        // part of each process
     std::vector<std::string> display_names_ = {};  // name of each process: `3s/X2` for a timer, otherwise its name
     std::vector<Waiting> waiting_ = {};
-    std::vector<Column> columns_ = {};
+    std::vector<ProfiledField> columns_ = {};
     std::vector<ProfiledElement> elements_ = {};  // first the parts, then the clocks
     ProfiledElement finer_ = {};  // the rest of a state is the state with clocks in the coarser time unit
     std::uint64_t classes_ = 1;

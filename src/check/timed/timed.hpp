@@ -58,6 +58,8 @@ struct MacroStepAblations {
     bool properties = false;  ///< true: a transient state is omitted even if it decides a property
     bool timers = false;      ///< true: edges of timers are reordered even if something else reads the timers
     bool processes = false;   ///< true: states within a cycle are omitted even if other processes can move
+    bool changes = false;     ///< true: an edge of the PLC is independent even if it changes variables that others read
+    bool requests = false;    ///< true: other processes move before a cycle even if the PLC cannot begin it unrequested
 };
 
 struct MacroStepOptions {
@@ -66,6 +68,8 @@ struct MacroStepOptions {
     bool enabled = false;
     /// Processes that move in transient states only by urgent edges (InputAbstraction::deferred).
     std::vector<Id<Network::Process>> deferred = {};
+    /// PLCs that may begin a cycle whenever they wait and no timer has a request (InputAbstraction::unprompted).
+    std::vector<Id<Network::Process>> unprompted = {};
     MacroStepAblations without = {};
 };
 

@@ -58,6 +58,23 @@ TEST(InputAbstraction, DeclaredPropertiesWithNamesOfImplicitOnesAreProvedThemsel
     EXPECT_EQ(outcome(expand(loop.network), "no_race"), Outcome::Violated);
 }
 
+TEST(InputAbstraction, MacroStepsMakeTheCoarseSearchOfAStationSmall) {
+    Network loop = expand(read_sample("../bench/stations/undecided/capper.grafcet").network);
+    for (const Property& property : std::exchange(loop.properties, {}))
+        if (property.name == "one_mode") loop.properties.add(property);
+    const std::vector<AbstractableProcess> processes = abstractable_processes(loop);
+    std::vector<InputLevel> levels;
+    for (const AbstractableProcess& process : processes)
+        levels.push_back(process.valuations.empty() ? InputLevel::Untimed : InputLevel::Chosen);
+    const InputAbstraction abstraction = abstract_inputs(loop, processes, levels);
+    TimedOptions options{.max_states = 50'000, .timelock = false, .choices = abstraction.choices};
+    EXPECT_FALSE(check_timed(abstraction.network, options).complete);
+    options.macro_steps = {.enabled = true, .deferred = abstraction.deferred, .unprompted = abstraction.unprompted};
+    const TimedResult found = check_timed(abstraction.network, options);
+    EXPECT_EQ(found.verdicts.front().outcome, Outcome::Holds);
+    EXPECT_LT(found.states, 1500U);
+}
+
 /// Returns the verdict of the complete search.
 Outcome outcome_in_complete_loop(const std::string& text) {
     const Network loop = expand(read_loop(text).network);

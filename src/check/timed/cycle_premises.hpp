@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The static premises of macro-steps (macro_steps.hpp) for one PLC and its timers.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif::timed {
+
+/// True if the process is an observer (compose/observe.hpp).
+bool is_observer(const Network& network, Id<Network::Process> id);
+
+/// Processes that may as well move after an edge of a PLC instead of before it. The vectors have one element per process.
+struct Independence {
+    /// True if the edges of the process and of the PLC are independent, and the process cannot enable or disable another
+    /// edge of the PLC. The edge of the PLC changes nothing that an observer or a property reads. The process enables no
+    /// edge of another process for which the element is false.
+    std::vector<bool> always = {};
+    /// The same for an execution of the edge that does not change the values of `shared`. Such an execution may end a
+    /// cycle in a stable situation, unless an observer reads whether the loop is quiescent.
+    std::vector<bool> if_unchanged = {};
+    /// Variables that the edge writes and that another process, an observer or a property reads.
+    std::vector<Id<Network::Variable>> shared = {};
+};
+
+class CyclePremises {
+public:
+    /// Requires that `network` is expanded. The arguments must outlive the object.
+    CyclePremises(const Network& network, const Network::Controller& controller);
+
+    /// Returns the timers for which the PLC waits in W until they have accepted its request.
+    const std::vector<Id<Network::Process>>& accepting_timers() const { return accepting_; }
+
+    /// True if a property reads the location of a timer or a variable that the timers write. Also true if a process
+    /// except the PLC and its timers uses such a variable.
+    bool timers_are_observed() const;
+
+    /// Returns, per location of the PLC, whether each infinite path from the location passes location W. False for W.
+    std::vector<bool> locations_in_cycle() const;
+
+    /// Returns, per location of the PLC, whether its edges neither read a variable that the timers write, nor write a
+    /// variable that the timers read or write.
+    std::vector<bool> independent_locations() const;
+
+    /// Returns, per location of the PLC, whether only edges from W lead to it, and these edges change only flags that
+    /// request a cycle. Always false if an observer or a property reads these flags or the location of the PLC. Then no
+    /// process except the PLC can distinguish the location from W.
+    std::vector<bool> locations_like_waiting() const;
+
+    /// Returns one element per edge of the PLC.
+    std::vector<Independence> independence() const;
+
+    /// Returns the outputs that no edge and no property reads while the PLC is within a cycle or not stable.
+    std::vector<Id<Network::Variable>> dead_outputs() const;
+
+private:
+    using Variables = std::set<Id<Network::Variable>>;
+    struct Uses {
+        Variables read = {}, written = {};
+    };
+
+    bool reads(Id<Expr> term, const Variables& variables) const;
+    bool meet(const Variables& left, const Variables& right) const;
+    std::vector<bool> closed(std::vector<bool> processes) const;
+    Variables variables_read() const;
+    Variables read_by_properties() const;
+    void take(Id<Expr> term, Variables& variables) const;
+    bool is_location_observed() const;
+    bool is_quiescence_observed() const;
+    Variables requests() const;
+    Uses uses_of(const Network::Edge& edge) const;
+    bool waits_for(const Network::Template& timer) const;
+
+    const Network& network_;
+    const Network::Controller& controller_;
+    const Network::Template& plc_;
+    std::vector<Id<Network::Process>> accepting_ = {};
+    Variables used_ = {}, written_ = {};  // variables of the timers
+    std::vector<Uses> uses_ = {};         // per process, except for observers and the PLC
+    std::vector<bool> is_other_ = {};     // per process: true except for observers and the PLC
+    Variables of_observers_ = {};         // variables that observers write
+    Variables seen_by_observers_ = {};    // variables that observers read
+};
+
+}  // namespace grafverif::timed
