@@ -165,6 +165,7 @@ struct Checked {
     Id<ClosedLoop> loop = {};
     Id<Chart> chart = {};
     std::optional<ExecutionMode> mode = {};
+    std::optional<CertificateFiles> certificate = {};  ///< if requested
 };
 
 /// A simulator. Its methods keep the interpreter lock, because other Python threads may use the same simulator.
@@ -241,16 +242,19 @@ public:
     }
 
     Checked check(const std::string& loop, const How& how, const CheckOptions& requested, const Bounds& bounds,
-                  bool untimed) const {
+                  bool untimed, bool certificate) const {
         const ModelOptions options = how.options();
         const Id<ClosedLoop> id = loop_of(loop);
+        std::optional<CertificateFiles> files;
         Report report = made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
             CheckOptions check = requested;
             check.limits = bounds.limits(stop);
-            return untimed ? check_untimed(model(), id, options, check, diagnostics)
-                           : grafverif::check(model(), id, options, check, diagnostics);
+            auto found = untimed ? check_untimed(model(), id, options, check, diagnostics)
+                                 : grafverif::check(model(), id, options, check, diagnostics);
+            if (found && certificate) files = certify(model(), id, options, check, *found);
+            return found;
         });
-        return {std::move(report), reading_->sources, reading_, id, {}, options.mode};
+        return {std::move(report), reading_->sources, reading_, id, {}, options.mode, std::move(files)};
     }
     Checked check_chart(const std::string& chart, const How& how, const Bounds& bounds) const {
         const ModelOptions options = how.options();
@@ -466,6 +470,11 @@ PYBIND11_MODULE(_core, module) {
         py::kw_only(), py::arg("timeout") = py::none(), py::arg("memory") = py::none(), py::arg("states") = py::none());
     py::class_<Checked> report_class(module, "Report");
     forbid_new(report_class);
+    report_class.def_property_readonly("certificate", [](const Checked& checked) -> py::object {
+        if (!checked.certificate) return py::none();
+        const CertificateFiles& all = *checked.certificate;
+        return py::make_tuple(all.files, all.certified, all.omitted);
+    });
     report_class.def("text", [](const Checked& checked) { return text_of(checked.report, checked.sources); })
         .def("json", [](const Checked& checked) { return json_of(checked.report, checked.sources); })
         .def(
@@ -519,11 +528,11 @@ PYBIND11_MODULE(_core, module) {
         .def("warnings", &File::warnings)
         .def("check",
              [](const File& file, const std::string& loop, const How& how, std::vector<std::string> properties,
-                const Bounds& bounds, bool whole, bool untimed) {
+                const Bounds& bounds, bool whole, bool untimed, bool certificate) {
                  CheckOptions options;
                  options.properties = std::move(properties);
                  options.whole = whole;
-                 return file.check(loop, how, options, bounds, untimed);
+                 return file.check(loop, how, options, bounds, untimed, certificate);
              })
         .def("check_chart", &File::check_chart)
         .def("analyse", &File::analyse)

@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "check/shares.hpp"
+#include "pipeline/certificate/certificate.hpp"
+#include "pipeline/models.hpp"
 #include "pipeline/recording/recording.hpp"
 #include "pipeline/variants/faults.hpp"
 #include "pipeline/variants/tune.hpp"
@@ -62,6 +64,21 @@ std::optional<Shown> faults(const ParseResult& reading, Id<ClosedLoop> loop, std
         for (const FaultAnalysis::Cut& cut : row.minimal)
             if (cut.result.trace && is_shown(row)) add_trace(*cut.result.trace, row.property, shown);
     return shown;
+}
+
+std::optional<CertificateFiles> certify(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
+                                        const CheckOptions& options, Report& report) {
+    Diagnostics reported;  // the check has already reported them
+    const auto network = network_of(model, loop, how, reported);
+    if (!network) return {};
+    Certificate certificate = certificate_of(loop_to_check(model, loop, *network), report, options);
+    report.failures.insert(report.failures.end(), certificate.failures.begin(), certificate.failures.end());
+    CertificateFiles made{{}, std::move(certificate.certified), {}};
+    for (Certificate::File& file : certificate.files)
+        made.files.emplace_back(std::move(file.path), std::move(file.content));
+    for (Certificate::Omitted& one : certificate.omitted)
+        made.omitted.emplace_back(std::move(one.property), std::move(one.reason));
+    return made;
 }
 
 struct Recording::State {

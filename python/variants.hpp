@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tuning, fault analysis and recordings for Python, by the internal interface of the library.
+// Tuning, fault analysis, recordings and certificates for Python, by the internal interface of the library.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,18 @@ std::uint64_t most_faults_of_combination();
 std::optional<Shown> faults(const ParseResult& reading, Id<ClosedLoop> loop, std::uint64_t order,
                             std::vector<std::string> properties, const ModelOptions& how, const Limits& limits,
                             Diagnostics& diagnostics);
+
+/// A certificate: the paths, relative to its folder, and contents of its files; the names of the certified properties;
+/// the names of all other properties with the reasons.
+struct CertificateFiles {
+    std::vector<std::pair<std::string, std::string>> files = {};
+    std::vector<std::string> certified = {};
+    std::vector<std::pair<std::string, std::string>> omitted = {};
+};
+
+/// Creates the certificate of a timed report, and adds its failures to the report. The result is empty after an error.
+std::optional<CertificateFiles> certify(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
+                                        const CheckOptions& options, Report& report);
 
 /// A recording whose samples arrive one by one.
 class Recording {

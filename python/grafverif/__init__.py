@@ -225,6 +225,15 @@ class Verdict:
         return f"<Verdict {self.name}: {self.verdict}>"
 
 
+def _write_files(folder: str, files: Iterable[tuple[str, str]]) -> None:
+    """Writes files into `folder`, which is created if it does not exist."""
+    for path, content in files:
+        name = os.path.join(folder, path)
+        os.makedirs(os.path.dirname(name), exist_ok=True)
+        with open(name, "w", encoding="utf-8", newline="") as file:
+            file.write(content)
+
+
 class Report(_Tabular):
     """All verdicts on a loop or chart, in the order of the properties."""
 
@@ -233,6 +242,8 @@ class Report(_Tabular):
         self.model: str = document["model"]
         self.verdicts = [Verdict(each, core, index) for index, each in enumerate(document["properties"])]
         self.errors: list[dict[str, Any]] = document.get("errors", [])  #: errors of the model itself
+        #: `folder`, `certified` (names of properties) and `omitted` (properties with reasons); None without certificate
+        self.certificate: dict[str, Any] | None = None
         self.document: dict[str, Any] = document
         self._core = core
 
@@ -466,6 +477,11 @@ class Fault:
     never_true: tuple[str, ...]  #: steps and outputs that are never true if the fault is present from power-on
     #: True if an element of `newly_true` becomes true in every run with the fault from power-on; None if unknown
     always_shown: bool | None
+    #: True if an element of `newly_true` becomes true after the fault in every run with the fault; None if unknown
+    detected: bool | None
+    within: float | None  #: the longest time from the fault to such an element, in seconds
+    #: `property` (a declaration), `in_every_run` and `within`: a property that reveals the fault; None if there is none
+    observer: dict[str, Any] | None = field(hash=False)
     decided: bool  #: False if `newly_true` and `never_true` are incomplete
 
 
@@ -515,6 +531,7 @@ class FaultAnalysis(_Tabular):
         self.order: int = self.document["order"]  #: maximum number of faults in a combination
         self.faults = [Fault(each["name"], each["instance"], each["component"], tuple(each["violates"]),
                              tuple(each["newly_true"]), tuple(each["never_true"]), each["always_shown"],
+                             each["detected"], each["within"], each["observer"],
                              each["decided"])
                        for each in self.document["faults"]]
         traces = iter(shown[2])
@@ -537,7 +554,8 @@ class FaultAnalysis(_Tabular):
         """Returns a pandas DataFrame with one row per fault (FMEA)."""
         return _dataframe([{"fault": each.name, "instance": each.instance, "component": each.component,
                             "violates": " ".join(each.violates), "newly_true": " ".join(each.newly_true),
-                            "never_true": " ".join(each.never_true), "always_shown": each.always_shown}
+                            "never_true": " ".join(each.never_true), "always_shown": each.always_shown,
+                            "within": each.within, "observer": each.observer and each.observer["property"]}
                            for each in self.faults])
 
 
@@ -849,11 +867,20 @@ class Loop:
 
     def check(self, *properties: str, mode: str | None = None, grain: str | None = None,
               timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
-              whole: bool = False) -> Report:
+              whole: bool = False, certificate: str | os.PathLike[str] | None = None) -> Report:
         """Checks the given properties, or by default all, with the timed engine. `timeout` is in seconds and
-        `memory` in bytes. If a limit is reached, the remaining verdicts are unknown."""
-        return Report(self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
-                                       _bounds(timeout, memory, states), whole, False))
+        `memory` in bytes. If a limit is reached, the remaining verdicts are unknown. `certificate` is a folder; the
+        files that are written into it prove the verdicts to the program `grafverif-certify`."""
+        core = self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
+                                _bounds(timeout, memory, states), whole, False, certificate is not None)
+        report = Report(core)
+        if certificate is not None and core.certificate is not None:
+            folder = os.fspath(certificate)
+            files, certified, omitted = core.certificate
+            _write_files(folder, files)
+            report.certificate = {"folder": folder, "certified": certified,
+                                  "omitted": [{"property": name, "reason": reason} for name, reason in omitted]}
+        return report
 
     def check_untimed(self, *properties: str, mode: str | None = None, plant: str | None = None,
                       schedule: str | None = None, time: str | None = None, fairness: bool = False,
@@ -863,7 +890,7 @@ class Loop:
         how = _core.How(mode=mode, plant=plant or ("automata" if schedule or time or fairness else None),
                         schedule=schedule, time=time, fairness=fairness)
         return Report(self._file.check(self.name, how, list(properties),
-                                       _bounds(timeout, memory, states), whole, True))
+                                       _bounds(timeout, memory, states), whole, True, False))
 
     def tune(self, over: Mapping[str, str | tuple[int | str, ...]], *properties: str, mode: str | None = None,
              grain: str | None = None, timeout: Duration | None = None, memory: int | None = None,

@@ -42,7 +42,9 @@ Report certified_by_pdr(const SystemToCheck& system, const CommandContext& job, 
     StateSearch search;
     if (!job.options.certificate) return check_states(system, options, search);
     certificate.emplace();
-    search.proved = [&](const auto&... invariant) { add_witness(invariant..., *certificate); };
+    pdr::SolverLimits limits{.deadline = options.limits.deadline, .stop = options.limits.stop};
+    limits.memory = options.limits.memory.value_or(limits.memory);
+    search.proved = [&](const auto&... invariant) { add_witness(invariant..., limits, *certificate); };
     return check_states(system, options, search);
 }
 
@@ -50,7 +52,8 @@ Report certified_by_pdr(const SystemToCheck& system, const CommandContext& job, 
 void note_omitted(const Report& report, Certificate& certificate) {
     for (const PropertyResult& answer : report.answers)
         if (const std::string& name = answer.verdict.property;
-            std::ranges::find(certificate.certified, name) == certificate.certified.end())
+            std::ranges::find(certificate.certified, name) == certificate.certified.end() &&
+            std::ranges::find(certificate.omitted, name, &Certificate::Omitted::property) == certificate.omitted.end())
             certificate.omitted.push_back({name, answer.verdict.outcome == Outcome::Unknown
                                                      ? "the verdict is unknown"
                                                      : "no invariant of PDR proves the verdict"});
@@ -210,7 +213,11 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     if (!found) return {};
     if (!keep_requested(job.options.properties, *found, job.diagnostics)) return {};
     decided.report = std::move(*found);
-    if (decided.certificate) note_omitted(decided.report, *decided.certificate);
+    if (decided.certificate) {
+        note_omitted(decided.report, *decided.certificate);
+        std::vector<std::string>& failures = decided.report.failures;
+        failures.insert(failures.end(), decided.certificate->failures.begin(), decided.certificate->failures.end());
+    }
     const auto used = std::chrono::steady_clock::now() - begin;
     try_remedies(model, job, bounds, options, end_of_trials(deadline, reserved, used), decided);
     options.limits.deadline = deadline;

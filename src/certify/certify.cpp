@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <optional>
 #include <ranges>
-#include <set>
 #include <unordered_map>
 
 #include "semantics.hpp"
@@ -20,8 +19,7 @@ namespace certify {
 
 /// True if so many states of a run, or after a run, need too much memory.
 bool are_too_many(std::size_t states, const State& one) {
-    constexpr std::size_t most_values = 200'000'000, overhead = 16;  // overhead of a state, in values
-    return states * (one.size() + overhead) > most_values;
+    return states * (one.size() + 16) > 200'000'000;  // 16: the overhead of a state, in values
 }
 
 /// The text of a state in states.txt: all its values, each followed by a blank.
@@ -37,15 +35,12 @@ class Graph {
 public:
     Graph(Semantics& semantics, std::string_view text) : semantics_(semantics) {
         std::unordered_map<std::string_view, std::size_t> numbers;
-        for (std::size_t end = 0; !text.empty(); text.remove_prefix(end + 1)) {
-            end = text.find('\n');
-            if (end == std::string_view::npos) malformed("states.txt: the last line is incomplete");
-            lines_.push_back(text.substr(0, end));
+        for (Words words("states.txt", text); words.next_line();) {
+            lines_.push_back(words.remainder());
             if (!numbers.emplace(lines_.back(), size() - 1).second) reject_state(size() - 1, "occurs twice");
         }
-        const auto first = numbers.find(text_of(semantics.network.initial));
-        if (first == numbers.end()) reject("states.txt does not contain the initial state");
-        initial_ = first->second;
+        if (!numbers.contains(text_of(semantics.network.initial)))
+            reject("states.txt does not contain the initial state");
         State next;
         for (std::size_t i = 0; i < size(); ++i) {
             const auto add = [&](const State& successor) {
@@ -57,7 +52,6 @@ public:
             if (text_of(now) != lines_[i]) reject_state(i, "is invalid");
             starts_.push_back(targets_.size());
             waits_.push_back(semantics.moves(now, next, add));
-            edges_end_.push_back(targets_.size());
             if (waits_.back()) add(next);
             if (!semantics.error.empty()) reject_state(i, "has a model error: " + semantics.error);
         }
@@ -69,35 +63,30 @@ public:
     /// Checks that `property` holds or, for `reachable`, that no state satisfies it.
     void check(const Property& property) {
         const Pattern pattern = property.pattern;
-        const bool all = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo;
         std::vector<bool> starts(size()), goal(size());  // a path to a goal is necessary from each start
+        const auto delay = [&](std::size_t i) { return starts_[i + 1] - (waits_[i] ? 1 : 0); };
         for (std::size_t i = 0; i < size(); ++i) {
             const State now = state(i);
             if (semantics_.decides(property, now)) reject_state(i, "decides `" + property.name + "`");
-            if (pattern == Pattern::NoDeadlock) goal[i] = starts_[i] != edges_end_[i];
-            else if (pattern == Pattern::NoTimelock) goal[i] = waits_[i];
-            else if (pattern > Pattern::ExactlyOne) goal[i] = semantics_.last_operand(property, now);
-            const bool concerned = pattern == Pattern::Possible || semantics_.concerns(property, now);
-            starts[i] = concerned && (pattern != Pattern::LeadsTo || semantics_.truth(property.operands[0], now));
-            if (pattern == Pattern::Inevitable) starts[i] = i == initial_;
+            goal[i] = semantics_.is_goal(property, now, starts_[i] != delay(i), waits_[i]);
+            starts[i] = pattern == Pattern::Possible || semantics_.concerns(property, now);
+            if (pattern == Pattern::LeadsTo) starts[i] = starts[i] && semantics_.truth(property.operands[0], now);
+            if (pattern == Pattern::Inevitable) starts[i] = now == semantics_.network.initial;
         }
         if (pattern <= Pattern::ExactlyOne) return;
-        const auto first = [&](std::size_t i) { return pattern == Pattern::NoDeadlock ? edges_end_[i] : starts_[i]; };
-        std::vector<std::size_t> ends(size() + 1), sources(targets_.size()), missing(size()), open;
+        const auto first = [&](std::size_t i) { return pattern == Pattern::NoDeadlock ? delay(i) : starts_[i]; };
+        std::vector<std::vector<std::size_t>> sources(size());
+        std::vector<std::size_t> missing(size()), open;
         for (std::size_t i = 0; i < size(); ++i) {
-            missing[i] = all ? starts_[i + 1] - first(i) : 1;  // number of successors that must reach a goal
-            for (std::size_t k = first(i); k < starts_[i + 1]; ++k) ++ends[targets_[k] + 1];
+            // number of successors that must reach a goal
+            missing[i] = pattern < Pattern::Possible ? starts_[i + 1] - first(i) : 1;
+            for (std::size_t k = first(i); k < starts_[i + 1]; ++k) sources[targets_[k]].push_back(i);
             if (goal[i]) open.push_back(i);
         }
-        for (std::size_t i = 0; i < size(); ++i) ends[i + 1] += ends[i];
-        std::vector<std::size_t> at = ends;  // the predecessors of i are sources[ends[i]] to sources[ends[i + 1] - 1]
-        for (std::size_t i = 0; i < size(); ++i)
-            for (std::size_t k = first(i); k < starts_[i + 1]; ++k) sources[at[targets_[k]]++] = i;
         while (!open.empty()) {
             const std::size_t i = open.back();
             open.pop_back();
-            for (std::size_t k = ends[i]; k < ends[i + 1]; ++k) {
-                const std::size_t source = sources[k];
+            for (const std::size_t source : sources[i]) {
                 if (goal[source] || --missing[source] > 0) continue;
                 goal[source] = true;
                 open.push_back(source);
@@ -119,7 +108,7 @@ private:
         for (std::size_t k = 0; k < network.initial.size(); ++k) {
             Int& value = state.emplace_back();
             at = std::from_chars(at, end, value).ptr + 1;
-            if (at > end || value < network.low[k] || value > network.high[k]) reject_state(i, "is invalid");
+            if (at > end || !network.admits(k, value)) reject_state(i, "is invalid");
         }
         for (std::size_t p = 0; p < network.processes.size(); ++p) semantics_.reduce(p, state);
         return state;
@@ -127,8 +116,7 @@ private:
 
     Semantics& semantics_;
     std::vector<std::string_view> lines_ = {};
-    std::size_t initial_ = 0;
-    std::vector<std::size_t> starts_ = {}, edges_end_ = {}, targets_ = {};  // targets_: by edges, then by a delay
+    std::vector<std::size_t> starts_ = {}, targets_ = {};  // targets_: by edges, then by a delay if `waits_`
     std::vector<bool> waits_ = {};
 };
 
@@ -144,13 +132,10 @@ Run read_run(Words& words, Semantics& semantics) {
     Int longest = 10'000'000;  // units of time in the remaining run
     for (State next; words.next_line() && !words.skip("end");) {
         if (are_too_many(run.states.size(), run.states[0])) reject("a run is too long");
-        if (words.skip("loop")) {
-            run.loop = run.states.size() - 1;
-            continue;
-        }
         if (semantics.races(run.states.back())) reject("a run continues after a race");
-        if (words.skip("take")) {
-            const std::size_t p = words.choice(semantics.network.names);
+        if (words.skip("loop")) run.loop = run.states.size() - 1;
+        else if (words.skip("take")) {
+            const std::size_t p = words.choice(processes, &Process::name);
             const Int i = words.number(0, std::ssize(processes[p].edges) - 1);
             semantics.error.clear();
             if (!semantics.take(p, processes[p].edges[static_cast<std::size_t>(i)], run.states.back(), next) ||
@@ -178,16 +163,15 @@ bool is_trap(const Property& property, const State& from, Semantics& semantics) 
     for (State next; !open.empty();) {
         const State now = std::move(open.back());
         open.pop_back();
-        std::vector<State> found;
-        const bool waits = semantics.moves(now, next, [&](const State& state) { found.push_back(state); });
-        bool leaves = waits || !found.empty();
-        if (property.pattern == Pattern::NoDeadlock) leaves = !found.empty();
-        if (property.pattern == Pattern::NoTimelock) leaves = waits;
-        if (property.pattern == Pattern::Possible) leaves = semantics.last_operand(property, now);
-        if (leaves || !semantics.error.empty()) return false;
-        if (waits) found.push_back(next);
-        for (State& state : found)
-            if (seen.insert(state).second) open.push_back(std::move(state));
+        bool has_edge = false;
+        const auto visit = [&](const State& state) {
+            has_edge = true;
+            if (seen.insert(state).second) open.push_back(state);
+        };
+        const bool waits = semantics.moves(now, next, visit);
+        if (semantics.is_goal(property, now, has_edge, waits) || !semantics.error.empty()) return false;
+        if (property.pattern < Pattern::Possible && (waits || has_edge)) return false;
+        if (waits) visit(next);
         if (are_too_many(seen.size(), from)) reject("too many states follow a run");
     }
     return true;
@@ -222,71 +206,61 @@ std::string check(const std::filesystem::path& folder, const std::string& inner 
     const std::size_t end = text.rfind("checksum ");
     if (end == std::string::npos || text.substr(end) != "checksum " + checksum(text.substr(0, end)) + '\n')
         malformed("certificate.txt: damaged or incomplete (wrong checksum)");
-    Network network(model);
+    const Network network(model);
     Semantics semantics(network);
+    semantics.check_caps();
     Words words("certificate.txt", std::string_view(text).substr(0, end));
     if (!words.next_line() || !words.skip("grafverif-certificate") || words.number() != 1)
         words.fail("this is not a certificate of version 1");
     if (!words.next_line() || !words.skip("network") || words.word() != checksum(model))
         words.fail("the certificate belongs to another network, or network.txt is damaged");
-    if (!inner.empty() && network.names_of_properties != std::vector{inner})
+    if (!inner.empty() && (network.properties.size() != 1 || network.properties[0].name != inner))
         words.fail("the network of the folder `" + inner + "` must have only the property `" + inner + "`");
-    std::set<std::string> folders(network.names_of_properties.begin(), network.names_of_properties.end());
+    std::set<std::string> open;  // properties without claim
+    for (const Property& property : network.properties) open.insert(property.name);
+    std::set<std::string> folders = open;
     std::string states, result, others;
     std::optional<Graph> graph;
-    std::vector<bool> claimed(network.properties.size());
     while (words.next_line()) {
         const std::string kind(words.word());
-        if (kind == "cap") {
-            if (graph) words.fail("caps must precede the states");
-            Process& process = network.processes[words.choice(network.names)];
-            Location& location = process.locations[words.choice(process.names)];
-            Int& cap = location.caps[words.choice(process.clocks)];
-            cap = words.number(0, greatest_clock);
-        } else if (kind == "states") {
+        if (kind == "states") {
             states = content_of(folder / "states.txt");
             if (graph || words.word() != checksum(states))
                 words.fail("states.txt is damaged, or of another certificate");
-            semantics.check_caps();
             graph.emplace(semantics, states);
         } else if (kind == "omitted") {
             const std::string name(words.word());
-            others += name + ": not certified:" + words.remainder() + '\n';
+            others += name + ": not certified:" + std::string(words.remainder()) + '\n';
         } else if (kind == "also") {
             const std::string name(words.word());
             if (!inner.empty() || name[0] == '.' || name.find('/') != std::string::npos) words.fail("invalid folder");
             if (!folders.insert(name).second) words.fail("two claims about `" + name + "`");
             others += check(folder / name, name);
         } else if (kind == "holds" || kind == "violated") {
-            const std::size_t i = words.choice(network.names_of_properties);
-            const Property& property = network.properties[i];
-            if (claimed[i]) words.fail("two claims about `" + property.name + "`");
-            claimed[i] = true;
+            const Property& property = network.properties[words.choice(network.properties, &Property::name)];
+            if (open.erase(property.name) == 0) words.fail("two claims about `" + property.name + "`");
             const bool by_states = (kind == "holds") != (property.pattern == Pattern::Reachable);
             if (by_states && !graph) words.fail("the claim requires `states`");
             if (by_states) graph->check(property);
-            else if (semantics.check_caps(); !shows(read_run(words, semantics), property, semantics))
+            else if (!shows(read_run(words, semantics), property, semantics))
                 reject("the run of `" + property.name + "` does not show its verdict");
             result += property.name + ": " + kind + (by_states ? ", proved by the states\n" : ", shown by a run\n");
         } else words.fail("unknown line");
     }
-    for (std::size_t i = 0; i < claimed.size(); ++i)
-        if (!claimed[i]) result += network.properties[i].name + ": not certified: no claim\n";
+    for (const std::string& name : open) result += name + ": not certified: no claim\n";
     return "network " + checksum(model) + ": " + std::to_string(graph ? graph->size() : 0) + " states\n" + result +
            others;
 }
 
 }  // namespace certify
 
-int main(int count, char** values) {
+int main(int count, char** values) try {
     if (count != 2) return std::fputs("usage: grafverif-certify FOLDER (of `check --certificate`)\n", stderr), 2;
-    try {
-        return std::fputs(certify::check(values[1]).c_str(), stdout) < 0 ? 2 : 0;
-    } catch (const certify::Rejected& rejected) {
-        std::fprintf(stderr, "rejected: %s\n", rejected.what());
-        return 1;
-    } catch (const std::exception& failure) {
-        std::fprintf(stderr, "error: %s\n", failure.what());
-    }
+    return std::fputs(certify::check(values[1]).c_str(), stdout) < 0 ? 2 : 0;
+} catch (const certify::Rejected& rejected) {
+    std::fprintf(stderr, "rejected: %s\n", rejected.what());
+    return 1;
+} catch (const std::exception& failure) {
+    std::fprintf(stderr, "error: %s\n", failure.what());
     return 2;
 }

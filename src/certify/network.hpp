@@ -19,7 +19,7 @@
 namespace certify {
 
 using Int = std::int64_t;
-using State = std::vector<Int>;  // the locations of all processes, then all variables, then the clocks of all processes
+using State = std::vector<Int>;  // in the order of declaration: values of variables, locations of processes, clocks
 
 inline constexpr Int greatest_clock = Int{1} << 60;
 inline constexpr std::size_t most_nesting = 500, most_depth = 5000;
@@ -33,8 +33,8 @@ struct NoValue {};
 [[noreturn]] inline void malformed(const std::string& problem) { throw std::runtime_error(problem); }
 
 inline std::string content_of(const std::filesystem::path& path) {
-    std::error_code failure;
-    if (!std::filesystem::is_regular_file(path, failure)) malformed(path.string() + ": no such file");
+    if (std::error_code failure; !std::filesystem::is_regular_file(path, failure))
+        malformed(path.string() + ": no such file");
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
@@ -54,15 +54,20 @@ public:
     Words(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
 
     bool next_line() {
-        if (!at_end()) fail("unexpected `" + std::string(word()) + "`");
+        if (!at_end()) unexpected(word());
         if (rest_.empty()) return false;
         const std::size_t end = rest_.find('\n');
         if (end == std::string_view::npos) fail("the last line is incomplete");
         line_ = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
         ++number_;
-        for (std::size_t i = 0; i < line_.size(); ++i)
-            if (is_control(line_[i], i == 0 ? ' ' : line_[i - 1])) fail("the line contains a control character");
+        // A terminal executes a control character, of ASCII or of UTF-8 (after 0xc2), when a name is printed.
+        for (unsigned char previous = ' '; const char c : line_) {
+            const auto byte = static_cast<unsigned char>(c);
+            if (byte < 0x20 || byte == 0x7f || (byte >= 0x80 && byte < 0xa0 && (previous < 0x80 || previous == 0xc2)))
+                fail("the line contains a control character");
+            previous = byte;
+        }
         return true;
     }
     bool at_end() {
@@ -78,10 +83,9 @@ public:
     }
     /// Reads the next word if it is `expected`.
     bool skip(std::string_view expected) {
-        const std::string_view before = line_;
-        if (!at_end() && word() == expected) return true;
-        line_ = before;
-        return false;
+        const std::string_view before = line_, found = at_end() ? "" : word();
+        if (found != expected) line_ = before;
+        return found == expected;
     }
     bool at_number() { return !at_end() && (line_[0] == '-' || (line_[0] >= '0' && line_[0] <= '9')); }
     Int number(Int low = INT64_MIN, Int high = INT64_MAX) {
@@ -92,25 +96,20 @@ public:
             fail("`" + std::string(text) + "` is not a number, or too large or small");
         return value;
     }
-    /// Reads a word of `list` and returns its index.
-    template <class List>
-    std::size_t choice(const List& list) {
-        const auto found = std::ranges::find(list, word());
+    /// Reads a word of `list`, or the `name` of an element of `list`, and returns its index.
+    template <class List, class... Name>
+    std::size_t choice(const List& list, Name... name) {
+        const auto found = std::ranges::find(list, word(), name...);
         if (found == std::end(list)) fail("unknown word");
         return static_cast<std::size_t>(found - std::begin(list));
     }
-    std::string remainder() { return std::string(std::exchange(line_, {})); }
+    std::string_view remainder() { return std::exchange(line_, {}); }
+    [[noreturn]] void unexpected(std::string_view word) const { fail("unexpected `" + std::string(word) + "`"); }
     [[noreturn]] void fail(const std::string& problem) const {
         malformed(name_ + ":" + std::to_string(number_) + ": " + problem);
     }
 
 private:
-    /// True for a control character of ASCII or UTF-8 (after 0xc2): a terminal executes it when a name is printed.
-    static bool is_control(char c, char previous) {
-        const auto byte = static_cast<unsigned char>(c), before = static_cast<unsigned char>(previous);
-        return byte < 0x20 || byte == 0x7f || (byte >= 0x80 && byte < 0xa0 && (before < 0x80 || before == 0xc2));
-    }
-
     std::string name_;
     std::string_view rest_, line_ = {};
     std::size_t number_ = 0;
@@ -118,7 +117,7 @@ private:
 
 // The network
 
-enum class Op { Not, And, Or, If, Neg, Eq, Ne, Lt, Le, Gt, Ge, Add, Sub, Mul, Div, Mod, Constant, Value, At };
+enum class Op { Not, And, Or, If, Neg, Eq, Ne, Lt, Le, Gt, Ge, Add, Sub, Mul, Div, Mod, Constant, Value };
 inline constexpr std::string_view operators[] = {"not", "and", "or", "if", "neg", "=", "!=", "<",
                                                  "<=",  ">",   ">=", "+",  "-",   "*", "/",  "%"};
 enum class Pattern { Always, Never, Reachable, ExactlyOne, Inevitable, LeadsTo, Possible, NoDeadlock, NoTimelock };
@@ -128,35 +127,40 @@ inline constexpr std::string_view patterns[] = {"always",          "never",     
 
 struct Term {
     Op op = Op::Constant;
-    Int value = 0;          // Constant: the value; At: the location
-    std::size_t place = 0;  // Value, At: index in State
+    Int value = 0;          // Constant: the value
+    std::size_t place = 0;  // Value: index in State
     std::vector<std::size_t> operands = {};
     std::size_t depth = 1;
 };
 struct Constraint {
-    std::size_t clock = 0;
+    std::size_t clock = 0;  // index in State
     Op relation = Op::Le;
     Int bound = 0;
     /// The least value from which on all values satisfy the constraint or all values violate it.
     Int cap() const { return relation == Op::Lt || relation == Op::Ge ? bound : bound + 1; }
 };
 struct Location {
+    std::string name = {};
     std::vector<Constraint> invariant = {};
-    std::vector<Int> caps = {};  // per clock: this value also represents all greater values
+    std::map<std::size_t, Int> caps = {};  // by clock (index in State): this value also represents all greater values
 };
 struct Edge {
     std::size_t from = 0, to = 0, guard = 0;
     bool urgent = false;
     std::vector<Constraint> constraint = {};
-    std::vector<std::size_t> resets = {};
+    std::set<std::size_t> resets = {};
     std::vector<std::pair<std::size_t, std::size_t>> assignments = {};  // index in State, term
+};
+struct Clock {
+    std::string name = {};
+    std::size_t place = 0;  // index in State
 };
 struct Process {
     std::string name = {};
-    std::vector<std::string> clocks = {}, names = {};  // names of locations
+    std::size_t place = 0;  // index in State
+    std::vector<Clock> clocks = {};
     std::vector<Location> locations = {};
     std::vector<Edge> edges = {};
-    std::size_t first_clock = 0;  // index in State
 };
 struct Property {
     std::string name = {};
@@ -170,108 +174,99 @@ public:
     explicit Network(const std::string& text) : words_("network.txt", text) {
         if (!words_.next_line() || !words_.skip("grafverif-network") || words_.number() != 1)
             words_.fail("this is not a network of version 1");
-        if (!words_.next_line() || !words_.skip("processes")) words_.fail("expected `processes`");
-        const auto count = static_cast<std::size_t>(words_.number(1, 1'000'000));
-        low = high = initial = State(count);
-        while (words_.next_line()) {
-            read_line(words_.word());
-            if (processes.size() > count) words_.fail("too many processes");
-        }
-        for (Process& process : processes) {
-            process.first_clock = initial.size();
-            for (Location& location : process.locations) location.caps.resize(process.clocks.size());
-            initial.resize(initial.size() + process.clocks.size());
-            if (process.locations.empty()) words_.fail("a process has no location");
+        while (words_.next_line()) read_line(words_.word());
+        for (const Process& process : processes)
             if (!declared_.contains("initial " + process.name)) words_.fail("a process has no initial location");
-        }
-        low.resize(initial.size());
-        high.resize(initial.size(), greatest_clock);
-        if (processes.size() != count) words_.fail("a process is missing");
+    }
+
+    /// True if the range of a place of State contains `value`.
+    bool admits(std::size_t place, Int value) const {
+        return ranges[place].first <= value && value <= ranges[place].second;
     }
 
     std::vector<Process> processes = {};
-    std::vector<std::string> names = {}, names_of_properties = {};  // names of processes
     std::vector<Property> properties = {};
     std::vector<Term> terms = {Term{}};  // term 0 is not used
     std::size_t settled = 0, race = 0;   // terms
-    State initial = {}, low = {}, high = {};
-    std::vector<std::size_t> scratch = {};  // variables that have a value only within an edge
+    State initial = {};
+    std::vector<std::pair<Int, Int>> ranges = {};  // by index in State
 
 private:
     void read_line(std::string_view kind) {
         if (kind == "name") words_.remainder();
-        else if (kind == "variable" || kind == "scratch" || kind == "define") {
-            const std::string name(words_.word());
-            const std::size_t meaning = kind == "define" ? term() : add({Op::Value, 0, initial.size()});
-            declare("term " + name);
-            terms_.emplace(name, meaning);
+        else if (kind == "variable" || kind == "define") {
+            const std::string name = declare("term ", words_.word());
+            terms_.emplace(name, kind == "define" ? term() : add({Op::Value, 0, initial.size()}));
             if (kind == "define") return;
-            if (kind == "scratch") scratch.push_back(initial.size());
-            low.push_back(words_.number());
-            high.push_back(words_.number(low.back()));
-            initial.push_back(words_.number(low.back(), high.back()));
+            const Int low = words_.number(), high = words_.number(low);
+            add_place(low, high, words_.number(low, high));
         } else if (kind == "race" || kind == "settled") {
-            declare(std::string(kind));
+            declare(std::string(kind), {});
             (kind == "race" ? race : settled) = term();
         } else if (kind == "property") read_property();
         else if (kind == "process") {
-            processes.push_back({std::string(words_.word())});
-            names.push_back(processes.back().name);
-            declare("process " + names.back());
-        } else if (processes.empty()) words_.fail("unexpected `" + std::string(kind) + "`");
+            processes.push_back({declare("process ", words_.word()), initial.size()});
+            add_place(0, 0, 0);
+        } else if (processes.empty()) words_.unexpected(kind);
         else read_part(kind, processes.back());
     }
 
     void read_part(std::string_view kind, Process& process) {
-        if (kind == "clock") {
-            process.clocks.emplace_back(words_.word());
-            declare("clock " + process.name + ' ' + process.clocks.back());
+        if (kind == "clock" && process.locations.empty()) {
+            process.clocks.push_back({declare("clock " + process.name + ' ', words_.word()), initial.size()});
+            add_place(0, greatest_clock, 0);
         } else if (kind == "location") {
-            process.names.emplace_back(words_.word());
-            declare("location " + process.name + ' ' + process.names.back());
-            process.locations.emplace_back();
-            high[processes.size() - 1] = std::ssize(process.names) - 1;
+            process.locations.push_back({declare("location " + process.name + ' ', words_.word())});
+            for (const Clock& clock : process.clocks) process.locations.back().caps[clock.place] = 0;
+            ranges[process.place].second = std::ssize(process.locations) - 1;
         } else if (kind == "initial") {
-            declare("initial " + process.name);
-            initial[processes.size() - 1] = static_cast<Int>(words_.choice(process.names));
+            declare("initial ", process.name);
+            initial[process.place] = static_cast<Int>(location(process));
         } else if (kind == "invariant" && !process.locations.empty())
             process.locations.back().invariant.push_back(constraint(process));
-        else if (kind == "edge") {
-            const std::size_t from = words_.choice(process.names), to = words_.choice(process.names);
+        else if (kind == "cap" && !process.locations.empty()) {
+            Int& cap = process.locations.back().caps.at(clock(process));
+            cap = words_.number(0, greatest_clock);
+        } else if (kind == "edge") {
+            const std::size_t from = location(process), to = location(process);
             const bool urgent = words_.skip("urgent");
             process.edges.push_back({from, to, term(), urgent});
-        } else if (process.edges.empty()) words_.fail("unexpected `" + std::string(kind) + "`");
+        } else if (process.edges.empty()) words_.unexpected(kind);
         else if (kind == "when") process.edges.back().constraint.push_back(constraint(process));
-        else if (kind == "reset") process.edges.back().resets.push_back(words_.choice(process.clocks));
+        else if (kind == "reset") process.edges.back().resets.insert(clock(process));
         else if (kind == "set") {
-            const Term& target = terms[term()];
-            if (target.op != Op::Value) words_.fail("the target is not a variable");
-            const std::size_t place = target.place;
-            process.edges.back().assignments.emplace_back(place, term());
-        } else words_.fail("unexpected `" + std::string(kind) + "`");
+            const std::size_t target = term();
+            if (terms[target].op != Op::Value) words_.fail("the target is not a variable");
+            process.edges.back().assignments.emplace_back(terms[target].place, term());
+        } else words_.unexpected(kind);
     }
 
     void read_property() {
-        Property one{std::string(words_.word()), words_.skip("stable")};
+        Property one{declare("property ", words_.word()), words_.skip("stable")};
         one.pattern = static_cast<Pattern>(words_.choice(patterns));
         while (!words_.at_end()) one.operands.push_back(term());
         const std::size_t count = one.pattern >= Pattern::NoDeadlock ? 0 : one.pattern == Pattern::LeadsTo ? 2 : 1;
         if (one.pattern != Pattern::ExactlyOne && one.operands.size() != count) words_.fail("wrong number of operands");
         if (one.stable && settled == 0) words_.fail("`settled` is not defined");
-        declare("property " + one.name);
-        names_of_properties.push_back(one.name);
         properties.push_back(std::move(one));
     }
 
-    void declare(const std::string& what) {
-        if (!declared_.insert(what).second) words_.fail("`" + what + "` is declared twice");
+    std::string declare(std::string kind, std::string_view name) {
+        if (!declared_.insert(kind += name).second) words_.fail("`" + kind + "` is declared twice");
+        return std::string(name);
+    }
+    void add_place(Int low, Int high, Int first) {
+        ranges.emplace_back(low, high);
+        initial.push_back(first);
     }
 
+    std::size_t location(const Process& of) { return words_.choice(of.locations, &Location::name); }
+    std::size_t clock(const Process& of) { return of.clocks[words_.choice(of.clocks, &Clock::name)].place; }
     Constraint constraint(const Process& process) {
-        const std::size_t clock = words_.choice(process.clocks);
+        const std::size_t restricted = clock(process);
         const Op relation = static_cast<Op>(words_.choice(operators));
         if (relation < Op::Eq || relation > Op::Ge || relation == Op::Ne) words_.fail("invalid relation");
-        return {clock, relation, words_.number(-greatest_clock, greatest_clock - 1)};
+        return {restricted, relation, words_.number(-greatest_clock, greatest_clock - 1)};
     }
 
     std::size_t add(Term term) {
@@ -289,14 +284,11 @@ private:
             if (found == terms_.end()) words_.fail("unknown variable or term");
             return found->second;
         }
-        Term made;
+        Term made{Op::Eq};
         if (words_.skip("at")) {
-            made = {Op::At, 0, words_.choice(names)};
-            made.value = static_cast<Int>(words_.choice(processes[made.place].names));
-            if (!words_.skip(")")) words_.fail("expected `)`");
-            return add(std::move(made));
-        }
-        made.op = static_cast<Op>(words_.choice(operators));
+            const std::size_t p = words_.choice(processes, &Process::name), at = location(processes[p]);
+            made.operands = {add({Op::Value, 0, processes[p].place}), add({Op::Constant, static_cast<Int>(at)})};
+        } else made.op = static_cast<Op>(words_.choice(operators));
         while (!words_.skip(")")) made.operands.push_back(term(nesting + 1));
         const std::size_t count = made.op == Op::Not || made.op == Op::Neg ? 1 : made.op == Op::If ? 3 : 2;
         if (made.op != Op::And && made.op != Op::Or && made.operands.size() != count)

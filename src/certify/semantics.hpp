@@ -25,6 +25,11 @@ public:
     bool last_operand(const Property& property, const State& state) {
         return concerns(property, state) && truth(property.operands.back(), state);
     }
+    /// True if the property requires a path to this state. `has_edge`: an edge can be taken. `waits`: time can pass.
+    bool is_goal(const Property& property, const State& state, bool has_edge, bool waits) {
+        if (property.pattern >= Pattern::NoDeadlock) return property.pattern == Pattern::NoDeadlock ? has_edge : waits;
+        return property.pattern > Pattern::ExactlyOne && last_operand(property, state);
+    }
     /// True if the state alone violates the property or, for `reachable`, satisfies it.
     bool decides(const Property& property, const State& state) {
         if (property.pattern > Pattern::ExactlyOne || !concerns(property, state)) return false;
@@ -35,18 +40,16 @@ public:
 
     /// True if the edge is enabled in `now`; then `next` is the successor, unless `error` is set.
     bool take(std::size_t p, const Edge& edge, const State& now, State& next) try {
-        const Process& process = network.processes[p];
-        if (now[p] != static_cast<Int>(edge.from)) return false;
-        if (!satisfied(edge.constraint, process, now) || value(edge.guard, now) == 0) return false;
+        if (now[network.processes[p].place] != static_cast<Int>(edge.from)) return false;
+        if (!satisfied(edge.constraint, now) || value(edge.guard, now) == 0) return false;
         next = now;
-        for (const std::size_t clock : edge.resets) next[process.first_clock + clock] = 0;
-        if (!satisfied(process.locations[edge.to].invariant, process, next)) return false;
+        for (const std::size_t clock : edge.resets) next[clock] = 0;
+        if (!satisfied(network.processes[p].locations[edge.to].invariant, next)) return false;
         for (const auto& [target, term] : edge.assignments) {
             next[target] = value(term, next);
-            if (next[target] < network.low[target] || next[target] > network.high[target]) throw NoValue();
+            if (!network.admits(target, next[target])) throw NoValue();
         }
-        next[p] = static_cast<Int>(edge.to);
-        for (const std::size_t variable : network.scratch) next[variable] = network.initial[variable];
+        next[network.processes[p].place] = static_cast<Int>(edge.to);
         reduce(p, next);
         return true;
     } catch (const NoValue&) {
@@ -68,9 +71,8 @@ public:
             }
         next = now;
         for (std::size_t p = 0; p < network.processes.size() && !urgent; ++p) {
-            const Process& process = network.processes[p];
-            for (std::size_t clock = 0; clock < process.clocks.size(); ++clock) ++next[process.first_clock + clock];
-            if (!satisfied(location(p, now).invariant, process, next)) return false;
+            for (const Clock& clock : network.processes[p].clocks) ++next[clock.place];
+            if (!satisfied(location(p, now).invariant, next)) return false;
             reduce(p, next);
         }
         return !urgent;
@@ -81,36 +83,31 @@ public:
     void check_caps() const {
         for (const Process& process : network.processes) {
             const auto require = [&](const Location& at, std::size_t clock, Int least) {
-                if (at.caps[clock] < least) reject("a cap of a clock of `" + process.name + "` is too small");
+                if (at.caps.at(clock) < least) reject("a cap of a clock of `" + process.name + "` is too small");
             };
             for (const Location& at : process.locations)
                 for (const Constraint& one : at.invariant) require(at, one.clock, one.cap());
             for (const Edge& edge : process.edges) {
                 const Location &from = process.locations[edge.from], &to = process.locations[edge.to];
                 for (const Constraint& one : edge.constraint) require(from, one.clock, one.cap());
-                for (std::size_t clock = 0; clock < process.clocks.size(); ++clock)
-                    if (std::ranges::find(edge.resets, clock) == edge.resets.end())
-                        require(from, clock, to.caps[clock]);
+                for (const auto& [clock, cap] : to.caps)
+                    if (!edge.resets.contains(clock)) require(from, clock, cap);
             }
         }
     }
 
     /// Replaces the clocks of process `p` by their caps.
     void reduce(std::size_t p, State& state) const {
-        for (std::size_t clock = 0; clock < network.processes[p].clocks.size(); ++clock) {
-            Int& value = state[network.processes[p].first_clock + clock];
-            value = std::min(value, location(p, state).caps[clock]);
-        }
+        for (const auto& [clock, cap] : location(p, state).caps) state[clock] = std::min(state[clock], cap);
     }
 
 private:
     const Location& location(std::size_t p, const State& state) const {
-        return network.processes[p].locations[static_cast<std::size_t>(state[p])];
+        return network.processes[p].locations[static_cast<std::size_t>(state[network.processes[p].place])];
     }
-    static bool satisfied(const std::vector<Constraint>& list, const Process& process, const State& state) {
-        return std::ranges::all_of(list, [&](const Constraint& one) {
-            return combined(one.relation, state[process.first_clock + one.clock], one.bound) != 0;
-        });
+    static bool satisfied(const std::vector<Constraint>& list, const State& state) {
+        return std::ranges::all_of(
+            list, [&](const Constraint& one) { return combined(one.relation, state[one.clock], one.bound) != 0; });
     }
     Int value(std::size_t term, const State& state) {
         ++round_;  // forgets all values in memory_
@@ -120,17 +117,14 @@ private:
         const Term& term = network.terms[index];
         if (term.op == Op::Constant) return term.value;
         if (term.op == Op::Value) return state[term.place];
-        if (term.op == Op::At) return state[term.place] == term.value;
         if (memory_[index].first != round_) memory_[index] = {round_, compute(term, state)};
         return memory_[index].second;
     }
     Int compute(const Term& term, const State& state) {
         const auto operand = [&](std::size_t i) { return evaluate(term.operands[i], state); };
-        if (term.op == Op::And || term.op == Op::Or) {
-            for (std::size_t i = 0; i < term.operands.size(); ++i)
-                if ((operand(i) != 0) == (term.op == Op::Or)) return term.op == Op::Or;
-            return term.op == Op::And;
-        }
+        const auto decides = [&](std::size_t each) { return (evaluate(each, state) != 0) == (term.op == Op::Or); };
+        if (term.op == Op::And || term.op == Op::Or)
+            return std::ranges::any_of(term.operands, decides) == (term.op == Op::Or);
         if (term.op == Op::If) return operand(operand(0) != 0 ? 1 : 2);
         if (term.op == Op::Not) return operand(0) == 0;
         return term.op == Op::Neg ? combined(Op::Sub, 0, operand(0)) : combined(term.op, operand(0), operand(1));
@@ -138,12 +132,9 @@ private:
     static Int combined(Op op, Int left, Int right) {
         Int result = 0;
         bool fails = false;
-        if (op == Op::Eq) return left == right;
-        if (op == Op::Ne) return left != right;
-        if (op == Op::Lt) return left < right;
-        if (op == Op::Le) return left <= right;
-        if (op == Op::Gt) return left > right;
-        if (op == Op::Ge) return left >= right;
+        if (op == Op::Eq || op == Op::Ne) return (left == right) == (op == Op::Eq);
+        if (op == Op::Lt || op == Op::Ge) return (left < right) == (op == Op::Lt);
+        if (op == Op::Gt || op == Op::Le) return (left > right) == (op == Op::Gt);
         if (op == Op::Add) fails = __builtin_add_overflow(left, right, &result);
         else if (op == Op::Sub) fails = __builtin_sub_overflow(left, right, &result);
         else if (op == Op::Mul) fails = __builtin_mul_overflow(left, right, &result);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,14 @@ namespace grafverif {
 using FaultSet = std::vector<std::size_t>;
 
 struct FaultAnalysis {
+    /// A property that a fault violates and that holds without faults.
+    struct Observer {
+        std::string property = {};  ///< its declaration, such as `property detects_A: never S1 && !S2 at stable;`
+        /// Holds: in every run in which the fault occurs, the property is violated after this time.
+        Outcome in_every_run = Outcome::Unknown;
+        std::optional<std::int64_t> within_ms = {};  ///< the longest time from the fault to the violation
+        bool operator==(const Observer&) const = default;
+    };
     /// Names of the visible elements (steps and Boolean outputs of controllers) that a fault affects.
     struct Visible {
         /// Elements that are true in some reachable state if the fault may occur, but in no reachable state without
@@ -27,6 +36,11 @@ struct FaultAnalysis {
         /// If the fault is present from power-on: the outcome of the property that it is inevitable that an element of
         /// `newly_true` becomes true.
         Outcome always_shown = Outcome::Unknown;
+        /// Holds: in every run in which the fault occurs, an element of `newly_true` becomes true afterwards.
+        Outcome detected = Outcome::Unknown;
+        std::optional<std::int64_t> within_ms = {};  ///< the longest time from the fault to such an element
+        /// A property that reveals the fault, if not every run with the fault is detected by steps and outputs.
+        std::optional<Observer> observer = {};
         bool decided = false;  ///< false: the search was stopped, and the lists are incomplete
         bool operator==(const Visible&) const = default;
     };

@@ -104,10 +104,17 @@ Json trials_json(const std::vector<Trial>& trials) {
     return list;
 }
 
+Json certificate_json(const CertificateSummary& certificate) {
+    Json omitted = Json::array();
+    for (const CertificateSummary::Omitted& one : certificate.omitted)
+        omitted.push_back({{"property", one.property}, {"reason", one.reason}});
+    return {{"folder", certificate.folder}, {"certified", certificate.certified}, {"omitted", std::move(omitted)}};
+}
+
 }  // namespace
 
 void print_json(const Report& report, const Sources& sources, std::ostream& out, const ProofExplanation* why,
-                const std::vector<Trial>& trials) {
+                const std::vector<Trial>& trials, const CertificateSummary* certificate) {
     Json properties = Json::array();
     for (const PropertyResult& answer : report.answers) properties.push_back(property(report, answer, sources));
     Json document = {{"model", report.model}};
@@ -124,6 +131,7 @@ void print_json(const Report& report, const Sources& sources, std::ostream& out,
     }
     if (!trials.empty()) document["remedies"] = trials_json(trials);
     if (report.profile) document["profile"] = profile_json(*report.profile);
+    if (certificate != nullptr) document["certificate"] = certificate_json(*certificate);
     if (why != nullptr) document["why"] = why_json(*why);
     out << json_text(document) << '\n';
 }

@@ -210,3 +210,26 @@ def test_wrong_samples_are_rejected(pump):
         file.recording(jitter=-1)
     mapped = file.recording(map={"%I0": "START"})
     assert mapped.add(0, {"%I0": True, "STOP": 0, "PUMP": False, "HORN": False})
+
+
+def contents(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def test_a_certificate_is_that_of_the_program(driveway, tmp_path):
+    loop = grafverif.read(driveway).loop()
+    report = loop.check(certificate=tmp_path / "python")
+    printed("check", driveway, "--certificate", tmp_path / "program")
+    written = contents(tmp_path / "python")
+    assert written == contents(tmp_path / "program") and "certificate.txt" in written
+    assert report.certificate == {"folder": str(tmp_path / "python"), "omitted": [],
+                                  "certified": ["reported", "safe", "used", "alive", "no_timelock"]}
+    document = json.loads(printed("check", driveway, "--certificate", tmp_path / "program", "--format", "json"))
+    assert document["certificate"] == {**report.certificate, "folder": str(tmp_path / "program")}
+    assert loop.check().certificate is None
+
+
+def test_a_certificate_names_unknown_verdicts(driveway, tmp_path):
+    report = grafverif.read(driveway).loop().check("safe", states=10, certificate=tmp_path / "few")
+    assert report.certificate["certified"] == []
+    assert {"property": "safe", "reason": "the verdict is unknown"} in report.certificate["omitted"]

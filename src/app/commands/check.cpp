@@ -86,7 +86,8 @@ void note_certificate(const Decided& decided, CommandContext& job, const Streams
         job.reports->files.push_back({std::filesystem::path(folder) / file.path, file.content});
     if (job.options.format != Format::Text || job.options.quiet) return;
     const std::string checker = decided.timed ? fmt::format("`grafverif-certify {}`", printable(folder))
-                                              : "Certifaiger (NAME.model.aag, NAME.witness.aag)";
+                                              : "Certifaiger (NAME.model.aag, NAME.witness.aag), or check the proofs "
+                                                "NAME.*.lrat with an LRAT checker";
     streams.out << fmt::format("certificate: {} of {} verdicts; check it with {}\n", certificate.certified.size(),
                                certificate.certified.size() + certificate.omitted.size(), checker);
     for (const Certificate::Omitted& one : certificate.omitted)
@@ -99,8 +100,12 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
     const Options& requested = job.options;
     const Report& report = decided.report;
     work_is_done();
+    std::optional<CertificateSummary> certificate;
+    if (decided.certificate)
+        certificate = {*requested.certificate, decided.certificate->certified, decided.certificate->omitted};
     if (requested.format == Format::Json)
-        print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr, decided.trials);
+        print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr, decided.trials,
+                   certificate ? &*certificate : nullptr);
     else if (requested.format == Format::JsonLines)
         print_json_lines(report, {job.sources, model, decided.loop, decided.chart}, streams.out);
     else

@@ -100,6 +100,17 @@ void SatSolver::expect_small_queries() {
     guarded([this] { solver_->configure("plain"); });
 }
 
+void SatSolver::write_proof(FILE* file) {
+    guarded([&] {
+        solver_->set("binary", 0);
+        solver_->trace_proof(file, "proof");
+    });
+}
+
+void SatSolver::end_proof() {
+    guarded([this] { solver_->close_proof_trace(); });
+}
+
 void SatSolver::add(std::span<const int> clause) {
     guarded([&] {
         for (const int each : clause) solver_->add(each);

@@ -8,6 +8,7 @@
 #include <cadical.hpp>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <span>
@@ -77,6 +78,10 @@ public:
     /// Disables solver techniques that inspect all clauses. These techniques are too expensive for thousands of small
     /// queries.
     void expect_small_queries();
+    /// Writes a proof in DRAT, as text, to `file`. Must be called before the first clause is added.
+    void write_proof(FILE* file);
+    /// Completes the proof, after an unsatisfiable query.
+    void end_proof();
     void add(std::span<const int> clause);
     /// True if the clauses are satisfiable under the assumptions; if `one_of` is not empty, at least one of its
     /// literals must also be true. Throws Exhausted if a limit is exceeded.

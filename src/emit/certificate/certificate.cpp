@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
+#include <utility>
 
 #include "ir/network_clocks.hpp"
 #include "support/overloaded.hpp"
@@ -83,12 +85,14 @@ public:
     }
 
     std::string text(const std::vector<Property>& properties) && {
-        write("grafverif-network 1\nprocesses {}\nname {}\n", network_.processes.size(), word_of(network_.name));
+        write("grafverif-network 1\nname {}\n", word_of(network_.name));
         for (const Network::Variable& variable : network_.variables)
-            write("{} {} {} {} {}\n", variable.scratch ? "scratch" : "variable", word_of(variable.name),
-                  variable.type.low, variable.type.high, variable.initial);
+            write("variable {} {} {} {}\n", word_of(variable.name), variable.type.low, variable.type.high,
+                  variable.initial);
         if (network_.race.valid()) write("race {}\n", variable_name(network_.race.index));
-        for (const Network::Process& process : network_.processes) write_process(process);
+        const std::vector<ProcessClocks> clocks = analyse_clocks(network_);
+        for (const Id<Network::Process> id : network_.processes.ids())
+            write_process(network_.processes[id], clocks[id.index]);
         if (network_.settled.valid()) write_line("settled", {network_.settled});
         for (const Property& property : properties)
             write_line(fmt::format("property {}{} {}", word_of(property.name), property.at_stable ? " stable" : "",
@@ -105,13 +109,16 @@ private:
         fmt::format_to(std::back_inserter(out_), format, std::forward<Arguments>(arguments)...);
     }
 
-    void write_process(const Network::Process& process) {
+    void write_process(const Network::Process& process, const ProcessClocks& clocks) {
         const Network::Template& automaton = network_.templates[process.automaton];
         write("process {}\n", word_of(process.name));
         for (const Network::Clock& clock : automaton.clocks) write("clock {}\n", word_of(clock.name));
-        for (const Network::Location& location : automaton.locations) {
-            write("location {}\n", word_of(location.name));
-            write_constraints("invariant", automaton, location.invariant);
+        for (const Id<Network::Location> id : automaton.locations.ids()) {
+            write("location {}\n", word_of(automaton.locations[id].name));
+            write_constraints("invariant", automaton, automaton.locations[id].invariant);
+            for (const Id<Network::Clock> clock : automaton.clocks.ids())
+                if (const std::int64_t cap = clocks.cap[id.index][clock.index]; cap > 0)
+                    write("cap {} {}\n", word_of(automaton.clocks[clock].name), cap);
         }
         const auto name = [&](Id<Network::Location> id) { return word_of(automaton.locations[id].name); };
         write("initial {}\n", name(process.initial));
@@ -124,6 +131,8 @@ private:
             write_assignments(edge.assignments);
             for (const Id<Network::Procedure> call : edge.calls)
                 write_assignments(automaton.procedures[call].assignments);
+            for (const std::uint32_t variable : std::exchange(assigned_scratch_, {}))
+                write("set {} {}\n", variable_name(variable), network_.variables[{variable}].initial);
         }
     }
 
@@ -135,9 +144,11 @@ private:
     }
 
     void write_assignments(const std::vector<Network::Assignment>& assignments) {
-        for (const Network::Assignment& one : assignments)
-            write_line("set " + variable_name(static_cast<std::uint32_t>(network_.exprs[one.target].value)),
-                       {one.value});
+        for (const Network::Assignment& one : assignments) {
+            const auto target = static_cast<std::uint32_t>(network_.exprs[one.target].value);
+            write_line("set " + variable_name(target), {one.value});
+            if (network_.variables[{target}].scratch) assigned_scratch_.insert(target);
+        }
     }
 
     /// Writes a line with terms, after the definitions that the terms need.
@@ -180,6 +191,7 @@ private:
     std::string out_ = {};
     std::vector<std::size_t> uses_;
     std::vector<bool> defined_;
+    std::set<std::uint32_t> assigned_scratch_ = {};  ///< scratch variables that the current edge assigns
 };
 
 }  // namespace
@@ -216,29 +228,14 @@ std::string network_text(const Network& flat, const std::vector<Property>& prope
     return Writer(flat).text(properties);
 }
 
-std::string caps_text(const Network& flat) {
-    std::string text;
-    const std::vector<ProcessClocks> clocks = analyse_clocks(flat);
-    for (const Id<Network::Process> id : flat.processes.ids()) {
-        const Network::Template& shape = automaton(flat, id);
-        for (const Id<Network::Location> location : shape.locations.ids())
-            for (const Id<Network::Clock> clock : shape.clocks.ids()) {
-                const std::int64_t cap = clocks[id.index].cap[location.index][clock.index];
-                if (cap <= 0) continue;
-                text += fmt::format("cap {} {} {} {}\n", word_of(flat.processes[id].name),
-                                    word_of(shape.locations[location].name), word_of(shape.clocks[clock].name), cap);
-            }
-    }
-    return text;
-}
-
 void write_state(const Network& flat, const NetworkState& state, std::string& text) {
     const auto add = [&](std::int64_t value) { fmt::format_to(std::back_inserter(text), "{} ", value); };
-    for (const Id<Network::Location> location : state.locations) add(location.index);
     for (const Id<Network::Variable> id : flat.variables.ids())
         add(flat.variables[id].scratch ? flat.variables[id].initial : state.variables[id.index]);
-    for (const std::vector<std::int64_t>& clocks : state.clocks)
-        for (const std::int64_t clock : clocks) add(clock);
+    for (std::size_t process = 0; process < state.locations.size(); ++process) {
+        add(state.locations[process].index);
+        for (const std::int64_t clock : state.clocks[process]) add(clock);
+    }
     text += '\n';
 }
 

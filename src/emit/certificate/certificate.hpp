@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of a certificate: the network, the caps of its clocks, states and runs, as `grafverif-certify` reads them
+// Texts of a certificate: the network with the caps of its clocks, states and runs, as `grafverif-certify` reads them
 // (src/certify, docs/how-to/certificates.md).
 #pragma once
 
@@ -29,11 +29,9 @@ std::string word_of(std::string_view name);
 bool is_too_deep(const Network& flat);
 
 /// Returns the text of an expanded network without its properties, and with `properties`, whose patterns must be those
-/// of the timed engine. A property `reachable all steps` must be given as one `reachable` for each step.
+/// of the timed engine. A property `reachable all steps` must be given as one `reachable` for each step. The text also
+/// contains the caps of the clocks.
 std::string network_text(const Network& flat, const std::vector<Property>& properties);
-
-/// Returns one line for each location and clock with a cap greater than zero.
-std::string caps_text(const Network& flat);
 
 /// Appends the line of a state. Clocks must have been replaced by their caps.
 void write_state(const Network& flat, const NetworkState& state, std::string& text);

@@ -9,7 +9,6 @@
 #include "check/timed/property_queries.hpp"
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
-#include "emit/aiger/aiger.hpp"
 #include "emit/certificate/certificate.hpp"
 #include "ir/probes.hpp"
 #include "ir/step_names.hpp"
@@ -74,8 +73,7 @@ public:
             certificate_.certified.push_back(found->property);
         }
         std::string network = certificate::network_text(flat_, properties);
-        std::string index = fmt::format("grafverif-certificate 1\nnetwork {}\n{}", certificate::checksum(network),
-                                        certificate::caps_text(flat_));
+        std::string index = fmt::format("grafverif-certificate 1\nnetwork {}\n", certificate::checksum(network));
         if (needs_states) index += fmt::format("states {}\n", certificate::checksum(states));
         std::string omitted;
         for (const Certificate::Omitted& one : omitted_)
@@ -120,24 +118,6 @@ private:
 };
 
 }  // namespace
-
-void add_witness(const std::string& property, const Circuit& circuit, pdr::Literal bad,
-                 const std::vector<pdr::Cube>& cubes, Certificate& certificate) {
-    Circuit witness = circuit;
-    pdr::Literal outside = bad;
-    for (const pdr::Cube& cube : cubes) {
-        pdr::Literal inside = Gates::yes;
-        for (const pdr::Literal literal : cube) inside = witness.gates.both(inside, literal);
-        outside = witness.gates.either(outside, inside);
-    }
-    const auto text = [&](const Circuit& of, pdr::Literal property_bad) {
-        return aiger::written(of, {{property, property_bad, {}}}, aiger::Form::Ascii, aiger::Extent::Whole).text;
-    };
-    const std::string name = certificate::word_of(property);
-    certificate.files.push_back({name + ".model.aag", text(circuit, bad)});
-    certificate.files.push_back({name + ".witness.aag", text(witness, outside)});
-    certificate.certified.push_back(property);
-}
 
 Certificate certificate_of(const LoopToCheck& loop, const Report& report, const CheckOptions& options) {
     Certificate certificate;

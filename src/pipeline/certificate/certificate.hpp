@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ir/certificate_summary.hpp"
 #include "pipeline/check.hpp"
 
 namespace grafverif {
@@ -15,9 +16,7 @@ struct Certificate {
         std::string path = {};  ///< path relative to the folder of the certificate
         std::string content = {};
     };
-    struct Omitted {
-        std::string property = {}, reason = {};
-    };
+    using Omitted = CertificateSummary::Omitted;
     std::vector<File> files = {};
     std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
     std::vector<Omitted> omitted = {};
@@ -28,9 +27,10 @@ struct Certificate {
 /// as in Certifaiger (Yu, Froleyks, Biere, Heljanko 2023: "Towards compositional hardware model checking
 /// certification"), both as AIGER. The witness has the same inputs, latches and gates; its `bad` is also true in all
 /// states outside of the invariant. Therefore the property of the witness is inductive and implies the one of the
-/// model.
+/// model. For each of these conditions, the certificate contains clauses (DIMACS) and their refutation (LRAT):
+/// `initial`, `step` and `safe`. If a limit ends the work, the property is omitted.
 void add_witness(const std::string& property, const Circuit& circuit, pdr::Literal bad,
-                 const std::vector<pdr::Cube>& cubes, Certificate& certificate);
+                 const std::vector<pdr::Cube>& cubes, const pdr::SolverLimits& limits, Certificate& certificate);
 
 /// Searches the complete loop again, without decomposition, abstractions and covering, and creates the certificate of
 /// the verdicts in `report`, which `check` returned for the same loop. A verdict that this search does not decide within

@@ -32,7 +32,7 @@ public:
     }
 
     /// Adds the union to the components of `model`. Returns the instance with the union as its component.
-    ClosedLoop::Instance build(Model& model, bool from_power_on) {
+    ClosedLoop::Instance build(Model& model, const ActiveFault& active) {
         made_.name += "_or_" + behaviour_.name;
         const Id<Component::Variable> first_own{static_cast<std::uint32_t>(made_.variables.size())};
         add_parameters();
@@ -42,9 +42,9 @@ public:
         for (const Component::Clock& clock : faulty_.clocks) made_.clocks.add({fresh(clock.name), clock.origin});
         for (const Component::Location& location : faulty_.locations)
             made_.locations.add({location_name(location), constraints(location.invariant), {}, location.origin});
-        add_change();
+        add_change(active.announced);
         for (const Component::Edge& edge : faulty_.edges) add_edge(edge);
-        if (from_power_on) instance_.initial = start();
+        if (active.from_power_on) instance_.initial = start();
         instance_.component = model.components.add(std::move(made_));
         return std::move(instance_);
     }
@@ -139,13 +139,19 @@ private:
     /// Adds the edges by which the fault occurs, and the initial values for an instance whose fault is present from
     /// power-on. If the fault assigns no value to an output, the initial value of this output is that without the
     /// fault.
-    void add_change() {
+    void add_change(bool announced) {
         const Assignments declared = copied(faulty_.locations[behaviour_.initial].initially);
         std::vector<Id<Component::Clock>> resets;
         for (const Id<Component::Clock> each : faulty_.clocks.ids()) resets.push_back(clock(each));
+        Id<Component::Location> target = start();
+        if (announced) {
+            target =
+                made_.locations.add({location_names_.fresh(behaviour_.name + "_occurs"), {}, {}, behaviour_.origin});
+            made_.edges.add({target, start(), true, made_.exprs.constant(true), {}, {}, resets, behaviour_.origin});
+        }
         for (std::uint32_t from = 0; from < locations_; ++from)
             made_.edges.add(
-                {{from}, start(), false, made_.exprs.constant(true), {}, declared, resets, behaviour_.origin});
+                {{from}, target, false, made_.exprs.constant(true), {}, declared, resets, behaviour_.origin});
         Assignments initially = made_.locations[instance_.initial].initially;
         initially.insert(initially.end(), declared.begin(), declared.end());
         made_.locations[start()].initially = std::move(initially);
@@ -168,7 +174,7 @@ Model with_faults(const Model& model, Id<ClosedLoop> loop, const std::vector<Act
     for (const ActiveFault& active : faults) {
         const ClosedLoop::Fault& fault = model.loops[loop].faults[active.fault];
         made.loops[loop].instances[fault.of] =
-            UnionBuilder(model, model.loops[loop].instances[fault.of], fault).build(made, active.from_power_on);
+            UnionBuilder(model, model.loops[loop].instances[fault.of], fault).build(made, active);
     }
     made.loops[loop].faults = {};
     assert(verify(made.loops[loop], made).empty());

@@ -23,6 +23,9 @@ namespace grafverif {
 struct ActiveFault {
     Id<ClosedLoop::Fault> fault = {};
     bool from_power_on = false;  ///< true: present from power-on; false: it occurs at any time or never
+    /// True: when the fault occurs, its instance is in an additional location for an instant. This location is the last
+    /// one of the component.
+    bool announced = false;
 };
 
 /// Returns the model, in whose loop the faults may occur. Requires faults of different instances. Ids of instances,

@@ -14,6 +14,7 @@
 #include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/variants/fault_detection.hpp"
 #include "pipeline/variants/fault_model.hpp"
 #include "pipeline/variants/fault_passes.hpp"
 #include "pipeline/variants/in_parallel.hpp"
@@ -320,28 +321,10 @@ private:
 
     // -- visible effects ------------------------------------------------------------------------------------------
 
-    struct Element {
-        std::string name = {};  ///< such as `ALARM`, `X2`, `watchdog.X2`; if there are several controllers, `press.X2`
-        Id<Network::Variable> variable = {};
-    };
-
-    /// Returns the steps and the Boolean outputs of all controllers.
-    static std::vector<Element> elements(const Network& network) {
-        std::vector<Element> found;
-        for (const Network::Controller& controller : network.controllers) {
-            const std::string prefix = network.controllers.size() > 1 ? controller.words.name + "." : "";
-            for (const auto& step : controller.words.steps)
-                found.push_back({prefix + step.name.variable(), step.variable});
-            for (const auto& output : controller.words.outputs)
-                if (network.variables[output.variable].type.boolean) found.push_back({output.name, output.variable});
-        }
-        return found;
-    }
-
     /// Replaces the properties of a network by one property per element: the element is true in some reachable state.
     static void query_visible(Network& network) {
         network.properties = {};
-        for (const Element& each : elements(network))
+        for (const ControllerSignal& each : controller_signals(network, false))
             network.properties.add({.name = each.name,
                                     .pattern = Pattern::Reachable,
                                     .operands = {network.exprs.leaf(Op::Variable, each.variable.index)}});
@@ -371,9 +354,13 @@ private:
     void find_visible(const Network& network) {
         if (stopped()) return;
         const Reached normal = reached(model_, network, request_.jobs);
+        const FaultDetection detection(network, request_.limits, request_.first_states, request_.observers);
         in_parallel(
             analysis_.faults.size(), request_.jobs, [this] { return stopped(); },
-            [&](std::size_t k) { analysis_.faults[k].visible = visible(k, normal); });
+            [&](std::size_t k) {
+                analysis_.faults[k].visible = visible(k, normal);
+                if (analysis_.faults[k].visible.decided) detect(k, detection);
+            });
     }
 
     FaultAnalysis::Visible visible(std::size_t fault, const Reached& normal) const {
@@ -395,7 +382,7 @@ private:
     /// Decides whether, in every run, at least one of the elements becomes true.
     Outcome shown(const Model& model, Network& network, const std::vector<std::string>& names) const {
         std::vector<Id<Expr>> terms;
-        for (const Element& each : elements(network))
+        for (const ControllerSignal& each : controller_signals(network, false))
             if (std::ranges::find(names, each.name) != names.end())
                 terms.push_back(network.exprs.leaf(Op::Variable, each.variable.index));
         network.properties = {};
@@ -406,6 +393,35 @@ private:
         for (const PropertyResult& result : report_on(model, network, how, false).answers)
             if (result.verdict.property == "shown") return result.verdict.outcome;
         return Outcome::Unknown;
+    }
+
+    /// Decides if the elements that the fault makes true show the fault in every run, and within which time. If they do
+    /// not, looks for a property that does.
+    void detect(std::size_t k, const FaultDetection& detection) {
+        FaultAnalysis::Fault& fault = analysis_.faults[k];
+        Diagnostics found;
+        const Model model = with_faults(model_, loop_, {{.fault = {static_cast<std::uint32_t>(k)}, .announced = true}});
+        const auto faulty = network_of(model, loop_, request_.how, found);
+        if (!faulty || stopped()) return;
+        const auto decided_by = [this](const Model& of) {
+            return [this, &of](const Network& network) {
+                CheckOptions how = options(1);
+                how.properties = property_names(network);
+                std::vector<Verdict> verdicts;
+                for (PropertyResult& result : report_on(of, network, how, false).answers)
+                    verdicts.push_back(std::move(result.verdict));
+                return verdicts;
+            };
+        };
+        FaultAnalysis::Visible& visible = fault.visible;
+        if (!visible.newly_true.empty()) {
+            const auto shown = detection.detected(*faulty, fault.instance, visible.newly_true, decided_by(model));
+            visible.detected = shown.in_every_run;
+            visible.within_ms = shown.within_ms;
+        }
+        if (visible.detected == Outcome::Holds || !request_.observers || stopped()) return;
+        visible.observer =
+            detection.observer(fault.name, *faulty, fault.instance, decided_by(model_), decided_by(model));
     }
 
     const Model& model_;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <utility>
@@ -160,6 +162,14 @@ Json sets_json(const FaultAnalysis& analysis, const std::vector<FaultSet>& sets)
     return list;
 }
 
+Json truth_or_null(Outcome outcome) {
+    return outcome == Outcome::Unknown ? Json(nullptr) : Json(outcome == Outcome::Holds);
+}
+
+Json seconds_or_null(const std::optional<std::int64_t>& time_ms) {
+    return time_ms ? Json(static_cast<double>(*time_ms) / 1000) : Json(nullptr);
+}
+
 Json fault_json(const FaultAnalysis& analysis, std::size_t index, const Sources& sources) {
     const FaultAnalysis::Fault& fault = analysis.faults[index];
     Json made = {{"name", fault.name}, {"instance", fault.instance}, {"component", fault.component}};
@@ -167,8 +177,15 @@ Json fault_json(const FaultAnalysis& analysis, std::size_t index, const Sources&
     made["violates"] = violated_by(analysis, index);
     made["newly_true"] = fault.visible.newly_true;
     made["never_true"] = fault.visible.never_true;
-    const bool known = !fault.visible.newly_true.empty() && fault.visible.always_shown != Outcome::Unknown;
-    made["always_shown"] = known ? Json(fault.visible.always_shown == Outcome::Holds) : Json(nullptr);
+    const FaultAnalysis::Visible& visible = fault.visible;
+    made["always_shown"] = visible.newly_true.empty() ? Json(nullptr) : truth_or_null(visible.always_shown);
+    made["detected"] = truth_or_null(visible.detected);
+    made["within"] = seconds_or_null(visible.within_ms);
+    made["observer"] = nullptr;
+    if (visible.observer)
+        made["observer"] = {{"property", visible.observer->property},
+                            {"in_every_run", truth_or_null(visible.observer->in_every_run)},
+                            {"within", seconds_or_null(visible.observer->within_ms)}};
     made["decided"] = fault.visible.decided;
     return made;
 }
@@ -216,6 +233,30 @@ std::string absence_of_trace(const FaultAnalysis::Row& row, const FaultAnalysis:
     return text.empty() ? "no trace is given" : text;
 }
 
+namespace {
+
+/// Returns text such as `in every run, at most 9 s after the fault`.
+std::string after_fault(const std::optional<std::int64_t>& within_ms) {
+    return within_ms ? "in every run, at most " + seconds_text(*within_ms) + " after the fault"
+                     : "in every run with the fault";
+}
+
+std::string runs_text(const FaultAnalysis::Observer& observer) {
+    return observer.in_every_run == Outcome::Holds ? after_fault(observer.within_ms) : "in some run with the fault";
+}
+
+/// Returns the end of the sentence on the elements that only the fault makes true.
+std::string detection_text(const FaultAnalysis::Visible& visible) {
+    if (visible.detected == Outcome::Holds) return "; " + after_fault(visible.within_ms);
+    std::string text;
+    if (visible.always_shown == Outcome::Holds) text = "; in every run, if the fault is present from power-on";
+    if (visible.detected == Outcome::Violated)
+        text += text.empty() ? "; not in every run with the fault" : ", but not if it occurs later";
+    return text;
+}
+
+}  // namespace
+
 bool is_shown(const FaultAnalysis::Row& row) {
     return row.declared || row.without_faults != Outcome::Holds || !row.minimal.empty() || !row.open.empty();
 }
@@ -236,12 +277,14 @@ FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t index) {
         effects.visible.push_back("visible effects: unknown");
         return effects;
     }
-    const std::string_view always =
-        visible.always_shown == Outcome::Holds ? "; in every run, if the fault is present from power-on" : "";
-    add(effects.visible, "true in some state with this fault, but never without faults: ", visible.newly_true, always);
+    add(effects.visible, "true in some state with this fault, but never without faults: ", visible.newly_true,
+        detection_text(visible));
     add(effects.visible, "never true if this fault is present from power-on: ", visible.never_true);
     if (effects.visible.empty())
         effects.visible.push_back("with and without the fault, the same steps and outputs can become true");
+    if (visible.observer)
+        effects.visible.push_back("proposed observer, violated " + runs_text(*visible.observer) + ": " +
+                                  visible.observer->property);
     return effects;
 }
 

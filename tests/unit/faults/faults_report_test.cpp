@@ -67,6 +67,38 @@ TEST(FaultsReport, JsonHasUnknownSubsetsAndTruthValues) {
     EXPECT_EQ(json.at("faults").at(0).at("always_shown"), true);
     EXPECT_EQ(json.at("faults").at(1).at("always_shown"), false);
     EXPECT_EQ(json.at("faults").at(2).at("always_shown"), nullptr);
+    EXPECT_EQ(json.at("faults").at(2).at("observer"), nullptr);
+}
+
+TEST(FaultsReport, StatesWhenAFaultIsDetected) {
+    FaultAnalysis made = analysis();
+    made.faults[0].visible = {.newly_true = {"X9"}, .detected = Outcome::Holds, .within_ms = 9500, .decided = true};
+    made.faults[1].visible = {
+        .newly_true = {"X9"}, .always_shown = Outcome::Holds, .detected = Outcome::Violated, .decided = true};
+    made.faults[2].visible = {.newly_true = {"X9"},
+                              .always_shown = Outcome::Violated,
+                              .detected = Outcome::Violated,
+                              .observer = FaultAnalysis::Observer{"property o: never A && B;", Outcome::Holds, 2000},
+                              .decided = true};
+    const std::string shown = "true in some state with this fault, but never without faults: X9; ";
+    using Sentences = std::vector<std::string>;
+    EXPECT_EQ(effects_of(made, 0).visible, (Sentences{shown + "in every run, at most 9.5 s after the fault"}));
+    EXPECT_EQ(effects_of(made, 1).visible,
+              (Sentences{shown + "in every run, if the fault is present from power-on, but not if it occurs later"}));
+    EXPECT_EQ(effects_of(made, 2).visible,
+              (Sentences{shown + "not in every run with the fault",
+                         "proposed observer, violated in every run, at most 2 s after the fault: "
+                         "property o: never A && B;"}));
+    made.faults[2].visible.observer->in_every_run = Outcome::Violated;
+    EXPECT_EQ(effects_of(made, 2).visible.back(),
+              "proposed observer, violated in some run with the fault: property o: never A && B;");
+    const auto faults = nlohmann::json::parse(faults_json(made, {})).at("faults");
+    EXPECT_EQ(faults.at(0).at("detected"), true);
+    EXPECT_EQ(faults.at(0).at("within"), 9.5);
+    EXPECT_EQ(faults.at(2).at("detected"), false);
+    EXPECT_EQ(faults.at(2).at("within"), nullptr);
+    EXPECT_EQ(faults.at(2).at("observer"), nlohmann::json::parse(R"({"property": "property o: never A && B;",
+                                                                    "in_every_run": false, "within": 2.0})"));
 }
 
 TEST(FaultsReport, AFaultTreeStatesWhatItOmits) {

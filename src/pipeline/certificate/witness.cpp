@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "check/pdr/refutation.hpp"
+#include "emit/aiger/aiger.hpp"
+#include "emit/certificate/certificate.hpp"
+#include "pipeline/certificate/certificate.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The witness circuit of an invariant, and the conditions that the invariant satisfies. The clauses of a condition are
+/// a function of the AIGER files: variable 1 is false, and variable 1 + v + kM represents variable v of the witness in
+/// step k, where M is the greatest variable of the witness.
+class Witness {
+public:
+    Witness(const std::string& property, const Circuit& circuit, pdr::Literal bad, const std::vector<pdr::Cube>& cubes)
+        : circuit_(circuit), bad_(bad), outside_(bad) {
+        for (const pdr::Cube& cube : cubes) {
+            pdr::Literal inside = Gates::yes;
+            for (const pdr::Literal literal : cube) inside = circuit_.gates.both(inside, literal);
+            outside_ = circuit_.gates.either(outside_, inside);
+        }
+        model_ = written(circuit, property, bad).text;
+        witness_ = written(circuit_, property, outside_);
+        for (const pdr::Literal literal : witness_.literals) most_ = std::max(most_, static_cast<int>(literal / 2));
+    }
+
+    const std::string& model() const { return model_; }
+    const std::string& text() const { return witness_.text; }
+
+    /// No initial state is outside of the invariant.
+    pdr::Clauses initial() const {
+        pdr::Clauses made = steps(1);
+        for (const Circuit::Latch& latch : circuit_.latches) made.list.push_back({-of(2 * latch.node, 0)});
+        made.list.push_back({of(outside_, 0)});
+        return made;
+    }
+    /// No step leaves the invariant.
+    pdr::Clauses step() const {
+        pdr::Clauses made = steps(2);
+        for (const Circuit::Latch& latch : circuit_.latches) {
+            const int now = of(latch.next, 0), next = of(2 * latch.node, 1);
+            made.list.push_back({-now, next});
+            made.list.push_back({now, -next});
+        }
+        made.list.push_back({-of(outside_, 0)});
+        made.list.push_back({of(outside_, 1)});
+        return made;
+    }
+    /// Each state of the invariant satisfies the property.
+    pdr::Clauses safe() const {
+        pdr::Clauses made = steps(1);
+        made.list.push_back({-of(outside_, 0)});
+        made.list.push_back({of(bad_, 0)});
+        return made;
+    }
+
+private:
+    static aiger::AigerText written(const Circuit& circuit, const std::string& property, pdr::Literal bad) {
+        return aiger::written(circuit, {{property, bad, {}}}, aiger::Form::Ascii, aiger::Extent::Whole);
+    }
+
+    int of(pdr::Literal literal, int step) const {
+        const pdr::Literal in_file = witness_.literals[node_of(literal)] ^ (literal & 1U);
+        const int variable = in_file < 2 ? 1 : 1 + static_cast<int>(in_file / 2) + most_ * step;
+        return (in_file & 1U) != 0 ? -variable : variable;
+    }
+
+    /// Returns the clauses of the gates in `count` steps.
+    pdr::Clauses steps(int count) const {
+        pdr::Clauses made{1 + most_ * count, {{-1}}};
+        for (int step = 0; step < count; ++step)
+            for (std::uint32_t node = 1; node < circuit_.gates.size(); ++node) {
+                if (!circuit_.gates.is_gate(node)) continue;
+                const Gates::Node gate = circuit_.gates[node];
+                const int out = of(2 * node, step), left = of(gate.left, step), right = of(gate.right, step);
+                for (std::vector<int> clause : {std::vector{-out, left}, {-out, right}, {out, -left, -right}})
+                    made.list.push_back(std::move(clause));
+            }
+        return made;
+    }
+
+    Circuit circuit_;
+    pdr::Literal bad_, outside_;
+    std::string model_ = {};
+    aiger::AigerText witness_ = {};
+    int most_ = 0;
+};
+
+}  // namespace
+
+void add_witness(const std::string& property, const Circuit& circuit, pdr::Literal bad,
+                 const std::vector<pdr::Cube>& cubes, const pdr::SolverLimits& limits, Certificate& certificate) {
+    const Witness witness(property, circuit, bad, cubes);
+    const std::string name = certificate::word_of(property);
+    std::vector<Certificate::File> files{{name + ".model.aag", witness.model()},
+                                         {name + ".witness.aag", witness.text()}};
+    try {
+        pdr::LimitMonitor watch(limits);
+        for (const auto& [condition, clauses] :
+             {std::pair{"initial", witness.initial()}, std::pair{"step", witness.step()},
+              std::pair{"safe", witness.safe()}}) {
+            std::optional<std::string> proof = pdr::refutation(clauses, watch);
+            if (!proof) {
+                certificate.failures.push_back("the invariant of `" + property + "` is wrong");
+                return;
+            }
+            files.push_back({name + '.' + condition + ".cnf", pdr::dimacs(clauses)});
+            files.push_back({name + '.' + condition + ".lrat", std::move(*proof)});
+        }
+    } catch (const pdr::Exhausted&) {
+        certificate.omitted.push_back({property, "a limit ended the proof of its invariant"});
+        return;
+    } catch (const std::logic_error& flaw) {
+        certificate.omitted.push_back({property, std::string("the solver's proof is not accepted: ") + flaw.what()});
+        return;
+    }
+    certificate.files.insert(certificate.files.end(), files.begin(), files.end());
+    certificate.certified.push_back(property);
+}
+
+}  // namespace grafverif

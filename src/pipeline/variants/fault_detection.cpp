@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/variants/fault_detection.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "check/timed/timed.hpp"
+#include "compose/observe.hpp"
+#include "ir/network_run.hpp"
+#include "pipeline/models.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// Maximum number of pairs for which the program decides if they reveal the fault in every run.
+constexpr std::size_t most_tried = 6;
+/// Duration of the observer that measures a time, in time units. The engine needs states only for the times that occur.
+constexpr std::int64_t longest_units = 1'000'000;
+
+/// True if the pair of literals k and l is considered: they belong to different signals, and l follows k. Literal 2i is
+/// signal i, and literal 2i + 1 is its complement.
+bool is_pair(std::size_t k, std::size_t l) { return k / 2 < l / 2; }
+
+Id<Expr> literal(Network& network, std::size_t k) {
+    const Id<Network::Variable> variable = controller_signals(network, true)[k / 2].variable;
+    const Id<Expr> positive = network.exprs.leaf(Op::Variable, variable.index);
+    return k % 2 == 0 ? positive : network.exprs.negation(positive);
+}
+
+/// Returns the term that is true if both literals of the pair are true. `literals` is the number of literals.
+Id<Expr> conjunction(Network& network, std::size_t pair, std::size_t literals) {
+    const Id<Expr> first = literal(network, pair / literals), second = literal(network, pair % literals);
+    return network.exprs.conjunction(first, second);
+}
+
+/// The term that is true when the fault of the process `instance` occurs.
+Id<Expr> occurs(Network& network, const std::string& instance) {
+    for (const Id<Network::Process> id : network.processes.ids())
+        if (network.processes[id].name == instance)
+            return network.exprs.at(id.index, static_cast<std::uint32_t>(automaton(network, id).locations.size() - 1));
+    return network.exprs.constant(false);
+}
+
+Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& property) {
+    const auto found = std::ranges::find(verdicts, property, &Verdict::property);
+    return found == verdicts.end() ? Outcome::Unknown : found->outcome;
+}
+
+}  // namespace
+
+std::vector<ControllerSignal> controller_signals(const Network& network, bool inputs) {
+    std::vector<ControllerSignal> found;
+    std::set<std::uint32_t> known;
+    const auto add = [&](std::string name, Id<Network::Variable> variable) {
+        if (network.variables[variable].type.boolean && known.insert(variable.index).second)
+            found.push_back({std::move(name), variable});
+    };
+    for (const Network::Controller& controller : network.controllers) {
+        const std::string prefix = network.controllers.size() > 1 ? controller.words.name + "." : "";
+        if (inputs)
+            for (const auto& input : controller.words.inputs) add(input.name, input.variable);
+        for (const auto& step : controller.words.steps) add(prefix + step.name.variable(), step.variable);
+        for (const auto& output : controller.words.outputs) add(output.name, output.variable);
+    }
+    return found;
+}
+
+FaultDetection::FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states, bool observers)
+    : network_(network), limits_(limits), max_states_(max_states), signals_(controller_signals(network, true)) {
+    if (observers) normal_ = pairs_in(network);
+}
+
+FaultDetection::Detected FaultDetection::detected(Network faulty, const std::string& instance,
+                                                  const std::vector<std::string>& names, const Decide& decide) const {
+    std::vector<Id<Expr>> terms;
+    for (const ControllerSignal& each : controller_signals(faulty, false))
+        if (std::ranges::find(names, each.name) != names.end())
+            terms.push_back(faulty.exprs.leaf(Op::Variable, each.variable.index));
+    const Id<Expr> condition = faulty.exprs.disjunction(terms);
+    faulty.properties = {};
+    faulty.properties.add(
+        {.name = "shown", .pattern = Pattern::LeadsTo, .operands = {occurs(faulty, instance), condition}});
+    Detected found{outcome_of(decide(faulty), "shown"), {}};
+    if (found.in_every_run == Outcome::Holds) found.within_ms = longest_time(std::move(faulty), instance, condition);
+    return found;
+}
+
+/// Returns the longest time from the fault to `condition`, in ms. Requires that the fault leads to the condition.
+std::optional<std::int64_t> FaultDetection::longest_time(Network network, const std::string& instance,
+                                                         Id<Expr> condition) const {
+    network.properties = {};
+    network.properties.add(
+        {.name = "shown",
+         .pattern = Pattern::Watched,
+         .operands = {occurs(network, instance), condition},
+         .watch = {.kind = Sentence::Kind::Response, .duration_ms = longest_units * network.time_unit_ms}});
+    const Network observed = grafverif::observed(network, watched(network));
+    const std::size_t observer = observed.processes.size() - 1;
+    TimedOptions options{.max_states = max_states_, .timelock = false, .covering = false};
+    set_limits(options, limits_);
+    std::int64_t units = 0;
+    options.each_state = [&](const NetworkState& state) {
+        for (const std::int64_t clock : state.clocks[observer]) units = std::max(units, clock);
+    };
+    const TimedResult result = check_timed(observed, options);
+    if (!result.complete || outcome_of(result.verdicts, "shown") != Outcome::Holds) return {};
+    return units * network.time_unit_ms;
+}
+
+std::optional<std::vector<std::uint32_t>> FaultDetection::pairs_in(Network network) const {
+    network.properties = {};
+    network.properties.add({.name = "any", .pattern = Pattern::Never, .operands = {network.exprs.constant(false)}});
+    TimedOptions options{.max_states = max_states_, .timelock = false, .covering = false};
+    set_limits(options, limits_);
+    const std::vector<ControllerSignal> signals = controller_signals(network, true);
+    const std::size_t literals = 2 * signals.size();
+    std::vector<std::uint32_t> counts(literals * literals);
+    std::vector<std::size_t> now(signals.size());
+    options.each_state = [&](const NetworkState& state) {
+        if (value(network, state, network.settled).value_or(0) == 0) return;
+        for (std::size_t k = 0; k < now.size(); ++k)
+            now[k] = 2 * k + (state.variables[signals[k].variable.index] != 0 ? 0U : 1U);
+        for (std::size_t k = 0; k < now.size(); ++k)
+            for (std::size_t l = k + 1; l < now.size(); ++l) ++counts[now[k] * literals + now[l]];
+    };
+    if (!check_timed(network, options).complete) return {};
+    return counts;
+}
+
+std::optional<FaultAnalysis::Observer> FaultDetection::observer(const std::string& fault, const Network& faulty,
+                                                                const std::string& instance,
+                                                                const Decide& decide_normal,
+                                                                const Decide& decide_faulty) const {
+    const auto counts = normal_ ? pairs_in(faulty) : std::nullopt;
+    if (!counts) return {};
+    const std::size_t literals = 2 * signals_.size();
+    std::vector<std::size_t> candidates;  // k * literals + l
+    for (std::size_t k = 0; k < literals; ++k)
+        for (std::size_t l = k + 1; l < literals; ++l)
+            if (is_pair(k, l) && (*normal_)[k * literals + l] == 0 && (*counts)[k * literals + l] != 0)
+                candidates.push_back(k * literals + l);
+    std::ranges::stable_sort(candidates, std::greater<>(), [&](std::size_t pair) { return (*counts)[pair]; });
+    if (candidates.size() > most_tried) candidates.resize(most_tried);
+    if (candidates.empty()) return {};
+
+    Network after = faulty;
+    after.properties = {};
+    std::vector<Id<Expr>> conditions;
+    for (const std::size_t pair : candidates) {
+        conditions.push_back(after.exprs.conjunction(conjunction(after, pair, literals), after.settled));
+        after.properties.add({.name = "pair_" + std::to_string(pair),
+                              .pattern = Pattern::LeadsTo,
+                              .operands = {occurs(after, instance), conditions.back()}});
+    }
+    const std::vector<Verdict> verdicts = decide_faulty(after);
+    const auto in_every_run = [&](std::size_t pair) { return outcome_of(verdicts, "pair_" + std::to_string(pair)); };
+    auto chosen = std::ranges::find(candidates, Outcome::Holds, in_every_run);
+    if (chosen == candidates.end()) chosen = candidates.begin();
+    const auto with_property = [&](Network network) {
+        const Id<Expr> both = conjunction(network, *chosen, literals);
+        network.properties = {};
+        network.properties.add({.name = "proposed", .pattern = Pattern::Never, .operands = {both}, .at_stable = true});
+        return network;
+    };
+    if (outcome_of(decide_normal(with_property(network_)), "proposed") != Outcome::Holds ||
+        outcome_of(decide_faulty(with_property(faulty)), "proposed") != Outcome::Violated)
+        return {};
+    const auto text = [&](std::size_t k) { return (k % 2 == 0 ? "" : "!") + signals_[k / 2].name; };
+    FaultAnalysis::Observer made{"property detects_" + fault + ": never " + text(*chosen / literals) + " && " +
+                                     text(*chosen % literals) + " at stable;",
+                                 in_every_run(*chosen),
+                                 {}};
+    if (made.in_every_run == Outcome::Holds)
+        made.within_ms =
+            longest_time(std::move(after), instance, conditions[static_cast<std::size_t>(chosen - candidates.begin())]);
+    return made;
+}
+
+}  // namespace grafverif

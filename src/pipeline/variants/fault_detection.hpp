@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Detection of a fault: the time after which steps and outputs of the controllers show the fault, and a property that
+// reveals a fault that they do not show.
+//
+// The networks of this file contain an announced fault (pipeline/variants/fault_model.hpp): its instance is in the last
+// location of its process for an instant, when the fault occurs. A fault is detected if this location leads to a
+// condition that is true in no run without faults.
+//
+// The longest time to this condition is the maximum value of the clock of an observer in all states of a complete
+// search: the clock starts when the fault occurs, and the observer leaves its location when the condition is true. If
+// all constraints are closed, this maximum is also the maximum in dense time, because the longest time of a path
+// between two states is attained at integer times. If a constraint is strict, the timed engine does not decide that the
+// fault is always detected, and no time is reported.
+//
+// A proposed property is `never a && b at stable`, in which a and b are inputs, outputs or steps of the controllers, or
+// their complements. The pairs that are true in some quiescent state with the fault, but in none without faults, are
+// found by complete searches; the engine then decides the property without faults and with the fault.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/grafverif.hpp"
+#include "ir/fault_analysis.hpp"
+
+namespace grafverif {
+
+/// A name for properties, and its Boolean variable: `S1`, `X2`; if there are several controllers, `press.X2`.
+struct ControllerSignal {
+    std::string name = {};
+    Id<Network::Variable> variable = {};
+};
+
+/// Returns the steps and Boolean outputs of all controllers and, if `inputs` is true, their Boolean inputs.
+std::vector<ControllerSignal> controller_signals(const Network& network, bool inputs);
+
+class FaultDetection {
+public:
+    /// Decides the properties of a network.
+    using Decide = std::function<std::vector<Verdict>(const Network&)>;
+
+    /// Searches visit at most `max_states` states. `network` is the loop without faults. If `observers` is true, the
+    /// constructor searches it for the pairs of literals that `observer` requires.
+    FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states, bool observers);
+
+    /// Returns whether one of the elements `names` becomes true in every run in which the fault occurs, and the longest
+    /// time. `faulty` contains the announced fault of the process `instance`.
+    struct Detected {
+        Outcome in_every_run = Outcome::Unknown;
+        std::optional<std::int64_t> within_ms = {};
+    };
+    Detected detected(Network faulty, const std::string& instance, const std::vector<std::string>& names,
+                      const Decide& decide) const;
+
+    /// Returns a property that reveals the fault, or nothing if no property of the considered form does. If several
+    /// properties do, a property that is violated in every run with the fault is preferred. `decide` must be a check of
+    /// the loop without faults or of the loop with the announced fault.
+    std::optional<FaultAnalysis::Observer> observer(const std::string& fault, const Network& faulty,
+                                                    const std::string& instance, const Decide& decide_normal,
+                                                    const Decide& decide_faulty) const;
+
+private:
+    std::optional<std::int64_t> longest_time(Network network, const std::string& instance, Id<Expr> condition) const;
+    /// Returns the number of quiescent states in which each pair of literals is true; empty if a limit ends the search.
+    std::optional<std::vector<std::uint32_t>> pairs_in(Network network) const;
+
+    const Network& network_;
+    Limits limits_;
+    std::uint64_t max_states_;
+    std::vector<ControllerSignal> signals_;
+    std::optional<std::vector<std::uint32_t>> normal_ = {};  ///< pairs of the loop without faults; empty if unknown
+};
+
+}  // namespace grafverif
