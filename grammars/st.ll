@@ -37,6 +37,7 @@ NAME        [A-Z_][A-Z0-9_]*
 "THEN"          return lexer.sign(Kind::THEN);
 "ELSIF"         return lexer.sign(Kind::ELSIF);
 "ELSE"          return lexer.sign(Kind::ELSE);
+"ELSEIF"        return lexer.extension(Kind::ELSIF, MATCH, "`ELSIF`");
 "END_IF"        return lexer.sign(Kind::END_IF);
 "CASE"          return lexer.sign(Kind::CASE);
 "OF"            return lexer.sign(Kind::OF);
@@ -81,7 +82,8 @@ NAME        [A-Z_][A-Z0-9_]*
 "END_VAR"       return lexer.unit_word(Kind::END_VAR, MATCH);
 "AT"            return lexer.unit_word(Kind::AT, MATCH);
 "CONSTANT"      return lexer.unit_word(Kind::CONSTANT, MATCH);
-"RETAIN"|"NON_RETAIN"|"PERSISTENT"  return lexer.unit_word(Kind::RETAIN, MATCH);
+"RETAIN"|"PERSISTENT" return lexer.unit_word(Kind::RETAIN, MATCH);
+"NON_RETAIN"    return lexer.unit_word(Kind::NON_RETAIN, MATCH);
 "ARRAY"         return lexer.unit_word(Kind::ARRAY, MATCH);
 "POINTER"|"REFERENCE" return lexer.unit_word(Kind::REFERENCE, MATCH);
 "TYPE"          return lexer.unit_word(Kind::TYPE, MATCH);
@@ -113,7 +115,8 @@ NAME        [A-Z_][A-Z0-9_]*
 [A-Z]+"#"[+-]?{DIGITS}      return lexer.typed_integer(MATCH);
 (L?"T"|L?"TIME")"#"[0-9A-Z_.+-]+    return lexer.time(MATCH);
 {DIGITS}"."{DIGITS}(E[+-]?{DIGITS})?      return lexer.word(Kind::LITERAL, MATCH);
-[A-Z_]+"#"[A-Z0-9_.:+-]+    return lexer.word(Kind::LITERAL, MATCH);
+("TOD"|"TIME_OF_DAY"|"DT"|"DATE_AND_TIME")"#"[0-9.:+-]+     return lexer.word(Kind::LITERAL, MATCH);
+{NAME}"#"[A-Z0-9_.+-]+      return lexer.word(Kind::LITERAL, MATCH);
 "'"([^'$\n]|"$".)*"'"       return lexer.word(Kind::LITERAL, MATCH);
 "\""([^"$\n]|"$".)*"\""     return lexer.word(Kind::LITERAL, MATCH);
 "%"[IQM][A-Z0-9.*]+         return lexer.word(Kind::ADDRESS, MATCH);

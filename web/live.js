@@ -11,6 +11,12 @@ import {Zoom} from "./zoom.js";
 
 const by = (id) => document.getElementById(id);
 
+// Returns the reason why a chart or program has no drawing.
+function notDrawn(chart) {
+    if (chart.steps === 0) return ["The program contains no Sequential Function Chart, so that it has no drawing."];
+    return ["The chart has more than 5,000 steps and is not drawn here. Use ", make("code", {}, "grafverif draw"), "."];
+}
+
 // Shows the drawings of the charts. Active steps, enabled transitions and cleared transitions are highlighted.
 class Drawings {
     constructor(place) {
@@ -28,8 +34,7 @@ class Drawings {
         this.marks = (answer.marks ?? []).filter(Boolean);
         const figures = state.charts.map((chart, place) => make("figure", {},
             make("figcaption", {}, make("h3", {}, chart.name)),
-            answer.drawings[place] === null ? make("p", {class: "empty"}, "The chart has more than 5,000 steps and is not drawn here. Use ", make("code", {}, "grafverif draw"), ".")
-                                            : this.zoomed(chart.name, answer.drawings[place])));
+            answer.drawings[place] === null ? make("p", {class: "empty"}, ...notDrawn(chart)) : this.zoomed(chart.name, answer.drawings[place])));
         if (figures.length === 0) figures.push(make("p", {class: "empty"}, "The file has no chart. Declare one by ", make("code", {}, "grafcet NAME { ... }"), "; this page then shows its drawing."));
         this.place.replaceChildren(...figures);
         this.find.element.hidden = !this.place.querySelector("svg.grafcet");

@@ -11,7 +11,7 @@ function made() {
     const settings = vscode.workspace.getConfiguration("grafverif");
     const server = { command: settings.get("path") || "grafverif", args: ["lsp", ...(settings.get("arguments") || [])] };
     return new LanguageClient("grafverif", "grafverif", server, {
-        documentSelector: [{ language: "grafcet" }],
+        documentSelector: [{ language: "grafcet" }, { language: "st" }],
         middleware: {
             // The command palette passes no arguments; the command then applies to the file in the active editor.
             executeCommand: (command, given, next) => {

@@ -11,6 +11,7 @@
 #include "app/system/watchdog.hpp"
 #include "check/shares.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/program/check.hpp"
 #include "pipeline/remedies.hpp"
 #include "pipeline/why.hpp"
 #include "report/profile.hpp"
@@ -227,6 +228,22 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     name_places(decided.report, job.sources);
     add_stop_cause(decided.report, bounds.interrupted(), job.options);
     return decided;
+}
+
+std::optional<std::pair<Model, Decided>> decide_program(CommandContext& job, ResourceLimits& bounds, bool witnesses) {
+    const Options& requested = job.options;
+    const auto program = read_source(requested.operands[0], job);
+    const auto properties = program ? read_source(*requested.property_file, job) : std::nullopt;
+    if (!properties) return {};
+    CheckOptions options{requested.properties, witnesses, requested.verbose, bounds.limits()};
+    options.jobs = requested.jobs;
+    auto checked = check_program(*program, *properties, job.sources, options, job.diagnostics);
+    if (!checked) return {};
+    Decided decided;
+    decided.report = std::move(checked->report);
+    decided.chart = {0};
+    name_places(decided.report, job.sources);
+    return std::pair(std::move(checked->model), std::move(decided));
 }
 
 ExitCode exit_code(const Report& report, bool stopped) {

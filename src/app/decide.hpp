@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/command_context.hpp"
@@ -26,6 +27,10 @@ struct Decided {
 /// also returned. For a chart without a loop, a note is first written to `streams`.
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
                               const Streams& streams);
+
+/// Decides the properties of a PLC program with the property file of the options. Returns the verdicts and a model whose
+/// only chart represents the program, or nothing after an error.
+std::optional<std::pair<Model, Decided>> decide_program(CommandContext& job, ResourceLimits& bounds, bool witnesses);
 
 /// Returns the exit code that the verdicts of a report imply.
 ExitCode exit_code(const Report& report, bool stopped);

@@ -325,7 +325,7 @@ std::vector<Option> options_for_checks() {
                "maximum trace length of engine bmc, in steps (default: 100)"),
         toggle(OptionGroup::Stats, "stats", &Options::stats,
                "print the components and clocks that contribute most states (timed engine)"),
-        text(OptionGroup::Verdicts, "properties", "FILE", &Options::property_file,
+        text(OptionGroup::ProgramProperties, "properties", "FILE", &Options::property_file,
              "check each FILE operand as a PLC program (Structured Text, PLCopen XML) against the properties in this "
              "YAML file"),
         text(OptionGroup::Verdicts, "certificate", "DIR", &Options::certificate,

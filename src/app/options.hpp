@@ -236,6 +236,7 @@ enum class OptionGroup {
     InPlace,
     Search,
     Verdicts,
+    ProgramProperties,
     Traces,
     Walk,
     Verbose,

@@ -44,6 +44,12 @@ constexpr std::array kinds = {
     FindingKind{
         "block-never-called", Level::Warning,
         "An instance of a function block, a function, an action or a second program of a PLC program is never called."},
+    FindingKind{"variable-never-assigned", Level::Warning,
+                "A PLC program reads a variable, or outputs it, but no statement assigns it."},
+    FindingKind{
+        "read-before-assignment", Level::Warning,
+        "A PLC program reads a temporary variable, or a variable of a function, before it assigns the variable in "
+        "the same call."},
     FindingKind{"timer-never-true", Level::Warning, "The output of a timer of a PLC program is never true."},
     FindingKind{"step-never-again", Level::Warning,
                 "A step can be activated repeatedly, but from some situation on it can never be activated again."},

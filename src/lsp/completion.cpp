@@ -9,6 +9,7 @@
 
 #include "grafverif/ir/finding.hpp"
 #include "lsp/library.hpp"
+#include "lsp/program_completion.hpp"
 #include "lsp/scan.hpp"
 #include "support/overloaded.hpp"
 
@@ -20,12 +21,16 @@ using Words = std::vector<std::string>;
 
 bool contains_word(const Words& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
 
+}  // namespace
+
 ProposalKind kind_of(DeclarationKind kind) {
     switch (kind) {
     case DeclarationKind::Chart:
     case DeclarationKind::Loop:
     case DeclarationKind::Partial: return ProposalKind::Module;
-    case DeclarationKind::Component: return ProposalKind::Class;
+    case DeclarationKind::Component:
+    case DeclarationKind::Unit:
+    case DeclarationKind::DataType: return ProposalKind::Class;
     case DeclarationKind::Input:
     case DeclarationKind::Output:
     case DeclarationKind::Internal:
@@ -34,17 +39,21 @@ ProposalKind kind_of(DeclarationKind kind) {
     case DeclarationKind::Instance:
     case DeclarationKind::PlantVariable: return ProposalKind::Variable;
     case DeclarationKind::Step: return ProposalKind::Event;
-    case DeclarationKind::Transition: return ProposalKind::Function;
+    case DeclarationKind::Transition:
+    case DeclarationKind::Action: return ProposalKind::Function;
     case DeclarationKind::InputParameter:
     case DeclarationKind::OutputParameter: return ProposalKind::Field;
     case DeclarationKind::Constant: return ProposalKind::Constant;
-    case DeclarationKind::Location: return ProposalKind::EnumMember;
+    case DeclarationKind::Location:
+    case DeclarationKind::EnumerationValue: return ProposalKind::EnumMember;
     case DeclarationKind::Property:
     case DeclarationKind::Fault:
     case DeclarationKind::Observer: return ProposalKind::Property;
     }
     unreachable();
 }
+
+namespace {
 
 class Proposer {
 public:
@@ -424,6 +433,7 @@ private:
 }  // namespace
 
 std::vector<Proposal> proposals(const Names& names, const Parsed& file, std::size_t cursor) {
+    if (file.language == TextLanguage::StructuredText) return program_proposals(names, file, cursor);
     return Proposer(names, half_at(file.text->bytes(), cursor)).all();
 }
 

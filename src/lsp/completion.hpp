@@ -31,6 +31,9 @@ struct Proposal {
     std::string snippet = {};  ///< text with placeholders; if empty, the label is inserted
 };
 
+ProposalKind kind_of(DeclarationKind kind);
+
+/// Returns the proposals at the offset `cursor` of a file.
 std::vector<Proposal> proposals(const Names& names, const Parsed& file, std::size_t cursor);
 
 }  // namespace grafverif::lsp

@@ -22,10 +22,13 @@ int symbol_kind(DeclarationKind kind) {
     switch (kind) {
     case DeclarationKind::Chart: return 2;  // kind: module
     case DeclarationKind::Loop:
-    case DeclarationKind::Partial: return 3;    // namespace
-    case DeclarationKind::Component: return 5;  // kind: class
+    case DeclarationKind::Partial: return 3;  // namespace
+    case DeclarationKind::Component:
+    case DeclarationKind::Unit: return 5;    // kind: class
+    case DeclarationKind::Action: return 6;  // kind: method
     case DeclarationKind::Fault:
     case DeclarationKind::Property: return 7;
+    case DeclarationKind::DataType: return 10;    // kind: enum
     case DeclarationKind::Observer: return 11;    // kind: interface
     case DeclarationKind::Transition: return 12;  // kind: function
     case DeclarationKind::Input:
@@ -38,6 +41,7 @@ int symbol_kind(DeclarationKind kind) {
     case DeclarationKind::PlantVariable: return 13;  // kind: variable
     case DeclarationKind::Constant: return 14;
     case DeclarationKind::Instance: return 19;  // kind: object
+    case DeclarationKind::EnumerationValue:
     case DeclarationKind::Location: return 22;  // kind: enum member
     case DeclarationKind::Step: return 24;      // kind: event
     }
@@ -99,7 +103,8 @@ Session::Pointed Session::pointed(const Json& params) {
     const Names& all = names(file->path);
     const std::size_t offset = file->text->offset(position_of(params.at("position")));
     if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->element, use->where};
-    for (const Word& word : words_of(file->text->bytes()))  // finds names in text that the parser has skipped
+    for (const Word& word :
+         words_of(file->text->bytes(), file->language))  // finds names in text that the parser has skipped
         if (word.begin <= offset && offset <= word.end &&
             (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
             const std::string name = file->text->bytes().substr(word.begin, word.end - word.begin);

@@ -57,9 +57,22 @@ std::string documentation_of(const Names& names, const Declaration& element) {
     return comment_of(*element.file, element.whole);
 }
 
+/// Returns the inputs and outputs of a unit of a PLC program, one per line.
+std::string interface_text(const Names& names, const Declaration& element) {
+    std::vector<const Declaration*> variables =
+        element.kind == DeclarationKind::Unit ? names.parts(&element) : std::vector<const Declaration*>();
+    std::ranges::sort(variables, {}, [](const Declaration* each) { return each->where.begin; });
+    std::string text;
+    for (const Declaration* const each : variables)
+        if (each->kind == DeclarationKind::Input || each->kind == DeclarationKind::Output)
+            text += "\n    " + declaration_text(*each);
+    return text;
+}
+
 /// Returns the declaration. If a variable has no type in the source, its implicit type `bool` is added.
 std::string shown_declaration(const Declaration& element) {
     const std::string text = declaration_text(element);
+    if (element.file->language == TextLanguage::StructuredText) return text;
     const bool variable = element.kind == DeclarationKind::Input || element.kind == DeclarationKind::Output ||
                           element.kind == DeclarationKind::Internal || element.kind == DeclarationKind::Own ||
                           element.kind == DeclarationKind::InputParameter ||
@@ -72,7 +85,9 @@ std::string shown_declaration(const Declaration& element) {
 }  // namespace
 
 std::string hover_text(const Names& names, const Declaration& element, const Model* model) {
-    std::string text = fenced(shown_declaration(element), "grafcet");
+    const bool structured_text = element.file->language == TextLanguage::StructuredText;
+    std::string text =
+        fenced(shown_declaration(element) + interface_text(names, element), structured_text ? "st" : "grafcet");
     const std::string documentation = documentation_of(names, element);
     if (!documentation.empty()) text += "\n" + fenced(documentation, "text");
     const std::string equation = model != nullptr && element.owner != nullptr ? equation_of(element, *model) : "";

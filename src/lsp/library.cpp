@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "pipeline/components.hpp"
+#include "read/program/program.hpp"
 #include "syntax/language/parse.hpp"
 #include "syntax/resolve/resolve.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 struct Library {
     References references = {};
     Files files = {};
+    std::shared_ptr<Parsed> blocks = {};  ///< the standard function blocks
 
     Library() {
         Sources sources;
@@ -29,6 +31,10 @@ struct Library {
                     resolve_component(parsed->tree, *component, diagnostics, Recorder(&references));
             files.push_back(std::move(parsed));
         }
+        blocks = std::make_shared<Parsed>();
+        blocks->path = standard_blocks_path;
+        blocks->text = std::make_shared<const Text>(std::string(standard_blocks_text()));
+        blocks->language = TextLanguage::StructuredText;
     }
 };
 
@@ -40,6 +46,7 @@ const Library& known_library() {
 }  // namespace
 
 std::shared_ptr<const Parsed> library_file(std::string_view path) {
+    if (path == standard_blocks_path) return known_library().blocks;
     for (const auto& file : known_library().files)
         if (file->path == path) return file;
     return nullptr;

@@ -2,6 +2,7 @@
 #include "lsp/names.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <tuple>
 
 #include "support/overloaded.hpp"
@@ -51,8 +52,10 @@ void Names::take(const Recording& recording) {
         if (file == nullptr) continue;
         const auto [known, fresh] = sites_.try_emplace({file, each.where.begin});
         if (fresh)
-            known->second = &elements_.emplace_back(Declaration{each.kind, each.name, declared(recording, each.owner),
-                                                                file, each.where, each.whole, elements_.size()});
+            known->second =
+                &elements_.emplace_back(Declaration{each.kind, each.name, declared(recording, each.owner), file,
+                                                    each.where, each.whole, elements_.size(), each.text});
+        else if (known->second->text.empty()) known->second->text = each.text;
         uses_[file].push_back({known->second, each.where, true, false});
     }
     for (const auto& [one, other] : recording.references->shared) {
@@ -156,6 +159,12 @@ std::vector<FileUse> Names::everywhere(const Declaration& element) const {
 
 const Declaration* Names::meaning(const Parsed& file, std::size_t offset, std::string_view name) const {
     const Declaration* const owner = around(file, offset);
+    if (file.language == TextLanguage::StructuredText) {
+        for (const Declaration* const scope : {owner, static_cast<const Declaration*>(nullptr)})
+            for (const Declaration* const element : parts(scope))
+                if (same_name(file, element->name, name)) return element;
+        return nullptr;
+    }
     std::vector<const Declaration*> scopes = referred(owner, DeclarationKind::Chart);
     scopes.insert(scopes.begin(), owner);
     for (const Declaration* const scope : scopes)
@@ -182,13 +191,19 @@ std::string without_marks(std::string_view comment) {
         return std::string(comment);
     }
     comment.remove_prefix(std::min<std::size_t>(2, comment.size()));
-    if (comment.ends_with("*/")) comment.remove_suffix(2);
+    if (comment.ends_with("*/") || comment.ends_with("*)")) comment.remove_suffix(2);
     return std::string(comment);
 }
 
 std::size_t line_of(const Parsed& file, std::size_t offset) { return file.text->position(offset).line; }
 
 }  // namespace
+
+bool same_name(const Parsed& file, std::string_view a, std::string_view b) {
+    if (file.language != TextLanguage::StructuredText) return a == b;
+    const auto capital = [](unsigned char letter) { return std::toupper(letter); };
+    return std::ranges::equal(a, b, {}, capital, capital);
+}
 
 std::string comment_of(const Parsed& file, Span whole) {
     std::size_t line = line_of(file, whole.begin);
@@ -244,6 +259,7 @@ std::string declaration_text(const Declaration& element) {
         while (text.ends_with(' ') || text.ends_with(';')) text.pop_back();
         return text;
     };
+    if (!element.text.empty()) return element.text;
     switch (element.kind) {
     case DeclarationKind::Chart:
     case DeclarationKind::Component:
@@ -266,7 +282,11 @@ std::string declaration_text(const Declaration& element) {
     case DeclarationKind::Location:
     case DeclarationKind::Instance:
     case DeclarationKind::Fault:
-    case DeclarationKind::Property: return joined(element.whole);
+    case DeclarationKind::Property:
+    case DeclarationKind::Unit:
+    case DeclarationKind::Action:
+    case DeclarationKind::DataType:
+    case DeclarationKind::EnumerationValue: return joined(element.whole);
     }
     unreachable();
 }

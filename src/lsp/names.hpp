@@ -30,6 +30,7 @@ struct Declaration {
     Span where = {};        ///< position of its name
     Span whole = {};        ///< position of its declaration
     std::size_t order = 0;  ///< number of elements that were recorded before this one
+    std::string text = {};  ///< the declaration in one line; empty for the text of the source
 };
 
 /// An occurrence of a name.
@@ -101,12 +102,14 @@ private:
 
     Files files_ = {};
     std::deque<Declaration> elements_ = {};
-    std::map<Site, const Declaration*> sites_ = {};
+    std::map<Site, Declaration*> sites_ = {};
     std::map<const Declaration*, std::vector<const Declaration*>> parts_ = {};  ///< elements by owner, sorted by name
     std::map<const Declaration*, const Declaration*> shared_ = {};  ///< forest of the elements with a common name
     std::map<const Parsed*, std::vector<Use>> uses_ = {};
 };
 
+/// Returns true if two names are equal in the language of a file: names in Structured Text are not case-sensitive.
+bool same_name(const Parsed& file, std::string_view a, std::string_view b);
 /// Returns the text of the comment above a declaration or at the end of the line of the declaration.
 std::string comment_of(const Parsed& file, Span whole);
 /// Returns the line of a component's comment that describes a parameter: `order: rod in`.

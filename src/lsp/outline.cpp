@@ -39,7 +39,9 @@ TokenType type_of(DeclarationKind kind) {
     case DeclarationKind::Chart:
     case DeclarationKind::Loop:
     case DeclarationKind::Partial: return Namespace;
-    case DeclarationKind::Component: return Class;
+    case DeclarationKind::Component:
+    case DeclarationKind::Unit:
+    case DeclarationKind::DataType: return Class;
     case DeclarationKind::Input:
     case DeclarationKind::Output:
     case DeclarationKind::Internal:
@@ -48,11 +50,13 @@ TokenType type_of(DeclarationKind kind) {
     case DeclarationKind::PlantVariable:
     case DeclarationKind::Instance: return Variable;
     case DeclarationKind::Step: return Event;
-    case DeclarationKind::Transition: return Function;
+    case DeclarationKind::Transition:
+    case DeclarationKind::Action: return Function;
     case DeclarationKind::InputParameter:
     case DeclarationKind::OutputParameter:
     case DeclarationKind::Constant: return Parameter;
-    case DeclarationKind::Location: return EnumMember;
+    case DeclarationKind::Location:
+    case DeclarationKind::EnumerationValue: return EnumMember;
     case DeclarationKind::Property:
     case DeclarationKind::Fault:
     case DeclarationKind::Observer: return PropertyToken;
@@ -62,7 +66,8 @@ TokenType type_of(DeclarationKind kind) {
 
 bool is_read_only(DeclarationKind kind) {
     return kind == DeclarationKind::Input || kind == DeclarationKind::InputParameter ||
-           kind == DeclarationKind::Constant || kind == DeclarationKind::Step;
+           kind == DeclarationKind::Constant || kind == DeclarationKind::Step ||
+           kind == DeclarationKind::EnumerationValue;
 }
 
 }  // namespace
@@ -118,7 +123,7 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
             begin = stop + 1;
         }
     };
-    for (const Word& word : words_of(text)) {
+    for (const Word& word : words_of(text, file.language)) {
         while (use != uses.end() && use->where.end <= word.begin) ++use;
         const bool named = use != uses.end() && use->where.begin <= word.begin && word.end <= use->where.end;
         if (named && (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
@@ -129,7 +134,7 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
         }
         switch (word.kind) {
         case Word::Kind::Name:
-            if (is_keyword(std::string_view(text).substr(word.begin, word.end - word.begin)))
+            if (is_keyword(std::string_view(text).substr(word.begin, word.end - word.begin), file.language))
                 put(word.begin, word.end, Keyword, 0);
             break;
         case Word::Kind::Number: put(word.begin, word.end, Number, 0); break;

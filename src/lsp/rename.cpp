@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "lsp/library.hpp"
@@ -13,15 +14,24 @@ namespace grafverif::lsp {
 
 namespace {
 
+/// True if `word` is a valid name in Structured Text, or a keyword.
+bool is_structured_text_name(std::string_view word) {
+    const auto in_name = [](char letter) {
+        return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+    };
+    return !word.empty() && word.size() <= 200 && std::isdigit(static_cast<unsigned char>(word.front())) == 0 &&
+           std::ranges::all_of(word, in_name);
+}
+
 bool is_of_library(const Parsed& file) { return file.path.starts_with("<library>"); }
 
 /// True if the text of `file` contains the name of `element` at a position for which no meaning is recorded.
 bool has_unknown_meaning(const Names& names, const Parsed& file, const Declaration& element) {
     const std::string_view text = file.text->bytes();
     const std::string step = element.kind == DeclarationKind::Step ? 'X' + element.name : "";
-    return std::ranges::any_of(words_of(text), [&](const Word& word) {
+    return std::ranges::any_of(words_of(text, file.language), [&](const Word& word) {
         const std::string_view name = text.substr(word.begin, word.end - word.begin);
-        return word.kind == Word::Kind::Name && (name == element.name || name == step) &&
+        return word.kind == Word::Kind::Name && (same_name(file, name, element.name) || name == step) &&
                names.use_at(file, word.begin) == nullptr;
     });
 }
@@ -30,7 +40,7 @@ bool has_unknown_meaning(const Names& names, const Parsed& file, const Declarati
 /// `errors` is true if a text has errors, so that name resolution may not have found the meaning of some names.
 std::string obstacle_of(const Names& names, const Declaration& element, bool errors) {
     if (is_of_library(*element.file))
-        return fmt::format("`{}` belongs to the component library and cannot be renamed", element.name);
+        return fmt::format("`{}` belongs to the library and cannot be renamed", element.name);
     for (const auto& file : names.files()) {
         if (file->broken)
             return fmt::format("`{}` has syntax errors, so some names may not be found; correct the errors first",
@@ -110,20 +120,22 @@ Renaming renamed(const Workspace& workspace, const std::vector<std::shared_ptr<c
                  const Declaration& element, const std::string& name) {
     const bool numbers = element.kind == DeclarationKind::Step || element.kind == DeclarationKind::Location ||
                          element.kind == DeclarationKind::Transition;
-    if (!is_name(name, numbers)) return {{}, fmt::format("`{}` is not a valid name here", name)};
+    const bool structured_text = element.file->language == TextLanguage::StructuredText;
+    if (structured_text ? !is_structured_text_name(name) : !is_name(name, numbers))
+        return {{}, fmt::format("`{}` is not a valid name here", name)};
     const bool errors =
         std::ranges::any_of(roots, [](const auto& root) { return root->reading.diagnostics.has_errors(); });
     if (std::string obstacle = obstacle_of(names, element, errors); !obstacle.empty()) return {{}, std::move(obstacle)};
     Renaming result;
     std::map<const Parsed*, std::vector<Span>> edits;
     for (const FileUse& each : names.everywhere(element)) {
-        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the component library", element.name)};
+        if (is_of_library(*each.file)) return {{}, fmt::format("`{}` is used in the library", element.name)};
         if (!each.file->is_renamable)
-            return {
-                {},
-                fmt::format("`{}` occurs in `{}`, which is not a `.grafcet` file and cannot be edited by this command; "
-                            "rename it manually in all files",
-                            element.name, each.file->path)};
+            return {{},
+                    fmt::format("`{}` occurs in `{}`, which is not a text of grafverif or Structured Text and cannot "
+                                "be edited by this command; "
+                                "rename it manually in all files",
+                                element.name, each.file->path)};
         const Span where = each.use.name();
         edits[each.file].push_back(where);
         result.edits.push_back({{each.file->path, each.file->text->range(where.begin, where.end)}, name});

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <optional>
 
 #include "support/text/identifier.hpp"
 
@@ -40,7 +42,31 @@ std::size_t end_of_run(std::string_view text, std::size_t at, Continues continue
     return at;
 }
 
-Word word_at(std::string_view text, std::size_t at) {
+/// The keywords of Structured Text, separated by spaces.
+constexpr std::array<std::string_view, 6> program_words = {
+    "ACTION AND AND_THEN ARRAY AT BOOL BY BYTE CASE CONFIGURATION CONSTANT DINT DO DWORD ELSE ELSIF END_ACTION",
+    "END_CASE END_CONFIGURATION END_FOR END_FUNCTION END_FUNCTION_BLOCK END_IF END_PROGRAM END_REPEAT",
+    "END_RESOURCE END_STEP END_STRUCT END_TRANSITION END_TYPE END_VAR END_WHILE EXIT FALSE FOR FROM FUNCTION",
+    "FUNCTION_BLOCK IF INITIAL_STEP INT MOD NON_RETAIN NOT OF ON OR OR_ELSE PERSISTENT POINTER PRIORITY PROGRAM",
+    "REAL REPEAT RESOURCE RETAIN RETURN SINT STEP STRING STRUCT TASK THEN TIME TO TRANSITION TRUE TYPE UDINT UINT",
+    "UNTIL USINT VAR VAR_EXTERNAL VAR_GLOBAL VAR_INPUT VAR_IN_OUT VAR_OUTPUT VAR_TEMP WHILE WITH WORD XOR"};
+
+/// Returns the comment or string of Structured Text that begins at `at`, or nothing if there is none.
+std::optional<Word> structured_text_word(std::string_view text, std::size_t at) {
+    const auto to = [&](Word::Kind kind, std::string_view end, std::size_t after) {
+        const std::size_t found = text.find(end, at + after);
+        const std::size_t stop = found == std::string_view::npos ? text.size() : found + end.size();
+        return Word{kind, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(stop)};
+    };
+    if (text.substr(at).starts_with("(*")) return to(Word::Kind::Comment, "*)", 2);
+    if (text[at] == '{') return to(Word::Kind::Comment, "}", 1);
+    if (text[at] == '\'') return to(Word::Kind::String, "'", 1);
+    return {};
+}
+
+Word word_at(std::string_view text, std::size_t at, TextLanguage language) {
+    if (language == TextLanguage::StructuredText)
+        if (const auto word = structured_text_word(text, at)) return *word;
     const auto word = [&](Word::Kind kind, std::size_t end) {
         return Word{kind, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(end, text.size()))};
     };
@@ -80,14 +106,14 @@ bool has(const std::vector<std::string>& words, std::string_view word) {
 
 }  // namespace
 
-std::vector<Word> words_of(std::string_view text) {
+std::vector<Word> words_of(std::string_view text, TextLanguage language) {
     std::vector<Word> words;
     for (std::size_t at = 0; at < text.size();) {
         if (static_cast<unsigned char>(text[at]) <= ' ') {
             ++at;
             continue;
         }
-        words.push_back(word_at(text, at));
+        words.push_back(word_at(text, at, language));
         at = words.back().end;
     }
     return words;
@@ -95,7 +121,27 @@ std::vector<Word> words_of(std::string_view text) {
 
 bool is_reserved(std::string_view word) { return std::ranges::find(reserved, word) != reserved.end(); }
 
-bool is_keyword(std::string_view word) {
+std::span<const std::string_view> structured_text_keywords() {
+    static const std::vector<std::string_view> words = [] {
+        std::vector<std::string_view> list;
+        for (const std::string_view line : program_words)
+            for (std::size_t at = 0; at < line.size();) {
+                const std::size_t end = std::min(line.find(' ', at), line.size());
+                list.push_back(line.substr(at, end - at));
+                at = end + 1;
+            }
+        return list;
+    }();
+    return words;
+}
+
+bool is_keyword(std::string_view word, TextLanguage language) {
+    if (language == TextLanguage::StructuredText) {
+        std::string capitals(word);
+        for (char& letter : capitals) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+        const auto keywords = structured_text_keywords();
+        return std::ranges::find(keywords, capitals) != keywords.end();
+    }
     return is_reserved(word) || word == "rise" || word == "fall" || word == "accept" ||
            std::ranges::find(contextual, word) != contextual.end();
 }

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "lsp/workspace.hpp"
 
 namespace grafverif::lsp {
 
@@ -15,10 +18,13 @@ struct Word {
     Kind kind = Kind::Sign;
     std::uint32_t begin = 0, end = 0;
 };
-std::vector<Word> words_of(std::string_view text);
+std::vector<Word> words_of(std::string_view text, TextLanguage language = TextLanguage::Grafcet);
 
-/// True if `word` is a keyword in some context.
-bool is_keyword(std::string_view word);
+/// Returns the keywords of Structured Text, in capital letters and in alphabetical order.
+std::span<const std::string_view> structured_text_keywords();
+
+/// True if `word` is a keyword of the language in some context.
+bool is_keyword(std::string_view word, TextLanguage language = TextLanguage::Grafcet);
 /// True if `word` is a keyword in every context.
 bool is_reserved(std::string_view word);
 /// True if `word` is a valid name. If `numbers` is true, numbers are also valid names, as for steps and locations.

@@ -8,6 +8,7 @@
 #include "pipeline/files.hpp"
 #include "pipeline/models.hpp"
 #include "read/formats.hpp"
+#include "read/program/program.hpp"
 #include "rpc/uri.hpp"
 #include "syntax/language/parse.hpp"
 
@@ -19,7 +20,39 @@ constexpr std::size_t most_entries = 20'000;  ///< maximum number of files and f
 /// Maximum number of bytes of a file that is read only for its includes.
 constexpr std::size_t largest_scanned = 4U << 20U;
 
+/// True if the text can refer to other files.
+bool may_refer(std::string_view text) {
+    return text.find("include") != std::string_view::npos || text.find("program") != std::string_view::npos;
+}
+
+/// Adds the comments of Structured Text to `parsed`, and determines if the text has syntax errors.
+void parse_structured_text(Parsed& parsed) {
+    const std::string& text = parsed.text->bytes();
+    Sources sources;
+    Diagnostics diagnostics;
+    st::File file;
+    file.source = sources.add({parsed.path, text});
+    const Span whole = {file.source, 0, static_cast<std::uint32_t>(text.size())};
+    parsed.broken = !st::parse_programs({{whole, false}}, file, sources, diagnostics);
+    for (st::Comment& comment : file.comments) {
+        const std::size_t line = text.rfind('\n', comment.where.begin);
+        const std::size_t begin = line == std::string::npos ? 0 : line + 1;
+        const bool own_line = text.find_first_not_of(" \t", begin) == comment.where.begin;
+        parsed.tree.comments.push_back({std::move(comment.text), comment.where, own_line});
+    }
+}
+
 }  // namespace
+
+TextLanguage language_of(const std::string& path, std::string_view text) {
+    switch (format_of(text)) {
+    case FileFormat::Grafcet: return TextLanguage::Grafcet;
+    case FileFormat::Xml: return TextLanguage::Other;
+    case FileFormat::StructuredText: return TextLanguage::StructuredText;
+    case FileFormat::Unknown: break;
+    }
+    return path.ends_with(".st") ? TextLanguage::StructuredText : TextLanguage::Grafcet;
+}
 
 // -- open documents ---------------------------------------------------------------------------------------------------
 
@@ -118,11 +151,12 @@ std::shared_ptr<const Parsed> Workspace::parsed(const std::string& path) {
     auto parsed = std::make_shared<Parsed>();
     parsed->path = path;
     parsed->text = text;
-    const FileFormat format = format_of(text->bytes());
-    if (format == FileFormat::Grafcet || format == FileFormat::Unknown) {
+    parsed->language = language_of(path, text->bytes());
+    parsed->is_renamable = parsed->language != TextLanguage::Other;
+    if (parsed->language == TextLanguage::StructuredText) parse_structured_text(*parsed);
+    if (parsed->language == TextLanguage::Grafcet) {
         Sources sources;
         Diagnostics diagnostics;
-        parsed->is_renamable = true;
         parsed->tree = parse_file(sources.add({path, text->bytes()}), sources, diagnostics);
         parsed->broken = parsed->tree.broken;
     }
@@ -142,6 +176,8 @@ std::vector<std::string> Workspace::includes(const Parsed& file) {
     for (const tree::Declaration& declaration : file.tree.declarations)
         if (const auto* include = std::get_if<tree::Include>(&declaration))
             paths.push_back(path_of_include(file.path, include->path, context));
+        else if (const auto* program = std::get_if<tree::PlcProgram>(&declaration))
+            paths.push_back(path_of_include(file.path, program->path, context));
     return paths;
 }
 
@@ -169,7 +205,7 @@ std::vector<std::string> Workspace::roots(const std::string& path) {
     for (const std::string& candidate : candidates) {
         const auto text = this->text(candidate);
         if (text == nullptr || text->bytes().size() > largest_scanned) continue;
-        if (text->bytes().find("include") == std::string::npos) continue;
+        if (!may_refer(text->bytes())) continue;
         for (const std::string& included : includes(*parsed(candidate))) includers[key(included)].push_back(candidate);
     }
     std::vector<std::string> found = {path};
@@ -188,6 +224,10 @@ ParseResult Workspace::reading(const std::string& path, Inputs& inputs, Referenc
     inputs.emplace_back(path, main);
     if (main == nullptr) return reading;
     const Id<Source> file = reading.sources.add({path, main->bytes()});
+    if (language_of(path, main->bytes()) == TextLanguage::StructuredText) {
+        read_program(file, reading.sources, reading.diagnostics, Recorder(&references));
+        return reading;
+    }
     const Reach reach(path, include_folders_, within_);
     ReadContext context = context_of(reach, include_folders_, false);
     context.references = &references;

@@ -30,11 +30,19 @@ struct OpenText {
     bool out_of_step = false;
 };
 
-/// A text with the syntax tree of its valid parts. For files in other formats, the tree is empty.
+enum class TextLanguage {
+    Grafcet,         ///< the input language, or an unknown format
+    StructuredText,  ///< Structured Text and textual Sequential Function Charts (IEC 61131-3)
+    Other,           ///< other formats that grafverif imports
+};
+
+/// A text with the syntax tree of its valid parts. For files in other languages, the tree contains only the comments of
+/// Structured Text.
 struct Parsed {
     std::string path = {};
     std::shared_ptr<const Text> text = {};
     tree::File tree = {};
+    TextLanguage language = TextLanguage::Grafcet;
     bool broken = false;
     bool is_renamable = false;  ///< false for files in other formats and of the component library
 
@@ -43,6 +51,9 @@ struct Parsed {
     }
 };
 using Files = std::vector<std::shared_ptr<const Parsed>>;
+
+/// Returns the language of a text. `path` determines the language of a text that does not identify its language.
+TextLanguage language_of(const std::string& path, std::string_view text);
 
 /// The input texts of a parse. The parse is valid while these texts are unchanged.
 using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
@@ -77,12 +88,13 @@ public:
     /// Returns the text of a file, or null if it does not exist.
     std::shared_ptr<const Text> text(const std::string& path);
     std::shared_ptr<const Parsed> parsed(const std::string& path);
-    /// Returns the paths of the file and of all files that include it.
+    /// Returns the paths of the file and of all files that include it or declare it as a program.
     std::vector<std::string> roots(const std::string& path);
     /// True if the workspace was too large for a complete search, so that further roots may exist.
     bool cut_short() const { return cut_short_; }
 
-    /// Parses the file with its includes, and records its names in `references`.
+    /// Parses the file with its includes, and records its names in `references`. The result has no model if the file is
+    /// a PLC program.
     ParseResult reading(const std::string& path, Inputs& inputs, References& references);
     bool holds(const Inputs& inputs);
 

@@ -83,6 +83,12 @@ std::vector<std::string> assumptions(const PageContent& content) {
     std::vector<std::string> sentences;
     if (!content.requested.empty())
         sentences.push_back("Only these properties were selected: " + listed(content.requested) + ".");
+    if (!content.loop.valid() && !content.charts.empty() && content.charts.front().program) {
+        sentences.push_back(fmt::format("The {} engine checked the program for any number of scans ({}).",
+                                        settings.engine, settings.mode));
+        sentences.push_back("There is no plant: every input can have any value in each scan.");
+        return sentences;
+    }
     if (settings.untimed.empty())
         sentences.push_back(fmt::format(
             "Time: the {} engine checked the timed closed loop in units of {}; a PLC cycle takes no time{}.",

@@ -168,15 +168,21 @@ void read_plc_program(ReadState& reading, const tree::File& file, const tree::Pl
     auto text = reading.context.load ? reading.context.load(path, why) : std::nullopt;
     if (!text) return reading.diagnostics.add(messages::cannot_include(written.path_where, written.path, why));
     const Id<Source> source = reading.sources.add({path, std::move(*text)});
-    const auto program = read_program(source, reading.sources, reading.diagnostics);
-    if (!program || !has_elementary_signals(program->program(), reading.diagnostics)) return;
-    reading.written.in_error.erase(name);
-    Chart chart = interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where);
-    for (const Chart::Variable& each : chart.variables)
-        reading.record.declare(declaration_kind(each.kind), each.name, each.origin, each.origin, chart.origin);
-    for (const Chart::Step& each : chart.steps)
-        reading.record.declare(DeclarationKind::Step, each.name, each.origin, each.origin, chart.origin);
-    reading.model.charts.add(std::move(chart));
+    References names;
+    const Recorder record = reading.record.is_recording() ? Recorder(&names) : Recorder();
+    const auto program = read_program(source, reading.sources, reading.diagnostics, record);
+    if (program && has_elementary_signals(program->program(), reading.diagnostics)) {
+        reading.written.in_error.erase(name);
+        Chart chart = interface_of({std::make_shared<const Program>(program->program())}, name, written.name.where);
+        // The loop names the variables and steps of the program by the name of the program. Therefore, the program is
+        // their owner; the declarations in the text of the program follow.
+        for (const Chart::Variable& each : chart.variables)
+            reading.record.declare(declaration_kind(each.kind), each.name, each.origin, each.origin, chart.origin);
+        for (const Chart::Step& each : chart.steps)
+            reading.record.declare(DeclarationKind::Step, each.name, each.origin, each.origin, chart.origin);
+        reading.model.charts.add(std::move(chart));
+    }
+    reading.record.add(std::move(names));
 }
 
 /// Returns the component `name` of the library, or null if the library has no component of this name.

@@ -40,8 +40,7 @@ struct ReadContext {
     /// Constants of closed loops set by the user: value by name.
     std::map<std::string, std::string, std::less<>> constants = {};
     /// If not null, the declarations and references in files of the input language are added to it, including
-    /// declarations with errors and the references in them. For a PLC program, the declarations are added, but not the
-    /// references.
+    /// declarations with errors and the references in them. PLC programs are included.
     References* references = nullptr;
     /// Cancellation flag. After `*stop` becomes true, `read_text` soon returns an empty result; ignore its diagnostics.
     const std::atomic<bool>* stop = nullptr;

@@ -91,12 +91,14 @@ Json act_json(const ChartRun::Act& act) {
     add(act.evolves, "evolve");
     add(act.writes == ChartRun::Act::Writes::Yes, "write");
     add(act.writes == ChartRun::Act::Writes::IfStable, "write-if-stable");
-    return {{"controller", index_of(act.controller)},
-            {"does", std::move(does)},
-            {"inputs", act.inputs},
-            {"timers", act.timers},
-            {"fired", indices(act.fired)},
-            {"stable", or_null(act.stable)}};
+    Json object = {{"controller", index_of(act.controller)},
+                   {"does", std::move(does)},
+                   {"inputs", act.inputs},
+                   {"timers", act.timers},
+                   {"fired", indices(act.fired)},
+                   {"stable", or_null(act.stable)}};
+    if (act.elapsed_ms) object["elapsed"] = *act.elapsed_ms;
+    return object;
 }
 
 /// Returns the values that differ from those in the previous state, each with the index of its signal; all values if

@@ -42,6 +42,15 @@ closed_loop station {
     property apart: never X0 && X1;
 }
 ]]
+local program = [[
+PROGRAM Press
+VAR_INPUT Start AT %IX0.0 : BOOL; END_VAR  // from the desk
+VAR_OUTPUT Move : BOOL; END_VAR
+VAR Delay : TON; END_VAR
+Delay(IN := (START), PT := T#2s);
+Move := Delay.Q;
+END_PROGRAM
+]]
 -- Returns a loop of ten machines, each of which waits for its neighbour. The check of the loop does not end in time.
 local function busy()
     local text = 'grafcet busy {\n'
@@ -96,6 +105,7 @@ end
 local function session()
     write('press.grafcet', press)
     write('main.grafcet', main)
+    write('press.st', program)
     write('busy.grafcet', busy())
     local press_buffer, buffer = open('press.grafcet'), open('main.grafcet')
     local client
@@ -154,6 +164,17 @@ local function session()
         end
         return all, ask('textDocument/codeLens', of)
     end
+
+    -- A PLC program
+    local program_buffer = open('press.st')
+    type_instead(program_buffer, 'Move :=', 'Move := Dely.Q;')
+    diagnostics(program_buffer, 1)
+    type_instead(program_buffer, 'Move :=', 'Move := Delay.Q;')
+    diagnostics(program_buffer, 0)
+    say('\nhover over START in press.st')
+    quote(ask('textDocument/hover', program_buffer, at(program_buffer, '(START)', 'START')).contents.value)
+    vim.cmd('buffer ' .. buffer)
+    vim.cmd('bdelete! ' .. program_buffer)
 
     -- While a name is typed, in this file and in the included file
     type_instead(buffer, 'environment', '    environment Start = fre(OUT = START);')

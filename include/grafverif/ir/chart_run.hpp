@@ -111,6 +111,9 @@ struct ChartRun {
         /// If `evolves`: the transitions that the evolution clears. If the act only samples: the transitions that the
         /// next evolution clears.
         std::vector<Id<Transition>> fired = {};
+        /// For a scan of a PLC program with free inputs: the time since the previous scan in milliseconds. Empty for
+        /// other controllers, whose time is that of the states.
+        std::optional<std::int64_t> elapsed_ms = {};
         /// Values of the flags `stable` and `race` after the evolution; empty if the model does not have these flags.
         std::optional<bool> stable = {}, race = {};
         bool operator==(const Act&) const = default;

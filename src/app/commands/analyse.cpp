@@ -89,8 +89,7 @@ ExitCode analyse_program(const Program& program, const std::string& name, Comman
     const ResourceLimits bounds(job.options, streams);
     auto analysis = grafverif::analyse_program(program, name, bounds.limits(), job.diagnostics);
     if (!analysis) return ExitCode::Input;
-    const std::string& text = job.sources[program.units[program.main].origin.source].text;
-    if (contains(text, "RETAIN") || contains(text, "PERSISTENT"))
+    if (program.retains)
         analysis->notes.emplace_back("power-on is a cold start: retained variables have their initial values");
     return finish(std::move(*analysis), bounds, job, streams);
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // `check`: decides every property of a closed loop with the built-in or external engines.
-#include "pipeline/program/check.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -156,21 +154,14 @@ ExitCode check_one(const Model& model, CommandContext& job, ResourceLimits& boun
 
 /// Checks a PLC program with the properties of a file.
 ExitCode check_program(CommandContext& job, const Streams& streams) {
-    const auto program = read_source(job.options.operands[0], job);
-    const auto properties = program ? read_source(*job.options.property_file, job) : std::nullopt;
-    if (!properties) return ExitCode::Input;
     ResourceLimits bounds(job.options, streams);
     const Options& requested = job.options;
     const bool witnesses =
         requested.verbose || requested.format == Format::Json || requested.trace_vcd || requested.trace_svg;
-    CheckOptions options{requested.properties, witnesses, requested.verbose, bounds.limits()};
-    options.jobs = requested.jobs;
-    auto report = grafverif::check_program(*program, *properties, job.sources, options, job.diagnostics);
-    if (!report) return ExitCode::Input;
-    Decided decided;
-    decided.report = std::move(*report);
-    name_places(decided.report, job.sources);
-    return show(decided, {}, job, bounds, streams);
+    auto decided = decide_program(job, bounds, witnesses);
+    if (!decided) return ExitCode::Input;
+    decided->second.chart = {};  // the locations in the output are those of the property file
+    return show(decided->second, {}, job, bounds, streams);
 }
 
 }  // namespace
@@ -247,10 +238,10 @@ CliCommand check_usage() {
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata",
          "grafverif check docs/drive.st --properties docs/drive.yaml"},
-        {OptionGroup::Within, OptionGroup::Search, OptionGroup::Verdicts, OptionGroup::All, OptionGroup::Loop,
-         OptionGroup::Constants, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::CycleBoth,
-         OptionGroup::Untimed, OptionGroup::Format, OptionGroup::Traces, OptionGroup::Verbose, OptionGroup::Stats,
-         OptionGroup::Ablations}};
+        {OptionGroup::Within, OptionGroup::Search, OptionGroup::Verdicts, OptionGroup::ProgramProperties,
+         OptionGroup::All, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Chart, OptionGroup::Mode,
+         OptionGroup::Grain, OptionGroup::CycleBoth, OptionGroup::Untimed, OptionGroup::Format, OptionGroup::Traces,
+         OptionGroup::Verbose, OptionGroup::Stats, OptionGroup::Ablations}};
 }
 
 }  // namespace grafverif::app

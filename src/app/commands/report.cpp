@@ -38,7 +38,29 @@ std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vec
 
 }  // namespace
 
+namespace {
+
+/// Writes the report of a PLC program that is checked with a property file.
+ExitCode report_program(CommandContext& job, const Streams& streams) {
+    ResourceLimits bounds(job.options, streams);
+    auto checked = decide_program(job, bounds, true);
+    if (!checked) return ExitCode::Input;
+    auto& [model, decided] = *checked;
+    auto content =
+        page_content(model, job.sources, {}, decided.chart, job.options.mode, bounds.limits(), job.diagnostics);
+    if (!content) return ExitCode::Input;
+    decided.chart = {};
+    note(decided, {}, job);
+    content->report = std::move(decided.report);
+    const ExitCode code = exit_code(content->report, bounds.interrupted());
+    deliver(report_page(std::move(*content), job), job, streams);
+    return code;
+}
+
+}  // namespace
+
 ExitCode report(CommandContext& job, const Streams& streams) {
+    if (job.options.property_file) return report_program(job, streams);
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
     ResourceLimits bounds(job.options, streams);
@@ -80,14 +102,16 @@ CliCommand report_usage() {
             "the chart,\n"
             "and the test sequence of --sequence. For a PLC program, the player shows the statements of each scan with "
             "their\n"
-            "values. Each step of a trace has an address, such as report.html#P16/23.\n"
+            "values. With --properties FILE, the report is about a PLC program without a plant, as with `check`.\n"
+            "Each step of a trace has an address, such as report.html#P16/23.\n"
             "The same input gives the same bytes; the report has a date only with --date. The exit codes are those of "
             "`check`.",
             {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
-             "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
-            {OptionGroup::Output, OptionGroup::Search, OptionGroup::Loop, OptionGroup::Constants, OptionGroup::Chart,
-             OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle, OptionGroup::Untimed, OptionGroup::Sequence,
-             OptionGroup::Date}};
+             "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html",
+             "grafverif report docs/drive.st --properties docs/drive.yaml -o drive.html"},
+            {OptionGroup::Output, OptionGroup::Search, OptionGroup::ProgramProperties, OptionGroup::Loop,
+             OptionGroup::Constants, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Grain, OptionGroup::Cycle,
+             OptionGroup::Untimed, OptionGroup::Sequence, OptionGroup::Date}};
 }
 
 }  // namespace grafverif::app

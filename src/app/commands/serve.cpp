@@ -162,9 +162,11 @@ CliCommand serve_usage() {
         "interactive simulator. The page is updated when FILE or an included file is saved. Only this machine can open "
         "the page,\n"
         "and only with the token of the address. Nothing is written, except a temporary file with --open. Ctrl-C stops "
-        "the server.",
-        {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open"},
-        {OptionGroup::Serve, OptionGroup::Constants, OptionGroup::Mode, OptionGroup::Grain}};
+        "the server. With --properties FILE, the page shows a PLC program and its verdicts.",
+        {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open",
+         "grafverif serve docs/drive.st --properties docs/drive.yaml"},
+        {OptionGroup::Serve, OptionGroup::ProgramProperties, OptionGroup::Constants, OptionGroup::Mode,
+         OptionGroup::Grain}};
 }
 
 }  // namespace grafverif::app

@@ -15,6 +15,7 @@
 #include "pipeline/check.hpp"
 #include "pipeline/file_watcher.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/program/check.hpp"
 #include "report/report.hpp"
 #include "support/json_text.hpp"
 #include "support/messages.hpp"
@@ -189,6 +190,7 @@ private:
     void read(const std::string& path, std::string text, CheckedFile& piece) {
         ParseResult& reading = piece.reading;
         const Id<Source> file = reading.sources.add({path, std::move(text)});
+        if (options_.property_file) return read_with_properties(file, piece);
         const Reach reach(path, options_.include_folders);
         ReadContext context = context_of(reach, options_.include_folders, false);
         context.constants.insert(options_.constants.begin(), options_.constants.end());
@@ -198,6 +200,19 @@ private:
             return identity_of_existing(included);
         };
         reading.model = read_text(file, reading.sources, context, reading.diagnostics);
+    }
+
+    /// Reads a PLC program and its property file.
+    void read_with_properties(Id<Source> file, CheckedFile& piece) {
+        ParseResult& reading = piece.reading;
+        const std::string& path = *options_.property_file;
+        std::string why;
+        watch_.note(path);
+        auto text = content_of_file(path, why);
+        if (!text) return reading.diagnostics.add(messages::cannot_read(path, why));
+        properties_ = reading.sources.add({path, std::move(*text)});
+        auto program = read_program_model(file, properties_, reading.sources, reading.diagnostics);
+        if (program) reading.model = std::move(*program);
     }
 
     void make_networks(CheckedFile& piece) const {
@@ -214,8 +229,9 @@ private:
     }
 
     /// Returns one entry for each model to check. A model that was rejected has the state `refused`.
-    static std::vector<Proof> proofs_of(const CheckedFile& piece) {
+    std::vector<Proof> proofs_of(const CheckedFile& piece) const {
         std::vector<Proof> proofs;
+        const bool with_properties = options_.property_file.has_value();
         if (!piece.reading.model) return proofs;
         const Model& model = *piece.reading.model;
         const auto begun = [](bool accepted) { return accepted ? "waiting" : "refused"; };
@@ -226,8 +242,9 @@ private:
                               .state = begun(piece.networks[loop.index].has_value())});
         for (const Id<Chart> chart : model.charts.ids())
             if (!is_in_a_loop(model, chart))
-                proofs.push_back(
-                    {.place = chart.index, .name = model.charts[chart].name, .state = begun(piece.runs[chart.index])});
+                proofs.push_back({.place = chart.index,
+                                  .name = model.charts[chart].name,
+                                  .state = begun(piece.runs[chart.index] || with_properties)});
         return proofs;
     }
 
@@ -257,6 +274,11 @@ private:
         if (proof.is_loop)
             return check(loop_to_check(model, {proof.place}, *checked_file_->networks[proof.place]), options);
         Diagnostics already_reported;
+        if (options_.property_file) {
+            Sources sources = checked_file_->reading.sources;
+            auto checked = check_program({0}, properties_, sources, options, already_reported);
+            return checked ? std::optional(std::move(checked->report)) : std::nullopt;
+        }
         return check_untimed(model, Id<Chart>{proof.place}, {options_.mode, options_.grain, {}}, options,
                              already_reported);
     }
@@ -298,9 +320,12 @@ private:
         Json models = Json::array(), charts = Json::array();
         for (const Proof& proof : proofs_) models.push_back(proof.json());
         if (piece.reading.model)
-            for (const Id<Chart> chart : piece.reading.model->charts.ids())
-                charts.push_back({{"name", piece.reading.model->charts[chart].name},
-                                  {"runs", static_cast<bool>(piece.runs[chart.index])}});
+            for (const Id<Chart> id : piece.reading.model->charts.ids()) {
+                const Chart& chart = piece.reading.model->charts[id];
+                charts.push_back({{"name", chart.name},
+                                  {"runs", static_cast<bool>(piece.runs[id.index])},
+                                  {"steps", chart.steps.size()}});
+            }
         Json state = {{"version", 0},
                       {"reading", piece.number},
                       {"file", options_.operands[0]},
@@ -335,6 +360,7 @@ private:
     // Only the thread that reads and checks uses the following members.
     std::shared_ptr<const CheckedFile> checked_file_ = piece_;
     std::vector<Proof> proofs_ = {};
+    Id<Source> properties_ = {};  ///< the property file of a PLC program
     std::uint64_t readings_ = 0;
 
     std::jthread worker_ = {}, watcher_ = {};  ///< declared last, because the threads use all members above

@@ -110,8 +110,10 @@ private:
         const std::unique_lock hold(reporting_, std::try_to_lock);
         if (!hold) return {503, "text/plain", "another report is being generated; try again later\n"};
         CommandContext job{.options = options_};
-        if (const auto loop = request.query.find("loop"); loop != request.query.end()) job.options.loop = loop->second;
-        if (const auto chart = request.query.find("chart"); chart != request.query.end())
+        const bool selects = !options_.property_file;  // a file with a PLC program has a single model
+        if (const auto loop = request.query.find("loop"); selects && loop != request.query.end())
+            job.options.loop = loop->second;
+        if (const auto chart = request.query.find("chart"); selects && chart != request.query.end())
             job.options.chart = chart->second;
         const std::uint64_t time =
             std::min(longest_report_ms, options_.response_timeout_ms.value_or(longest_report_ms));

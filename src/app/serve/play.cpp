@@ -8,6 +8,7 @@
 
 #include "app/serve/request_json.hpp"
 #include "grafverif/ir/drawing.hpp"
+#include "ir/program/interface.hpp"
 #include "page/terms.hpp"
 #include "pipeline/chart_text.hpp"
 #include "pipeline/models.hpp"
@@ -273,9 +274,10 @@ std::string drawings(const CheckedFile& piece) {
     if (piece.reading.model)
         for (const Id<Chart> id : piece.reading.model->charts.ids()) {
             const Chart& chart = piece.reading.model->charts[id];
-            const bool is_drawn = chart.steps.size() <= most_steps && !chart.program;
+            const bool is_drawn = chart.steps.size() <= most_steps && !(chart.program && chart.steps.empty());
             const DrawOptions options{.prefix = drawing_prefix(id)};
-            marks.push_back(is_drawn ? marks_of(chart, element_ids(chart, options.prefix)) : Json(nullptr));
+            const Chart drawn = chart.program && is_drawn ? drawn_chart(chart) : chart;
+            marks.push_back(is_drawn ? marks_of(drawn, element_ids(drawn, options.prefix)) : Json(nullptr));
             list.push_back(is_drawn ? Json(svg_of(drawing_of(*piece.reading.model, id, options, piece.reading.sources)))
                                     : Json(nullptr));
         }

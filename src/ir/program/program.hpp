@@ -159,6 +159,7 @@ struct Program {
         bool output = false;       ///< true for VAR_OUTPUT of the program, or `AT %Q`
         std::int64_t longest = 0;  ///< for a timer: the maximum preset time in milliseconds
         Span origin = {};
+        bool initialized = false;  ///< true if the declaration states the initial value
         bool operator==(const Variable&) const = default;
     };
     /// The structure of a Sequential Function Chart, of which the statements are in the body of a unit. Only
@@ -206,6 +207,9 @@ struct Program {
     Id<Unit> globals = {}, main = {};
     /// Interval of the task; if empty, any time may pass between two scans.
     std::optional<std::int64_t> interval_ms = {};
+    /// True if a variable keeps its value when the PLC is switched off (RETAIN). Runs begin with a cold start, at which
+    /// all variables have their initial values.
+    bool retains = false;
 
     bool operator==(const Program&) const = default;
 };

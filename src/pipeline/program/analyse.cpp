@@ -16,8 +16,8 @@
 #include "derive/program/scan.hpp"
 #include "ir/program/fault_text.hpp"
 #include "ir/program/interface.hpp"
-#include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/program/initial_values.hpp"
 #include "pipeline/program/replay.hpp"
 #include "syntax/print/program.hpp"
 
@@ -31,8 +31,7 @@ using StatementKind = Program::Statement::Kind;
 /// because their terms are deep.
 constexpr std::size_t most_accesses = 1000;
 
-/// Analyses a program in two passes of `visit`. The first pass collects the events. Then all events are decided
-/// together, and the second pass reports the impossible events.
+/// Analyses a program in two passes of `visit`: the first collects events, the second reports impossible events.
 class ProgramAnalysis {
 public:
     ProgramAnalysis(const Program& program, Scan scan)
@@ -54,6 +53,7 @@ public:
     Analysis analyse(const std::string& name, const Limits& limits) && {
         const auto begin = std::chrono::steady_clock::now();
         analysis_.chart = name;
+        analysis_.findings = findings_about_initial_values(program_, scan_.layout);
         analysis_.mode = ExecutionMode::EveryCycle;
         visit();
         decide(limits);

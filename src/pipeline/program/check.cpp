@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "check/portfolio.hpp"
 #include "derive/program/scan.hpp"
 #include "ir/program/fault_text.hpp"
+#include "ir/program/interface.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/program/replay.hpp"
@@ -55,7 +57,7 @@ public:
         PortfolioResult result = check_together(system_.system, all);
         report_.model = scan_.equations.name;
         report_.settings.engine = result.alone ? "symbolic" : "auto";
-        report_.settings.untimed = "free inputs";
+        report_.settings.untimed = program_.retains ? "free inputs, cold start" : "free inputs";
         report_.settings.mode = program_.interval_ms    ? fmt::format("a scan every {} ms", *program_.interval_ms)
                                 : scan_.elapsed.valid() ? "any time between scans"
                                                         : "any number of scans";
@@ -168,8 +170,29 @@ private:
 
 }  // namespace
 
-std::optional<Report> check_program(Id<Source> source, Id<Source> property_source, Sources& sources,
-                                    const CheckOptions& options, Diagnostics& diagnostics) {
+namespace {
+
+/// Returns a model whose only chart represents the program.
+Model model_of(const Program& program) {
+    const Program::Unit& main = program.units[program.main];
+    Model model;
+    model.charts.add(interface_of({std::make_shared<const Program>(program)}, main.name, main.origin));
+    return model;
+}
+
+}  // namespace
+
+std::optional<Model> read_program_model(Id<Source> source, Id<Source> property_source, Sources& sources,
+                                        Diagnostics& diagnostics) {
+    auto text = read_program(source, sources, diagnostics);
+    if (!text) return {};
+    const auto properties = read_properties(property_source, sources, *text, diagnostics);
+    if (!properties || !scan_of(text->program(), diagnostics)) return {};
+    return model_of(text->program());
+}
+
+std::optional<CheckedProgram> check_program(Id<Source> source, Id<Source> property_source, Sources& sources,
+                                            const CheckOptions& options, Diagnostics& diagnostics) {
     auto text = read_program(source, sources, diagnostics);
     if (!text) return {};
     const auto properties = read_properties(property_source, sources, *text, diagnostics);
@@ -177,7 +200,7 @@ std::optional<Report> check_program(Id<Source> source, Id<Source> property_sourc
     if (!properties || !scan) return {};
     Check check(text->program(), std::move(*scan), *properties);
     if (!check.prepare(options.properties, diagnostics)) return {};
-    return check.report(options);
+    return CheckedProgram{model_of(text->program()), check.report(options)};
 }
 
 }  // namespace grafverif

@@ -11,9 +11,19 @@
 
 namespace grafverif {
 
-/// `program` is Structured Text; `properties` is a property file (docs/reference/programs.md). The result is empty
-/// after an error.
-std::optional<Report> check_program(Id<Source> program, Id<Source> properties, Sources& sources,
-                                    const CheckOptions& options, Diagnostics& diagnostics);
+/// A model whose only chart represents a PLC program (see interface_of), and the verdicts on the program.
+struct CheckedProgram {
+    Model model = {};
+    Report report = {};
+};
+
+/// Reads a program and a property file. Returns the model of the program, or nothing after an error.
+std::optional<Model> read_program_model(Id<Source> program, Id<Source> properties, Sources& sources,
+                                        Diagnostics& diagnostics);
+
+/// `program` is Structured Text or PLCopen XML; `properties` is a property file (docs/reference/programs.md). The
+/// result is empty after an error.
+std::optional<CheckedProgram> check_program(Id<Source> program, Id<Source> properties, Sources& sources,
+                                            const CheckOptions& options, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ir/program/interface.hpp"
 #include "run/program/interpreter.hpp"
 
 namespace grafverif {
@@ -46,7 +47,7 @@ public:
         for (std::size_t i = 0; i < scan.variables.size(); ++i) {
             const Id<Equations::Variable> id = scan.variables[i];
             const ProgramCell& cell = scan.layout.cells[i];
-            if (!id.valid() || (!cell.output && !symbol(i).valid())) continue;
+            if (!id.valid() || cell.step || (!cell.output && !symbol(i).valid())) continue;
             const auto role = cell.input    ? ChartRun::Role::Input
                               : cell.output ? ChartRun::Role::Output
                                             : ChartRun::Role::Internal;
@@ -57,6 +58,10 @@ public:
                 .push_back(signal);
             shown_.push_back(i);
         }
+        steps_ = step_cells(scan.layout);
+        for (const std::size_t cell : steps_)
+            controller.steps.push_back(trace_.steps.add({step_name(scan.layout.cells[cell].name)}));
+        shorten_names(trace_.steps);
         trace_.controllers.add(std::move(controller));
     }
 
@@ -105,6 +110,7 @@ private:
         if (scan_.elapsed.valid() && system_.symbols[scan_.elapsed.index].valid())
             elapsed = run_.states[k][system_.symbols[scan_.elapsed.index].index];
         interpreter_.scan(inputs, elapsed);
+        elapsed_ = elapsed;
     }
 
     void event(std::size_t number) {
@@ -112,6 +118,7 @@ private:
         ChartRun::Act act{.controller = {0}, .begins = true, .starts = number == 0};
         if (number > 0) {
             act.samples = act.evolves = true;
+            act.elapsed_ms = elapsed_;
             act.writes = ChartRun::Act::Writes::Yes;
         }
         moment.move = number;
@@ -123,18 +130,23 @@ private:
             if (!trace_.moments.empty() && trace_.moments.back().after.values[i] != value)
                 moment.changed.push_back({i});
         }
+        for (std::uint32_t k = 0; k < steps_.size(); ++k)
+            if (interpreter_.cells()[steps_[k]] != 0) moment.after.situation.push_back({k});
         moment.acts.push_back(std::move(act));
         trace_.moments.push_back(std::move(moment));
     }
 
-    /// Adds a row for the state before the first scan, for the last scan, and for each scan that changes a Boolean
-    /// variable, an input or an output. Other scans have no row, because a run may have thousands of scans that only
+    /// Adds a row for the state before the first scan, for the last scan, and for each scan that changes a step, a
+    /// Boolean variable, an input or an output. Other scans have no row, because a run may have thousands of scans that only
     /// change internal counters.
     void add_rows() {
         for (std::size_t i = 0; i < trace_.moments.size(); ++i) {
-            const bool visible = std::ranges::any_of(trace_.moments[i].changed, [&](Id<ChartRun::Signal> id) {
-                return trace_.signals[id].type.boolean || trace_.signals[id].role != ChartRun::Role::Internal;
-            });
+            const bool changes_steps =
+                i != 0 && trace_.moments[i].after.situation != trace_.moments[i - 1].after.situation;
+            const bool visible =
+                changes_steps || std::ranges::any_of(trace_.moments[i].changed, [&](Id<ChartRun::Signal> id) {
+                    return trace_.signals[id].type.boolean || trace_.signals[id].role != ChartRun::Role::Internal;
+                });
             if (i != 0 && !visible && i + 1 != trace_.moments.size()) continue;
             ChartRun::Row row{.kind = ChartRun::Kind::Controller};
             row.what = i == 0 ? "before the first scan" : "";
@@ -150,6 +162,8 @@ private:
     const SystemRun& run_;
     ProgramRun interpreter_;
     std::vector<std::size_t> shown_ = {};  ///< for each signal, the index of its cell
+    std::vector<std::size_t> steps_ = {};  ///< for each step, the index of its cell
+    std::int64_t elapsed_ = 0;             ///< time before the last scan, in milliseconds
     ChartRun trace_ = {};
 };
 

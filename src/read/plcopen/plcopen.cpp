@@ -93,6 +93,7 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
         st::Variable variable;
         variable.section = section_of(local_name(list.name()));
         variable.constant = reader.flag(list, "constant");
+        variable.retain = reader.flag(list, "retain") || reader.flag(list, "persistent");
         variable.name = reader.name(value(node, "name"), reader.xml.where(node, "name"));
         variable.type = type_of(reader, child(node, "type"));
         variable.address = value(node, "address");

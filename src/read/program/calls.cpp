@@ -19,6 +19,7 @@ std::optional<Reader::Callee> Reader::action(Id<st::Expr> path) {
     if (from.op == st::Op::Name) {
         const auto known = scopes_[unit_.index].actions.find(from.word.index);
         if (known == scopes_[unit_.index].actions.end()) return {};
+        refer(from, program.units[known->second].origin);
         return Callee{{}, known->second, unit_, nullptr};
     }
     const auto declares = [&](const Scope& scope) { return scope.actions.contains(from.word.index); };
@@ -38,6 +39,7 @@ std::optional<Reader::Callee> Reader::action(Id<st::Expr> path) {
     const Id<Unit> block = program.types[found->type].unit;
     const auto known = scopes_[block.index].actions.find(from.word.index);
     if (known == scopes_[block.index].actions.end()) return {};
+    refer(from, program.units[known->second].origin);
     return Callee{found->place, known->second, block, found->variable};
 }
 
@@ -113,6 +115,7 @@ void Reader::invoke(Id<st::Expr> call, Program::Body& body) {
         if (named_one) {
             const auto known = scopes_[block.index].variables.find(part.word.index);
             if (known != scopes_[block.index].variables.end()) index = known->second;
+            if (index) refer(part, program.units[block].variables[*index].origin, part.op == st::Op::Argument);
         } else if (i - 1 < inputs.size() && shared.empty()) index = inputs[i - 1];
         using Section = Variable::Section;
         const Section section = index ? program.units[block].variables[*index].section : Section::Local;

@@ -103,6 +103,7 @@ std::optional<Reader::Found> Reader::chart_member(Id<st::Expr> path) {
     Variable& element = program.units[unit].variables[known->second];
     const Id<Unit> block = program.types[element.type].unit;
     Variable& cell = program.units[block].variables[scopes_[block.index].variables.at(member.word.index)];
+    refer(owner, element.origin);
     Found made;
     made.place = shifted(instance.place, element.offset + cell.offset);
     made.type = cell.type;

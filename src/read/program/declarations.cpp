@@ -35,8 +35,9 @@ constexpr std::uint32_t most_cells = 100'000;
 
 }  // namespace
 
-Reader::Reader(st::File& file, const Sources& sources, Diagnostics& sink, std::vector<UnitCharts> charts)
-    : diagnostics(&sink), file_(&file), sources_(&sources), charts_(std::move(charts)) {
+Reader::Reader(st::File& file, const Sources& sources, Diagnostics& sink, std::vector<UnitCharts> charts,
+               const Recorder& record)
+    : diagnostics(&sink), file_(&file), sources_(&sources), record_(record), charts_(std::move(charts)) {
     for (const Elementary& one : elementary_types) {
         const Id<Type> id = program.types.add({one.kind, one.name, one.low, one.high, {}, {}, {}});
         types_[file.intern(one.name).index] = id;
@@ -58,17 +59,21 @@ void Reader::read(std::size_t user) {
     calls_.emplace_back();
     unit_ = body_ = program.globals;
     main_block_ = main_block(user);
+    index_types();
+    declare_names(user);
     declare_types();
-    declare_units(user);
+    declare_units();
     choose_main(user);
     for (std::size_t index = 0; index < file_->units.size(); ++index) read_body(index);
     check_calls();
+    record_ = {};
 }
 
 void Reader::read_body(std::size_t index) {
     const st::Unit& from = file_->units[index];
     const bool codesys = file_->dialect == st::Dialect::Codesys;
     unit_ = body_ = declared_[index];
+    record_chart(index);
     Program::Body body;
     if (from.networks.empty()) body = block(from.body);
     else body = codesys ? codesys_chart(charts_[index].body, from.networks.front()) : chart(index);
@@ -109,7 +114,8 @@ void Reader::warn_once(std::string_view what, std::string_view reading, Span whe
 
 // -- units ------------------------------------------------------------------------------------------------------------
 
-void Reader::declare_units(std::size_t user) {
+/// Adds all units of the file without their contents, because declarations can refer to later units.
+void Reader::declare_names(std::size_t user) {
     for (std::size_t index = 0; index < file_->units.size(); ++index) {
         const st::Unit& from = file_->units[index];
         const auto [place, fresh] = units_.try_emplace(from.name.word.index, index);
@@ -117,7 +123,8 @@ void Reader::declare_units(std::size_t user) {
             diagnostics->add(
                 messages::duplicate_name(index < user ? from.name.where : file_->units[place->second].name.where,
                                          "unit", text(from.name.word), file_->units[place->second].name.where));
-        else if (index < user && types_.contains(from.name.word.index))
+        else if (index < user &&
+                 (types_.contains(from.name.word.index) || type_declarations_.contains(from.name.word.index)))
             diagnostics->add(messages::duplicate_name(from.name.where, "type", text(from.name.word), from.name.where));
         Unit unit;
         unit.name = text(from.name.word);
@@ -130,6 +137,10 @@ void Reader::declare_units(std::size_t user) {
         scopes_.emplace_back();
         calls_.emplace_back();
     }
+}
+
+void Reader::declare_units() {
+    for (const st::Unit& from : file_->units) record_unit(from);
     declare_variables(program.globals, file_->globals, true);
     for (std::size_t index = 0; index < file_->units.size(); ++index) declare(index);
 }
@@ -188,11 +199,14 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     if (const auto old = scope.variables.find(word); old != scope.variables.end() || scope.externals.contains(word)) {
         const Span first = old != scope.variables.end() ? unit.variables[old->second].origin : scope.externals.at(word);
         diagnostics->add(messages::duplicate_name(from.name.where, "variable", text(from.name.word), first));
+        record_variable(id, from, {});
         return;
     }
     if (from.section == st::Section::External) {
         scope.externals[word] = from.name.where;
         const auto known = scopes_[program.globals.index].variables.find(word);
+        if (known != scopes_[program.globals.index].variables.end())
+            record_.refer(from.name.where, program.units[program.globals].variables[known->second].origin);
         if (known == scopes_[program.globals.index].variables.end())
             diagnostics->add(messages::unknown(from.name.where, "variable", text(from.name.word), ""));
         else if (const auto type = type_of(from.type, from.where);
@@ -203,6 +217,7 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     }
     unit_ = body_ = id;  // bounds of types can name constants of this unit
     const auto type = type_of(from.type, from.where);
+    record_variable(id, from, type);
     if (!type) return;
     if (!is_allowed(program.units[id], from, *type, is_program)) return;
     Unit& target = program.units[id];  // type_of may have reallocated the units
@@ -212,6 +227,8 @@ void Reader::declare(Id<Unit> id, const st::Variable& from, bool is_program) {
     made.offset = target.size;
     made.constant = from.constant;
     made.origin = from.name.where;
+    made.initialized = from.initial.valid();
+    program.retains = program.retains || from.retain;
     switch (from.section) {
     case st::Section::Input: made.section = Variable::Section::Input; break;
     case st::Section::Output: made.section = Variable::Section::Output; break;
@@ -366,6 +383,7 @@ void Reader::choose_main(std::size_t user) {
             diagnostics->add(messages::unknown(instance.type.where, "program", text(instance.type.word), ""));
             continue;
         }
+        record_.refer(instance.type.where, file_->units[unit->second].name.where);
         if (!instance.arguments.empty())
             reject(instance.where, "an argument of a program instance",
                    "declare the variables of the program `AT` their addresses");

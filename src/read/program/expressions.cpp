@@ -157,16 +157,20 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
         if (hash != std::string::npos) {
             const auto known = values_.find(file_->intern(written.substr(hash + 1)).index);
             const auto type = types_.find(file_->intern(written.substr(0, hash)).index);
-            if (known != values_.end() && type != types_.end() && type->second == known->second.type)
+            if (known != values_.end() && type != types_.end() && type->second == known->second.type) {
+                record_.refer(last_name(from.where, written.substr(hash + 1)), known->second.origin);
                 return Typed{number(known->second.value, type->second, from.where), false};
+            }
         }
         reject(from.where, "this literal", "use Boolean values, integers and durations");
         return {};
     }
     case st::Op::Name:
         if (const auto value = values_.find(from.word.index);
-            value != values_.end() && !scopes_[unit_.index].variables.contains(from.word.index))
+            value != values_.end() && !scopes_[unit_.index].variables.contains(from.word.index)) {
+            refer(from, value->second.origin);
             return Typed{number(value->second.value, value->second.type, from.where), false};
+        }
         [[fallthrough]];
     case st::Op::Member:
     case st::Op::Index:

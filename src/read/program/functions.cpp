@@ -167,6 +167,7 @@ Reader::MaybeTyped Reader::user_function(Id<st::Expr> id, std::size_t index) {
         return {};
     }
     calls_[unit_.index].push_back(callee.index);
+    refer(file_->exprs[from.first], program.units[callee].origin);
     std::vector<const Variable*> inputs;
     for (const Variable& variable : program.units[callee].variables)
         if (variable.section == Variable::Section::Input) inputs.push_back(&variable);
@@ -181,6 +182,7 @@ Reader::MaybeTyped Reader::user_function(Id<st::Expr> id, std::size_t index) {
             const std::string formal = capitals(part.word);
             place = 0;
             while (place < inputs.size() && st::capitals(inputs[place]->name) != formal) ++place;
+            if (place < inputs.size()) refer(part, inputs[place]->origin);
             value_expr = part.first;
         }
         if (part.op == st::Op::Result || place >= inputs.size()) {

@@ -46,14 +46,25 @@ std::optional<Reader::Found> Reader::named(Id<st::Word> word, Span where) {
     std::vector<std::string> candidates;
     for (const Id<Unit> id : {unit_, program.globals})
         for (const Variable& variable : program.units[id].variables) candidates.push_back(variable.name);
-    diagnostics->add(messages::unknown(where, "variable", text(word), nearest_of(text(word), candidates)));
+    diagnostics->add(messages::unknown(where, "variable", written(word, where), nearest_of(text(word), candidates)));
     return {};
+}
+
+std::string Reader::written(Id<st::Word> word, Span where) const {
+    const std::string first = text(word);
+    if (where.source.index >= sources_->size()) return first;
+    std::string here = (*sources_)[where.source].text.substr(where.begin, where.end - where.begin);
+    return st::capitals(here) == st::capitals(first) ? here : first;
 }
 
 std::optional<Reader::Found> Reader::variable(Id<st::Expr> path) {
     const st::Expr& from = file_->exprs[path];
     switch (from.op) {
-    case st::Op::Name: return named(from.word, from.where);
+    case st::Op::Name: {
+        const auto found = named(from.word, from.where);
+        if (found) refer(from, found->variable->origin);
+        return found;
+    }
     case st::Op::Member: return member(path);
     case st::Op::Index: return element(path);
     case st::Op::Address:
@@ -83,6 +94,8 @@ std::optional<std::optional<Reader::Found>> Reader::qualified(Id<st::Expr> path)
         return std::optional<Found>();
     }
     Found found = found_in(unit, known->second);
+    refer(from, found.variable->origin);
+    if (!list) refer(owner, program.units[unit].origin);
     if (list || unit == unit_) return found;
     if (found.variable->section == Variable::Section::Temporary)
         return reject(from.where, "a temporary variable of another unit", "declare it in VAR"), std::optional<Found>();
@@ -123,10 +136,11 @@ std::optional<Reader::Found> Reader::member(Id<st::Expr> path) {
             if (structure || variable.section == Variable::Section::Input ||
                 variable.section == Variable::Section::Output)
                 candidates.push_back(variable.name);
-        diagnostics->add(
-            messages::unknown(from.where, "variable", text(from.word), nearest_of(text(from.word), candidates)));
+        diagnostics->add(messages::unknown(from.where, "variable", written(from.word, from.name),
+                                           nearest_of(text(from.word), candidates)));
         return {};
     }
+    refer(from, found->origin);
     Found made = *owner;
     made.place.offset += found->offset;
     made.type = found->type;

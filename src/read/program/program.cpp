@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "read/program/program.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "read/plcopen/plcopen.hpp"
+#include "read/program/incomplete.hpp"
 #include "read/program/scope.hpp"
 #include "read/program/standard_blocks.hpp"
 #include "support/messages_program.hpp"
@@ -31,7 +33,47 @@ std::optional<Id<Program::Node>> ProgramText::condition(const st::Text& text, co
     return inside_->reader->condition(*root);
 }
 
-std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
+std::string_view standard_blocks_text() { return program::standard_blocks; }
+
+namespace {
+
+/// Removes the standard function blocks that the file defines itself. In a file with charts, a second definition is an
+/// error that the reader reports, because the control of actions uses the standard function blocks.
+void remove_redefined_blocks(st::File& file, std::size_t user, Diagnostics& diagnostics) {
+    const auto end = file.units.begin() + static_cast<std::ptrdiff_t>(user);
+    if (std::any_of(file.units.begin(), end, [](const st::Unit& unit) { return !unit.networks.empty(); })) return;
+    const auto removed = std::remove_if(end, file.units.end(), [&](const st::Unit& standard) {
+        const auto own = std::find_if(file.units.begin(), end,
+                                      [&](const st::Unit& unit) { return unit.name.word == standard.name.word; });
+        if (own == end) return false;
+        diagnostics.add(messages::not_standard(
+            own->name.where, "a definition of `" + std::string(file.text(own->name)) + "` in the file",
+            "a replacement of the standard function block"));
+        return true;
+    });
+    file.units.erase(removed, file.units.end());
+}
+
+/// Parses the standard function blocks, and creates a reader that resolves the names of `file`; empty after an error.
+std::optional<program::Reader> resolved(st::File& file, Sources& sources, Diagnostics& diagnostics,
+                                        const Recorder& record) {
+    const std::size_t user = file.units.size();
+    const std::string standard(program::standard_blocks);
+    const Id<Source> blocks = sources.add({std::string(standard_blocks_path), standard});
+    if (!st::parse_programs({{{blocks, 0, static_cast<std::uint32_t>(standard.size())}, false}}, file, sources,
+                            diagnostics))
+        return {};
+    remove_redefined_blocks(file, user, diagnostics);
+    std::vector<program::UnitCharts> charts = program::read_charts(file, sources, diagnostics);
+    std::optional<program::Reader> reader(std::in_place, file, sources, diagnostics, std::move(charts), record);
+    reader->read(user);
+    return reader;
+}
+
+}  // namespace
+
+std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics,
+                                        const Recorder& record) {
     const std::size_t errors = diagnostics.errors();
     make_utf8(source, sources, diagnostics);
     const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(sources[source].text.size())}, sources);
@@ -51,18 +93,15 @@ std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Dia
         file = read_plcopen_program(*xml, sources, diagnostics);
     } else {
         file.source = source;
-        if (!st::parse_programs({{whole, false}}, file, sources, diagnostics)) return {};
+        st::parse_programs({{whole, false}}, file, sources, diagnostics);
+        if (diagnostics.errors() != errors && record.is_recording()) {
+            Diagnostics ignored;  // the diagnostics of an incomplete text have no meaning
+            program::add_incomplete_units(whole, file, sources);
+            resolved(file, sources, ignored, record);
+        }
     }
     if (diagnostics.errors() != errors) return {};
-    const std::size_t user = file.units.size();
-    const std::string standard(program::standard_blocks);
-    const Id<Source> blocks = sources.add({"standard function blocks", standard});
-    if (!st::parse_programs({{{blocks, 0, static_cast<std::uint32_t>(standard.size())}, false}}, file, sources,
-                            diagnostics))
-        return {};
-    std::vector<program::UnitCharts> charts = program::read_charts(file, sources, diagnostics);
-    text.inside_->reader.emplace(file, sources, diagnostics, std::move(charts));
-    text.inside_->reader->read(user);
+    text.inside_->reader = resolved(file, sources, diagnostics, record);
     if (diagnostics.errors() != errors) return {};
     return text;
 }

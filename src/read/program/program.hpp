@@ -12,6 +12,7 @@
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
 #include "ir/program/program.hpp"
+#include "syntax/resolve/references.hpp"
 #include "syntax/st/parse_st.hpp"
 
 namespace grafverif {
@@ -32,11 +33,19 @@ public:
     struct Inside;
 
 private:
-    friend std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
+    friend std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics,
+                                                   const Recorder& record);
     std::unique_ptr<Inside> inside_;
 };
 
+/// Name of the source of the standard function blocks.
+inline constexpr std::string_view standard_blocks_path = "<library>/standard_blocks.st";
+/// Returns the text of the standard function blocks.
+std::string_view standard_blocks_text();
+
 /// Reads a program; empty after at least one error. The source of the standard function blocks is added to `sources`.
-std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
+/// The declarations and references are added to `record`, also those of a text with errors.
+std::optional<ProgramText> read_program(Id<Source> source, Sources& sources, Diagnostics& diagnostics,
+                                        const Recorder& record = {});
 
 }  // namespace grafverif

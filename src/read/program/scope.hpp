@@ -18,6 +18,7 @@
 #include "grafverif/support/source.hpp"
 #include "ir/program/program.hpp"
 #include "read/program/charts.hpp"
+#include "syntax/resolve/references.hpp"
 #include "syntax/st/st_tree.hpp"
 
 namespace grafverif::program {
@@ -34,7 +35,8 @@ inline std::string quoted(std::string_view text) { return "`" + std::string(text
 class Reader {
 public:
     /// `charts` contains one element for each unit of the file.
-    Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<UnitCharts> charts);
+    Reader(st::File& file, const Sources& sources, Diagnostics& diagnostics, std::vector<UnitCharts> charts,
+           const Recorder& record);
 
     /// `user` is the number of units that the user has written. These units precede the standard units.
     void read(std::size_t user);
@@ -84,13 +86,16 @@ private:
     static constexpr std::uint32_t ambiguous_member = 0xffffffff;  ///< marks equal step names in several charts
 
     // Defined in declarations.cpp:
+    void index_types();
     void declare_types();
+    void declare_type(std::size_t index);
     void declare_structure(const st::TypeDeclaration& declaration);
     std::optional<Id<Type>> array(const st::Type& type, Span where);
     std::optional<Id<Type>> subrange(const st::Type& type, Span where);
     void declare_actions(std::size_t index);
     std::optional<std::size_t> main_block(std::size_t user) const;
-    void declare_units(std::size_t user);
+    void declare_names(std::size_t user);
+    void declare_units();
     void declare(std::size_t index);
     void declare_variables(Id<Unit> unit, const std::vector<st::Variable>& variables, bool is_program);
     void declare(Id<Unit> unit, const st::Variable& variable, bool is_program);
@@ -205,15 +210,30 @@ private:
     void for_statement(const st::Statement& from, Program::Body& body);
 
     std::string text(Id<st::Word> word) const { return std::string(file_->text(word)); }
+    /// Returns a name as it is written at `where` or, if `where` contains another text, at its first occurrence.
+    std::string written(Id<st::Word> word, Span where) const;
     std::string capitals(Id<st::Word> word) const { return st::capitals(file_->text(word)); }
     void reject(Span where, std::string_view what, std::string_view hint);
 
+    // Defined in record.cpp:
+    void record_unit(const st::Unit& from) const;
+    void record_values(std::string_view name, const st::Type& type) const;
+    void record_type_name(const st::Type& type) const;
+    void record_variable(Id<Unit> unit, const st::Variable& from, std::optional<Id<Type>> type) const;
+    void record_chart(std::size_t index);
+    void record_association(const st::Unit& unit, const st::Association& association) const;
+    void refer(const st::Expr& use, Span declaration, bool writes = false) const;
+    void refer_target(Id<st::Expr> path, Span declaration) const;
+
     st::File* file_;
     const Sources* sources_;
+    Recorder record_;
     std::unordered_map<std::uint32_t, std::size_t> units_ = {};  ///< word -> unit of the file
     std::vector<Id<Unit>> declared_ = {};                        ///< unit of the program per unit of the file
     std::vector<State> states_ = {};
-    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};  ///< word -> type
+    std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                 ///< word -> type
+    std::unordered_map<std::uint32_t, std::size_t> type_declarations_ = {};  ///< word -> first declaration in the file
+    std::vector<State> type_states_ = {};                                    ///< per type declaration of the file
     struct EnumerationValue {
         Id<Type> type = {};
         std::int64_t value = 0;

@@ -93,6 +93,7 @@ std::optional<Reader::Found> Reader::target(Id<st::Expr> path) {
                std::nullopt;
     if (found->locked)
         return reject(where, "an assignment to an output of an instance", "assign its inputs"), std::nullopt;
+    refer_target(path, found->variable->origin);
     return found;
 }
 

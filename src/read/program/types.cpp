@@ -19,32 +19,50 @@ constexpr std::int64_t most_elements = 100'000;
 
 // -- types ------------------------------------------------------------------------------------------------------------
 
+void Reader::index_types() {
+    for (std::size_t index = 0; index < file_->types.size(); ++index) {
+        const st::TypeDeclaration& declaration = file_->types[index];
+        type_declarations_.try_emplace(declaration.name.word.index, index);
+        record_.declare(DeclarationKind::DataType, text(declaration.name.word), declaration.name.where,
+                        declaration.where);
+    }
+    type_states_.assign(file_->types.size(), State::New);
+}
+
 void Reader::declare_types() {
-    for (const st::TypeDeclaration& declaration : file_->types) {
-        const std::uint32_t word = declaration.name.word.index;
-        if (types_.contains(word)) {
-            diagnostics->add(messages::duplicate_name(declaration.name.where, "type", text(declaration.name.word),
-                                                      declaration.name.where));
-            continue;
-        }
-        if (declaration.structure) {
-            declare_structure(declaration);
-            continue;
-        }
+    for (std::size_t index = 0; index < file_->types.size(); ++index) {
+        const st::Name name = file_->types[index].name;
+        const std::size_t first = type_declarations_.at(name.word.index);
+        if (first != index || (type_states_[index] == State::New && types_.contains(name.word.index)))
+            diagnostics->add(
+                messages::duplicate_name(name.where, "type", text(name.word), file_->types[first].name.where));
+        else declare_type(index);
+    }
+}
+
+/// Declares a type, unless it is already declared because another type refers to it.
+void Reader::declare_type(std::size_t index) {
+    if (type_states_[index] != State::New) return;
+    type_states_[index] = State::Open;
+    const st::TypeDeclaration& declaration = file_->types[index];
+    if (declaration.structure) declare_structure(declaration);
+    else {
         if (declaration.initial.valid())
             reject(file_->exprs[declaration.initial].where, "an initial value of a type",
                    "declare the initial value for each variable");
         const auto type = declaration.type.values.empty()
                               ? type_of(declaration.type, declaration.where)
                               : enumeration(text(declaration.name.word), declaration.type, declaration.where);
-        if (type) types_[word] = *type;
+        if (type) types_[declaration.name.word.index] = *type;
     }
+    type_states_[index] = State::Done;
 }
 
 std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Type& type, Span /*where*/) {
     Type made{
         Type::Kind::Enumeration, std::string(name), 0, static_cast<std::int64_t>(type.values.size()) - 1, {}, {}, {}};
     const Id<Type> id{static_cast<std::uint32_t>(program.types.size())};
+    record_values(name, type);
     for (const st::Name value : type.values) {
         const auto [known, fresh] = values_.try_emplace(
             value.word.index, EnumerationValue{id, static_cast<std::int64_t>(made.values.size()), value.where});
@@ -61,6 +79,15 @@ std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
     if (type.composite) return reject(where, "a pointer or qualified type", "use elementary types"), std::nullopt;
     if (type.low.valid()) return subrange(type, where);
     if (const auto known = types_.find(type.name.word.index); known != types_.end()) return known->second;
+    if (const auto declared = type_declarations_.find(type.name.word.index); declared != type_declarations_.end()) {
+        if (type_states_[declared->second] == State::Open) {
+            diagnostics->add(messages::recursive_unit(type.name.where, text(type.name.word)));
+            return {};
+        }
+        declare_type(declared->second);
+        const auto known = types_.find(type.name.word.index);
+        return known == types_.end() ? std::nullopt : std::optional(known->second);  // an error has been reported
+    }
     if (const auto unit = units_.find(type.name.word.index); unit != units_.end()) {
         if (file_->units[unit->second].kind != st::UnitKind::FunctionBlock)
             return reject(type.name.where, "an instance of " + quoted(text(type.name.word)),
@@ -100,7 +127,7 @@ void Reader::declare_structure(const st::TypeDeclaration& declaration) {
     scopes_.emplace_back();
     calls_.emplace_back();
     declare_variables(id, declaration.members, false);
-    if (program.units[id].size == 0) reject(declaration.name.where, "a structure without members", "declare a member");
+    if (declaration.members.empty()) reject(declaration.name.where, "a structure without members", "declare a member");
     types_[declaration.name.word.index] =
         program.types.add({Type::Kind::Block, text(declaration.name.word), 0, 0, {}, id, {}});
 }

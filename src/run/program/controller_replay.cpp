@@ -125,8 +125,42 @@ std::vector<std::int64_t> ProgramControllerReplay::kept() const {
     return values;
 }
 
+namespace {
+
+/// Executes the scans of a program with free inputs. Inputs that the run does not contain keep their initial values.
+void replay_free_scans(const ChartRun& run, const Program& program,
+                       const std::function<bool(std::size_t event, const ScanLog& log)>& visit) {
+    ProgramRun interpreter(program);
+    std::map<std::string, std::size_t> places;  // of each input in the inputs of an act
+    for (const Id<ChartRun::Signal> signal : run.controllers[{0}].inputs)
+        places.emplace(run.signals[signal].name, places.size());
+    for (std::size_t event = 0; event < run.moments.size() && !interpreter.fault(); ++event)
+        for (const ChartRun::Act& act : run.moments[event].acts) {
+            if (!act.elapsed_ms) continue;
+            std::vector<std::int64_t> inputs;
+            for (const ProgramCell& cell : interpreter.layout().cells) {
+                if (!cell.input) continue;
+                const auto place = places.find(cell.name);
+                inputs.push_back(place == places.end() ? cell.initial : act.inputs[place->second]);
+            }
+            ScanLog log;
+            interpreter.scan(inputs, *act.elapsed_ms, &log);
+            if (!visit(event, log)) return;
+        }
+}
+
+/// True if the run is a run of a program with free inputs, without a closed loop.
+bool has_free_inputs(const ChartRun& run) {
+    return std::ranges::any_of(run.moments, [](const ChartRun::Event& event) {
+        return std::ranges::any_of(event.acts, [](const ChartRun::Act& act) { return act.elapsed_ms.has_value(); });
+    });
+}
+
+}  // namespace
+
 void replay_scans(const ChartRun& run, Id<ChartRun::Controller> controller, const Program& program,
                   const std::function<bool(std::size_t event, const ScanLog& log)>& visit) {
+    if (has_free_inputs(run)) return replay_free_scans(run, program, visit);
     ProgramControllerReplay replay(run, run.controllers[controller], program);
     ScanLog log;
     replay.write_to(&log);

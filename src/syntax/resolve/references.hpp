@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,6 +41,10 @@ enum class DeclarationKind {
     Property,
     Observer,
     Fault,
+    Unit,              ///< a program, function block or function of a PLC program
+    Action,            ///< an action of a unit
+    DataType,          ///< a data type of a PLC program
+    EnumerationValue,  ///< a value of a data type
 };
 
 struct References {
@@ -49,6 +54,7 @@ struct References {
         Span where = {};        ///< position of the name
         Span whole = {};        ///< position of the declaration
         Span owner = {};        ///< name of the enclosing declaration; without source for a declaration of the file
+        std::string text = {};  ///< the declaration in one line; empty for the text of the source
     };
     struct Reference {
         Span where = {};        ///< position of the occurrence; the `X` of a step variable `X2` precedes the name
@@ -75,16 +81,30 @@ public:
         : references_(references), beyond_errors_(beyond_errors) {}
 
     bool beyond_errors() const { return beyond_errors_; }
+    /// True if there is a record.
+    bool is_recording() const { return references_ != nullptr; }
     /// Returns a recorder without a record.
     Recorder silent() const { return Recorder(nullptr, beyond_errors_); }
 
-    void declare(DeclarationKind kind, std::string_view name, Span where, Span whole, Span owner = {}) const {
+    void declare(DeclarationKind kind, std::string_view name, Span where, Span whole, Span owner = {},
+                 std::string text = {}) const {
         if (references_ != nullptr && where.source.valid())  // some variables of PLC programs have no position
-            references_->declarations.push_back({kind, std::string(without_indices(name)), where, whole, owner});
+            references_->declarations.push_back(
+                {kind, std::string(without_indices(name)), where, whole, owner, std::move(text)});
     }
     void refer(Span where, Span declaration, bool writes = false) const {
         if (references_ != nullptr && declaration.source.valid())
             references_->references.push_back({where, declaration, writes});
+    }
+    /// Adds all declarations and references of `names`.
+    void add(References names) const {
+        if (references_ == nullptr) return;
+        const auto append = [](auto& to, auto& from) {
+            to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+        };
+        append(references_->declarations, names.declarations);
+        append(references_->references, names.references);
+        append(references_->shared, names.shared);
     }
     void share(Span one, Span other) const {
         if (references_ != nullptr) references_->shared.emplace_back(one, other);

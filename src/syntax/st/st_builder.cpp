@@ -61,10 +61,11 @@ void Builder::instance(Name name, Name task, Name type, std::vector<Id<Expr>> ar
     file_->instances.push_back({name, task, type, std::move(arguments), where});
 }
 
-std::vector<Variable> Builder::section(Section section, bool constant, std::vector<Variable> variables) const {
+std::vector<Variable> Builder::section(Section section, Qualifiers qualifiers, std::vector<Variable> variables) const {
     for (Variable& variable : variables) {
         variable.section = section;
-        variable.constant = constant;
+        variable.constant = qualifiers.constant;
+        variable.retain = qualifiers.retain;
     }
     return variables;
 }
@@ -93,18 +94,17 @@ Network& Builder::chart(Unit& unit, Span where) const {
     return unit.networks.front();
 }
 
-void Builder::step(Unit& unit, bool initial, Name name, std::vector<Association> actions, Span where) const {
-    where.end = name.where.end;
-    chart(unit, where).steps.push_back({initial, name, std::move(actions), {}, where});
+void Builder::step(Unit& unit, bool initial, Name name, std::vector<Association> actions, Span begin, Span end) const {
+    const Span where = joined(begin, name.where);
+    chart(unit, where).steps.push_back({initial, name, std::move(actions), {}, where, joined(begin, end)});
 }
 
 void Builder::transition(Unit& unit, Transition transition) const {
     chart(unit, transition.where).transitions.push_back(std::move(transition));
 }
 
-void Builder::action(Unit& unit, Name name, Block body, Span where) const {
-    where.end = name.where.end;
-    unit.actions.push_back({name, std::move(body), false, where});
+void Builder::action(Unit& unit, Name name, Block body, Span begin, Span end) const {
+    unit.actions.push_back({name, std::move(body), false, joined(begin, name.where), joined(begin, end)});
 }
 
 /// Builds `NAME (QUALIFIER, TIME, INDICATORS)`. The grammar parses the qualifier as a name. The default qualifier is N.
@@ -195,9 +195,14 @@ Id<Expr> Builder::number(Op op, std::int64_t value, Span where) {
     return id;
 }
 
+void Builder::set_name(Id<Expr> id, Name name) {
+    file_->exprs[id].word = name.word;
+    file_->exprs[id].name = name.where;
+}
+
 Id<Expr> Builder::word(Op op, Name word) {
     const Id<Expr> id = leaf(op, word.where);
-    file_->exprs[id].word = word.word;
+    set_name(id, word);
     return id;
 }
 
@@ -224,7 +229,7 @@ Id<Expr> Builder::bracketed(Id<Expr> expression, Span where) {
 
 Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) {
     const Id<Expr> id = node(Op::Member, {owner}, where);
-    file_->exprs[id].word = name.word;
+    set_name(id, name);
     return id;
 }
 
@@ -242,7 +247,7 @@ Id<Expr> Builder::call(Id<Expr> callee, const std::vector<Id<Expr>>& arguments, 
 
 Id<Expr> Builder::argument(Op op, Name formal, Id<Expr> value, Span where) {
     const Id<Expr> id = node(op, {value}, where);
-    file_->exprs[id].word = formal.word;
+    set_name(id, formal);
     return id;
 }
 

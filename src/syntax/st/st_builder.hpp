@@ -18,6 +18,9 @@ namespace grafverif::st {
 
 class Lexer;
 
+/// Returns the span from the beginning of `first` to the end of `last`.
+inline Span joined(Span first, Span last) { return {first.source, first.begin, last.end}; }
+
 class Builder {
 public:
     Builder(File& file, Diagnostics& diagnostics) : file_(&file), diagnostics_(&diagnostics) {}
@@ -34,13 +37,14 @@ public:
     void task(Name name, std::vector<Id<Expr>> arguments, Span where);
     void instance(Name name, Name task, Name type, std::vector<Id<Expr>> arguments, Span where);
 
-    std::vector<Variable> section(Section section, bool constant, std::vector<Variable> variables) const;
+    std::vector<Variable> section(Section section, Qualifiers qualifiers, std::vector<Variable> variables) const;
     std::vector<Variable> variables(std::vector<Name> names, std::string address, Type type, Id<Expr> initial,
                                     Span where) const;
     void add_variables(Unit& unit, std::vector<Variable> variables) const;
-    void step(Unit& unit, bool initial, Name name, std::vector<Association> actions, Span where) const;
+    /// `begin` and `end` are the positions of the first and of the last keyword.
+    void step(Unit& unit, bool initial, Name name, std::vector<Association> actions, Span begin, Span end) const;
     void transition(Unit& unit, Transition transition) const;
-    void action(Unit& unit, Name name, Block body, Span where) const;
+    void action(Unit& unit, Name name, Block body, Span begin, Span end) const;
     Association association(Name action, std::vector<Id<Expr>> arguments, Span where);
 
     Id<Statement> assign(Id<Expr> target, Id<Expr> value, Span where);
@@ -74,6 +78,7 @@ public:
 private:
     Id<Expr> node(Op op, std::initializer_list<Id<Expr>> operands, Span where);
     void adopt(Id<Expr> node, Id<Expr> operand);
+    void set_name(Id<Expr> node, Name name);
     Network& chart(Unit& unit, Span where) const;
 
     File* file_;

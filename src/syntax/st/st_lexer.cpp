@@ -254,6 +254,11 @@ Token Lexer::c_sign(Kind kind, std::string_view match) {
     return sign(kind);
 }
 
+Token Lexer::extension(Kind kind, std::string_view match, std::string_view meaning) {
+    diagnostics_->add(messages::not_standard(here_, "`" + std::string(match) + "`", meaning));
+    return sign(kind);
+}
+
 Token Lexer::type_word(Kind kind, std::string_view match) {
     return section_ == Parser::token::TYPE ? Token(kind, here_) : word(Parser::token::IDENTIFIER, match);
 }

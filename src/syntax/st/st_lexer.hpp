@@ -50,6 +50,8 @@ public:
     Token sign(Kind kind);
     /// Returns the token of a C operator, such as `&&`. Operators of C are allowed only in properties.
     Token c_sign(Kind kind, std::string_view match);
+    /// Returns the token of a word that is not part of the standard, with a warning.
+    Token extension(Kind kind, std::string_view match, std::string_view meaning);
     Token type_word(Kind kind, std::string_view match);
     Token configuration_word(Kind kind, std::string_view match);
     Token unit_word(Kind kind, std::string_view match);

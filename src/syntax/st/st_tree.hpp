@@ -72,6 +72,7 @@ struct Expr {
     std::int64_t value = 0;
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
+    Span name = {};  ///< position of `word`
 };
 
 struct Statement;
@@ -114,9 +115,17 @@ struct Type {
     std::vector<std::array<Id<Expr>, 2>> dimensions = {};
 };
 
+/// The qualifiers of a VAR section. PERSISTENT has the same meaning as RETAIN.
+struct Qualifiers {
+    bool constant = false, retain = false;
+    friend Qualifiers operator|(Qualifiers a, Qualifiers b) {
+        return {a.constant || b.constant, a.retain || b.retain};
+    }
+};
+
 struct Variable {
     Section section = Section::Local;
-    bool constant = false;
+    bool constant = false, retain = false;
     Name name = {};
     Type type = {};
     Id<Expr> initial = {};
@@ -166,7 +175,8 @@ struct Step {
     Name name = {};
     std::vector<Association> actions = {};
     std::string comment = {};
-    Span where = {};
+    Span where = {};  ///< from the keyword to the name
+    Span whole = {};  ///< from the keyword to END_STEP; without source in a drawing
     /// In CODESYS: the actions on activation, while the step is active, and on deactivation. These actions can be
     /// actions of instances.
     Id<Expr> entry = {}, active = {}, exit = {};
@@ -202,8 +212,9 @@ struct Network {
 struct Action {
     Name name = {};
     Block body = {};
-    bool opaque = false;  ///< true if the body is in another language
-    Span where = {};
+    bool opaque = false;                 ///< true if the body is in another language
+    Span where = {};                     ///< from the keyword to the name
+    Span whole = {};                     ///< from the keyword to END_ACTION; without source in PLCopen XML
     std::vector<Network> networks = {};  ///< the chart that forms the body
 };
 

@@ -102,7 +102,7 @@ TEST(AnalyseProgram, MergesTheInstancesOfABlock) {
         Findings())
         << "each condition is true in one instance";
     EXPECT_EQ(findings(program("first, second : B;", "first(x := a, y := FALSE);\nsecond(x := b, y := FALSE);", block)),
-              Findings({"condition-never-true: y"}));
+              Findings({"condition-never-true: y", "variable-never-assigned: q"}));
 }
 
 TEST(AnalyseProgram, ReportsBlocksFunctionsAndActionsThatAreNeverCalled) {
@@ -112,7 +112,7 @@ TEST(AnalyseProgram, ReportsBlocksFunctionsAndActionsThatAreNeverCalled) {
                          "FUNCTION_BLOCK B VAR_INPUT x : BOOL; END_VAR VAR t : TON; END_VAR\n"
                          "t(IN := x, PT := T#1s);\nEND_FUNCTION_BLOCK\n")),
         Findings({"block-never-called: F", "block-never-called: idle", "block-never-called: late",
-                  "condition-never-true: a AND NOT a"}));
+                  "condition-never-true: a AND NOT a", "variable-never-assigned: q"}));
 }
 
 TEST(AnalyseProgram, ReportsTimersThatNeverElapse) {
@@ -122,6 +122,36 @@ TEST(AnalyseProgram, ReportsTimersThatNeverElapse) {
     EXPECT_EQ(findings(program("t : TON; x : BOOL;", "t(IN := a, PT := T#0s);\nx := t.Q;\nt(IN := FALSE);\nq := x;")),
               Findings())
         << "the output is true only during the scan";
+}
+
+TEST(AnalyseProgram, ReportsVariablesThatNoStatementAssigns) {
+    EXPECT_EQ(findings(program("x, y : INT; set : INT := 3; unread : INT; v : ARRAY[1..3] OF INT;",
+                               "q := x > set AND v[2] = 0 AND y > 0;\ny := y + 1;")),
+              Findings({"variable-never-assigned: v", "variable-never-assigned: x"}));
+    EXPECT_EQ(findings(program("v : ARRAY[0..3] OF INT; i : INT;", "q := v[1] = i;\nv[i] := 1;\ni := 2;")), Findings())
+        << "an index that is not constant can denote each element";
+    EXPECT_EQ(findings(program("t : B;", "t(x := a);\nq := t.z;",
+                               "FUNCTION_BLOCK B VAR_INPUT x, y : BOOL; END_VAR VAR_OUTPUT z : BOOL; END_VAR\n"
+                               "VAR w : BOOL; END_VAR\nz := x OR w OR y;\nEND_FUNCTION_BLOCK\n")),
+              Findings({"variable-never-assigned: w"}))
+        << "calls may omit inputs";
+    EXPECT_EQ(findings("PROGRAM p VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q, r : BOOL; END_VAR\nq := a;\nEND_PROGRAM\n"),
+              Findings({"variable-never-assigned: r"}));
+}
+
+TEST(AnalyseProgram, ReportsReadsBeforeTheAssignmentInTheSameCall) {
+    const std::string before =
+        "FUNCTION Twice : INT VAR_INPUT n : INT; END_VAR VAR sum : INT; END_VAR\n"
+        "sum := sum + n;\nTwice := 2 * sum;\nEND_FUNCTION\n";
+    EXPECT_EQ(findings(program("n : INT; END_VAR VAR_TEMP t, u, w : INT; i : INT;", R"(
+IF a THEN t := 1; END_IF
+n := t;
+q := u > 0;
+u := Twice(n);
+FOR i := 1 TO 3 DO w := w + i; END_FOR
+)",
+                               before)),
+              Findings({"read-before-assignment: sum", "read-before-assignment: u", "read-before-assignment: w"}));
 }
 
 TEST(AnalyseProgram, ReportsAssignmentsThatAreAlwaysReplaced) {
@@ -237,14 +267,16 @@ TEST(AnalyseProgram, MergesTheCellsAndExecutionsOfAnAssignment) {
                        "FUNCTION_BLOCK B VAR_INPUT x, on : BOOL; END_VAR VAR z AT %Q* : BOOL; END_VAR\n"
                        "z := x;\nIF on THEN z := FALSE; END_IF\nEND_FUNCTION_BLOCK\n");
     };
-    EXPECT_EQ(findings(instances("a")), Findings());
-    EXPECT_EQ(findings(instances("TRUE")), Findings({"assignment-overwritten: z := x", "condition-always-true: on"}));
+    EXPECT_EQ(findings(instances("a")), Findings({"variable-never-assigned: q"}));
+    EXPECT_EQ(findings(instances("TRUE")),
+              Findings({"assignment-overwritten: z := x", "condition-always-true: on", "variable-never-assigned: q"}));
 }
 
 TEST(AnalyseProgram, ConsidersTheScanWithARunTimeFault) {
     const auto codes = [](const std::string& body) {
         std::multiset<std::string> found;
-        for (const Finding& finding : analysis_of(program("n, z : INT;", body)).findings) found.insert(finding.code);
+        for (const Finding& finding : analysis_of(program("n : INT; z : INT := 0;", body)).findings)
+            found.insert(finding.code);
         return found;
     };
     EXPECT_EQ(codes("IF a THEN q := TRUE; n := 10 / z; END_IF"), Findings({"no-value"}));

@@ -63,6 +63,43 @@ TEST(Report, RejectsATestSequenceForAProgram) {
         << result.err;
 }
 
+TEST(Report, OfAProgramWithPropertiesHasTheVerdictsOfCheck) {
+    const Folder folder;
+    const std::string program =
+        folder.write("p.st",
+                     "PROGRAM p VAR_INPUT Go : BOOL; END_VAR VAR_OUTPUT Run : BOOL; END_VAR\n"
+                     "INITIAL_STEP Idle: END_STEP\nSTEP Turning: Run(N); END_STEP\n"
+                     "TRANSITION FROM Idle TO Turning := Go; END_TRANSITION\n"
+                     "TRANSITION FROM Turning TO Idle := NOT Go; END_TRANSITION\nEND_PROGRAM\n");
+    const std::string properties =
+        folder.write("p.yaml",
+                     "properties:\n  - {id: still, kind: invariant, expression: \"NOT Run\"}\n"
+                     "  - {id: runs, kind: reachable, expression: \"Run\"}\n");
+    const std::string page = folder.file("p.html"), junit = folder.file("p.xml");
+    const Result report = grafverif({"report", program, "--properties", properties, "-o", page, "--junit", junit});
+    const Result check = grafverif({"check", program, "--properties", properties});
+    EXPECT_EQ(report.code, ExitCode::Verdict);
+    EXPECT_EQ(report.code, check.code);
+    EXPECT_NE(folder.read("p.xml").find("still"), std::string::npos);
+    const nlohmann::json data = player_data(folder.read("p.html"));
+    ASSERT_EQ(data["runs"].size(), 2U);
+    EXPECT_EQ(data["runs"][0]["name"], "still");
+    EXPECT_EQ(data["charts"][0]["steps"].size(), 2U);
+    EXPECT_NE(check.out.find("Turning"), std::string::npos) << "the trace contains the active steps\n" << check.out;
+    EXPECT_EQ(grafverif({"report", program, "--properties", properties}).out, folder.read("p.html"));
+
+    const std::string before = folder.read("p.html");
+    folder.write("p.yaml", "properties:\n  - {id: still, kind: invariant, expression: \"NOT Rnu\"}\n");
+    const Result wrong = grafverif({"report", program, "--properties", properties, "-o", page});
+    EXPECT_EQ(wrong.code, ExitCode::Input);
+    EXPECT_NE(wrong.err.find("p.yaml:2:51: error: unknown variable `Rnu`; did you mean `Run`?"), std::string::npos)
+        << wrong.err;
+    EXPECT_EQ(folder.read("p.html"), before) << "an existing report remains unchanged";
+    EXPECT_EQ(grafverif({"report", program, "--properties", folder.file("missing.yaml")}).code, ExitCode::Input);
+    EXPECT_EQ(grafverif({"report", program, "--properties", properties, "--loop", "l"}).code, ExitCode::Input);
+    EXPECT_EQ(grafverif({"report", program, "--properties", properties, "--sequence", "t.csv"}).code, ExitCode::Input);
+}
+
 TEST(Report, EndsAsCheckDoes) {
     const Folder folder;
     const std::string wrong = folder.write("wrong.grafcet", R"(

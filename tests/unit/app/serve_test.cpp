@@ -82,8 +82,10 @@ TEST(FileWatcher, NoticesAChangeBetweenTwoReadings) {
 /// Runs the file checker of `serve` on `file`. The object stores its states in the order of arrival.
 class Bystander {
 public:
-    explicit Bystander(const std::string& file, std::optional<std::uint64_t> response_timeout_ms = {}) {
+    explicit Bystander(const std::string& file, std::optional<std::uint64_t> response_timeout_ms = {},
+                       std::optional<std::string> properties = {}) {
         options_.operands = {file};
+        options_.property_file = std::move(properties);
         options_.response_timeout_ms = response_timeout_ms;
         bench_.emplace(options_, [] {});
     }
@@ -105,6 +107,7 @@ public:
         return wait_for(
             [](const Json& state) { return !state["models"].empty() && state["models"].back()["state"] == "done"; });
     }
+    Json drawings() const { return Json::parse(app::drawings(*bench_->checked_file())); }
     Json play(const Json& request) const {
         return Json::parse(app::play(*bench_->checked_file(), options_, request.dump()));
     }
@@ -115,6 +118,58 @@ private:
     Json state_ = {};
     std::uint64_t known_ = 0;
 };
+
+const std::string spindle_program =
+    "PROGRAM spindle VAR_INPUT Go : BOOL; END_VAR VAR_OUTPUT Run : BOOL; END_VAR\n"
+    "INITIAL_STEP Idle: END_STEP\nSTEP Turning: Run(N); END_STEP\n"
+    "TRANSITION FROM Idle TO Turning := Go; END_TRANSITION\n"
+    "TRANSITION FROM Turning TO Idle := NOT Go; END_TRANSITION\nEND_PROGRAM\n";
+
+TEST(ServeFileChecker, ProgramWithPropertiesIsCheckedAfterAChangeOfEitherFile) {
+    const Folder folder;
+    const std::string file = folder.write("p.st", spindle_program);
+    const std::string still = "properties:\n  - {id: P1, kind: invariant, expression: \"NOT Run\"}\n";
+    const std::string yaml = folder.write("p.yaml", still);
+    Bystander watcher(file, {}, yaml);
+    Json state = watcher.wait_for_verdicts();
+    EXPECT_EQ(state["charts"][0], (Json{{"name", "spindle"}, {"runs", false}, {"steps", 2}}));
+    EXPECT_EQ(state["models"][0]["kind"], "chart");
+    EXPECT_EQ(state["models"][0]["properties"][0]["verdict"], "violated");
+    EXPECT_EQ(state["models"][0]["properties"][0]["has_trace"], true);
+    EXPECT_NE(watcher.drawings()["drawings"][0].get<std::string>().find("Turning"), std::string::npos);
+    folder.write("p.yaml", "properties:\n  - {id: P2, kind: reachable, expression: \"Run\"}\n");
+    state = watcher.wait_for([](const Json& now) {
+        return !now["models"].empty() && !now["models"][0]["properties"].empty() &&
+               now["models"][0]["properties"][0]["name"] == "P2";
+    });
+    EXPECT_EQ(state["models"][0]["properties"][0]["verdict"], "holds");
+    folder.write("p.yaml", "properties:\n  - {id: P2, kind: reachable, expression: \"Runs\"}\n");
+    state = watcher.wait_for([](const Json& now) { return now["errors"] == 1; });
+    EXPECT_NE(state["diagnostics"].get<std::string>().find("p.yaml:2"), std::string::npos) << state["diagnostics"];
+    fs::remove(yaml);
+    state = watcher.wait_for(
+        [](const Json& now) { return now["diagnostics"].get<std::string>().find("cannot-read") != std::string::npos; });
+    EXPECT_EQ(state["readable"], false);
+}
+
+TEST(ServeFileChecker, ProgramOfALoopIsDrawnAndSimulated) {
+    const Folder folder;
+    folder.write("p.st", spindle_program);
+    Bystander watcher(folder.write("l.grafcet",
+                                   "program spindle = \"p.st\";\nclosed_loop machine {\n"
+                                   "controller spindle every 100ms;\nenvironment G = free(OUT = Go);\n"
+                                   "property runs: reachable Run;\n}\n"));
+    watcher.wait_for_verdicts();
+    const Json drawn = watcher.drawings();
+    EXPECT_NE(drawn["drawings"][0].get<std::string>().find("Turning"), std::string::npos);
+    EXPECT_EQ(drawn["marks"][0]["transitions"].size(), 2U);
+    const Json played = watcher.play({{"loop", "machine"}, {"moves", {"set Go true", "wait 200ms"}}});
+    ASSERT_FALSE(played.contains("error")) << played;
+    EXPECT_EQ(played["problem"], "") << played["problem"];
+    const std::string lit = played["rows"].back()["lit"][0];
+    EXPECT_NE(drawn["drawings"][0].get<std::string>().find("id=\"" + lit + "\""), std::string::npos) << lit;
+    EXPECT_NE(lit.find("Turning"), std::string::npos);
+}
 
 TEST(ServeFileChecker, TimeoutEndsTheCheckAndNotTheFileChecker) {
     const Folder folder;

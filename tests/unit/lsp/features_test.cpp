@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Tests requests about names and locations in complete and incomplete texts.
-#include "unit/lsp/client.hpp"
+#include "unit/lsp/editor.hpp"
 
 namespace grafverif::lsp {
 namespace {
-
-// `@` marks the cursor in a text and is removed.
-struct Marked {
-    std::string text = {};
-    Json position = {};
-};
-Marked marked(std::string text) {
-    const std::size_t at = text.find('@');
-    text.erase(at, 1);
-    const Position position = Text(text).position(at);
-    return {text, {{"line", position.line}, {"character", position.character}}};
-}
 
 const std::string press =
     "// Press: opens and shuts.\n"
@@ -38,64 +26,10 @@ const std::string loop =
     "    property moved \"it moves\": X1 leads to MOVE || N == 1;\n"
     "}\n";
 
-class Editor {
+class Editor : public TextEditor {
 public:
-    Editor() {
-        folder.write("press.grafcet", press);
-        folder.write("loop.grafcet", loop);
-        client.begin({{"textDocument", {{"completion", {{"completionItem", {{"snippetSupport", true}}}}}}}},
-                     folder.path());
-    }
-    void open(const std::string& name, const std::string& text) { client.open(folder.uri(name), text); }
-    /// Sends a request at the cursor in `text`, which becomes the content of `name`.
-    Json at(const std::string& method, const std::string& name, const std::string& text, Json more = Json::object()) {
-        const Marked here = marked(text);
-        open(name, here.text);
-        more["textDocument"] = {{"uri", folder.uri(name)}};
-        more["position"] = here.position;
-        return client.result(method, more);
-    }
-    Json of(const std::string& method, const std::string& name) {
-        return client.result(method, {{"textDocument", {{"uri", folder.uri(name)}}}});
-    }
-    /// Returns the reason why the name at the cursor cannot be replaced by `fresh`, or `none`.
-    std::string obstacle(const std::string& name, const std::string& text, const char* fresh) {
-        const Marked here = marked(text);
-        open(name, here.text);
-        const Json answer = client.answer(client.send_request(
-            "textDocument/rename",
-            {{"textDocument", {{"uri", folder.uri(name)}}}, {"position", here.position}, {"newName", fresh}}));
-        return answer.contains("error") ? answer["error"]["message"].get<std::string>() : "none";
-    }
-    std::vector<std::string> labels(const std::string& name, const std::string& text) {
-        std::vector<std::string> found;
-        const Json all = at("textDocument/completion", name, text);
-        for (const Json& item : all["items"]) found.push_back(item["label"]);
-        return found;
-    }
-
-    Folder folder;
-    Client client;
+    Editor() : TextEditor({{"press.grafcet", press}, {"loop.grafcet", loop}}) {}
 };
-
-std::string with(std::string text, const std::string& what, const std::string& replacement) {
-    return text.replace(text.find(what), what.size(), replacement);
-}
-
-bool holds(const std::vector<std::string>& labels, const char* label) {
-    return std::ranges::find(labels, label) != labels.end();
-}
-
-/// Applies edits, which are sorted by position, to a text.
-std::string edited(std::string text, const Json& edits) {
-    for (auto each = edits.rbegin(); each != edits.rend(); ++each) {
-        const auto at = [&](const char* end) {
-            return Position{(*each)["range"][end]["line"], (*each)["range"][end]["character"]};
-        };
-        text = changed(Text(text), {Range{at("start"), at("end")}, (*each)["newText"]});
-    }
-    return text;
-}
 
 TEST(LspNames, LeadToTheirDeclarationAcrossIncludes) {
     Editor editor;

@@ -10,6 +10,7 @@
 #include "ir/program/interface.hpp"
 #include "page/listing.hpp"
 #include "page/scans.hpp"
+#include "pipeline/program/check.hpp"
 
 namespace grafverif {
 namespace {
@@ -295,6 +296,73 @@ END_PROGRAM
     ASSERT_EQ(read.size(), 1U);
     EXPECT_EQ(scans.back().second.at(read.front())[1], 0) << "the divisor";
     EXPECT_TRUE(last.empty() || !scans.back().second.contains(last.front())) << "the faulty statement has no value";
+}
+
+/// Generates the page of a program that is checked with a property file, as `report` does.
+Made page_of_program(const std::string& program, const std::string& properties) {
+    Made made;
+    Sources& sources = made.reading.sources;
+    Diagnostics& diagnostics = made.reading.diagnostics;
+    const Id<Source> file = sources.add({"plc.st", program}), yaml = sources.add({"plc.yaml", properties});
+    auto checked = check_program(file, yaml, sources, {.witnesses = true}, diagnostics);
+    EXPECT_TRUE(checked) << made.reading.diagnostics_text();
+    if (!checked) return made;
+    EXPECT_EQ(checked->report.failures, std::vector<std::string>());
+    made.reading.model = std::move(checked->model);
+    auto content = page_content(*made.reading.model, sources, {}, {0}, {}, {}, diagnostics);
+    EXPECT_TRUE(content);
+    if (!content) return made;
+    content->report = std::move(checked->report);
+    made.page = page_of(*content);
+    made.data = Data::parse(between(made.page, "id=\"data\">", "</script>"), nullptr, false);
+    return made;
+}
+
+const std::string blinker_properties =
+    "properties:\n  - id: dark\n    kind: invariant\n    expression: \"NOT L\"\n"
+    "  - id: lit\n    kind: reachable\n    expression: \"Left.Lit.X AND Right.Dark.X AND Left.Lit.T > T#20ms\"\n";
+
+TEST(ProgramPage, ShowsTheScansOfAProgramWithoutAPlant) {
+    for (const bool task : {true, false}) {
+        const Made made = page_of_program(
+            blinkers + (task ? "CONFIGURATION C RESOURCE R ON PLC TASK T(INTERVAL := T#10ms, PRIORITY := 0);\n"
+                               "PROGRAM P WITH T : Main; END_RESOURCE END_CONFIGURATION\n"
+                             : ""),
+            blinker_properties);
+        for (const char* const name : {"dark", "lit"}) {
+            const Data& run = run_of(made, name);
+            const auto scans = scans_of(run);
+            ASSERT_EQ(scans.size() + 1, run["run"]["moments"].size()) << "each event after power-on is a scan";
+            const auto lamp = points_on(made, blinkers, "L := Left", "result");
+            ASSERT_EQ(lamp.size(), 1U);
+            for (const auto& [event, values] : scans) {
+                EXPECT_EQ(values.at(lamp.front())[1], signal_after(run, "L", event));
+                const Data& act = run["run"]["moments"][event]["acts"][0];
+                EXPECT_EQ(task ? Data(10) : act["elapsed"], act["elapsed"]);
+            }
+        }
+        EXPECT_EQ(signal_after(run_of(made, "dark"), "L", run_of(made, "dark")["run"]["moments"].size() - 1), 1);
+        EXPECT_NE(made.page.find("There is no plant"), std::string::npos);
+    }
+}
+
+TEST(ProgramPage, TransitionsOfAProgramWithoutAPlantExplainTheSituations) {
+    const Made made = page_of_program(blinkers, blinker_properties);
+    const Data& run = run_of(made, "dark")["run"];
+    EXPECT_EQ(run["moments"][0]["situation"].size(), 2U) << "the initial steps of both instances";
+    std::set<std::size_t> active;
+    std::size_t cleared = 0;
+    for (const Data& moment : run["moments"]) {
+        const std::set<std::size_t> before = active;
+        if (moment.contains("situation")) active = moment["situation"].get<std::set<std::size_t>>();
+        for (const Data& id : moment["acts"][0]["fired"]) {
+            const Data& transition = made.data["charts"][0]["transitions"][id.get<std::size_t>()];
+            EXPECT_TRUE(before.contains(transition["from"][0].get<std::size_t>()));
+            EXPECT_FALSE(active.contains(transition["from"][0].get<std::size_t>()));
+            ++cleared;
+        }
+    }
+    EXPECT_GE(cleared, 2U);
 }
 
 TEST(ProgramPage, OmitsTheValuesBeyondTheLimitOfThePage) {

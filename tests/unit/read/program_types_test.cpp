@@ -57,6 +57,61 @@ TEST(ProgramTypes, StructuresAreAssignedByMemberAndCompletely) {
               "3:1 type-mismatch\n4:6 unknown-variable\n5:6 not-in-program\n");
 }
 
+TEST(ProgramTypes, TypesCanReferToLaterTypesAndBlocks) {
+    const std::string types =
+        "TYPE Line : STRUCT a, b : Point; t : TON; END_STRUCT; Points : ARRAY[0..1] OF Point; Mode : Kind;\n"
+        "Point : STRUCT x, y : INT := 3; END_STRUCT; Kind : (Off, On); END_TYPE\n";
+    const std::string body = "l.a.x := e; l.t(IN := TRUE, PT := T#15ms); IF l.t.Q AND m = Off THEN n := l.a.x; END_IF";
+    EXPECT_EQ(values(program("l : Line; m : Mode; p : Points;", body, types), "n", {{1}, {2}, {3}}), "0 0 3");
+}
+
+TEST(ProgramTypes, RecursiveTypesAreRejectedOnce) {
+    EXPECT_EQ(ReadProgram(program("s : S;", "",
+                                  "TYPE S : STRUCT t : T; END_STRUCT;\nT : STRUCT s : S; END_STRUCT; "
+                                  "END_TYPE\n"))
+                  .codes(),
+              "2:16 recursive-unit\n");
+    EXPECT_EQ(ReadProgram(program("s : A;", "", "TYPE A : B; B : A; END_TYPE\n")).codes(), "1:17 recursive-unit\n");
+    EXPECT_EQ(ReadProgram(program("s : A;", "", "TYPE A : INT; a : BOOL; INT : BOOL; END_TYPE\n")).codes(),
+              "1:15 duplicate-name\n1:25 duplicate-name\n");
+}
+
+TEST(ProgramTypes, QualifiedValuesOfEnumerationsAreLabels) {
+    const std::string types = "TYPE Mode3_t : (Off, On); END_TYPE\n";
+    const std::string body = "CASE m OF\nMode3_t#Off: n := 5; m := Mode3_t#On;\nMode3_t#On: n := 7;\nEND_CASE";
+    EXPECT_EQ(values(program("m : Mode3_t;", body, types), "n", {{0}, {0}}), "5 7");
+}
+
+TEST(ProgramTypes, ExtensionsOfTheStandardCauseWarnings) {
+    const std::string text = program("", "IF e = 1 THEN n := 1;\nELSEIF e = 2 THEN n := 2; END_IF");
+    EXPECT_EQ(ReadProgram(text).codes(), "3:1 not-standard\n");
+    EXPECT_EQ(values(text, "n", {{1}, {2}, {3}}), "1 2 2");
+    const std::string block =
+        "FUNCTION_BLOCK TON VAR_INPUT IN : INT; END_VAR VAR_OUTPUT Q : INT; END_VAR Q := IN + 1; END_FUNCTION_BLOCK\n";
+    const std::string own = program("t : TON;", "t(IN := e);\nn := t.Q;", block);
+    EXPECT_EQ(ReadProgram(own).codes(), "1:16 not-standard\n");
+    EXPECT_EQ(values(own, "n", {{1}, {4}}), "2 5");
+    EXPECT_EQ(ReadProgram("PROGRAM p VAR_INPUT a : BOOL; END_VAR INITIAL_STEP S: END_STEP STEP U: END_STEP\n"
+                          "TRANSITION FROM S TO U := a; END_TRANSITION TRANSITION FROM U TO S := a; END_TRANSITION\n"
+                          "END_PROGRAM\n" +
+                          block)
+                  .codes(),
+              "4:16 duplicate-name\n");
+}
+
+TEST(ProgramTypes, RetainedVariablesAreNoted) {
+    EXPECT_TRUE(ReadProgram(program("END_VAR VAR RETAIN r : INT;", "")).text->program().retains);
+    EXPECT_TRUE(ReadProgram(program("END_VAR VAR CONSTANT PERSISTENT r : INT := 1;", "")).text->program().retains);
+    EXPECT_FALSE(ReadProgram(program("END_VAR VAR NON_RETAIN r : INT;", "")).text->program().retains);
+}
+
+TEST(ProgramTypes, UnknownNamesAreReportedAsWritten) {
+    const ReadProgram reading(program("t : TON;", "n := q + T.qq;"));
+    ASSERT_EQ(reading.diagnostics.all().size(), 2U);
+    EXPECT_NE(reading.diagnostics.all()[0].message.find("`q`"), std::string::npos);
+    EXPECT_NE(reading.diagnostics.all()[1].message.find("`qq`"), std::string::npos);
+}
+
 TEST(ProgramTypes, ValuesOutsideOfSubrangesAreFaults) {
     const std::string text = program("s : INT(-3..10); u : INT(2..4);", "s := e; n := s + u;");
     EXPECT_EQ(values(text, "n", {{-3}, {10}}), "-1 12");
