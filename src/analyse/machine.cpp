@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analyse/order.hpp"
+#include "ir/junction.hpp"
 
 namespace grafverif::analysis {
 
@@ -103,7 +104,9 @@ void Machine::add_words(const AnalyseOptions& options) {
         for (const Id<Expr> leaf : leaves(equations_.exprs, assumption.condition))
             matters_[static_cast<std::size_t>(equations_.exprs[leaf].value)] = true;
     for (const Equations::ObservedTerm& watch : equations_.watches)
-        watches_ = watches_ || matters_[watch.variable.index];
+        remembers_ = remembers_ || matters_[watch.variable.index];
+    for (const Equations::Previous& previous : equations_.previous)
+        remembers_ = remembers_ || matters_[previous.variable.index];
     words_.resize(equations_.variables.size());
     firing_of_.resize(equations_.variables.size());
     const std::vector<std::uint32_t> group = integer_groups(equations_);
@@ -304,15 +307,17 @@ void Machine::add_timers() {
     }
 }
 
-/// Adds the conditions of stability, as the module derive defines it: no transition is cleared, and the values
-/// remembered for edges are unchanged.
+/// Adds the conditions of stability: no transition of the part is cleared, and no other change of the part occurs that
+/// the stability condition of the equations excludes.
 void Machine::add_stability() {
     for (std::size_t k = 0; k < fires_.size(); ++k)
         if (!fires_[k].is_false()) calm_.push_back(~fires_[k]);
-    for (const Equations::Previous& previous : equations_.previous) {
-        if (!covers(previous.variable)) continue;
-        const BddTerm& value = (*terms_)(previous.value);
-        calm_.push_back(iff(word_term(previous.variable).bits.front(), value.bits.front()) & ~value.undefined);
+    const Exprs& exprs = equations_.exprs;
+    if (exprs[equations_.stable].op != Op::Not) return;
+    for (const Id<Expr> change : operands_of(exprs, exprs.operands(equations_.stable)[0], Op::Or)) {
+        if (exprs[change].op == Op::Variable || (!whole_ && !inside_[change.index])) continue;
+        const BddTerm& occurs = (*terms_)(change);
+        calm_.push_back(~occurs.bits.front() & ~occurs.undefined);
     }
 }
 

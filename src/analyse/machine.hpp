@@ -58,10 +58,11 @@ public:
     /// Returns the points in `points` at which no counter exceeds its represented values, so that the abstraction is
     /// exact.
     Bdd followed(const Bdd& points) const;
-    /// Returns the rest (set of kept values) of `points` at the end of their instant, with the final values of watched
-    /// levels. Requires that the points are stable and that their evolutions do not abort.
-    Bdd settled(const Bdd& points) const { return watches_ ? rest(evolved(points)) : rest(points); }
-    bool watches() const { return watches_; }
+    /// Returns the rest (set of kept values) of `points` at the end of their instant, with the final values of
+    /// watched levels and previous values. Requires that the points are stable and that their evolutions do not abort.
+    Bdd settled(const Bdd& points) const { return remembers_ ? rest(evolved(points)) : rest(points); }
+    /// True if a stable evolution may change a kept value: a watched level or a previous value.
+    bool remembers() const { return remembers_; }
 
     /// Returns the successors of `points` by one evolution, with their inputs. Requires that no evolution aborts.
     Bdd evolved(const Bdd& points) const;
@@ -154,7 +155,7 @@ private:
     const Equations& equations_;
     BddSpace& space_;
     Cone cone_;
-    bool whole_ = true, watches_ = false;
+    bool whole_ = true, remembers_ = false;
     std::vector<bool> inside_ = {};  ///< for each term: true if it reads only variables of the cone
     std::vector<Equations::Timer> clocks_;
     std::vector<bool> matters_ = {};

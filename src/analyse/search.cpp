@@ -89,7 +89,7 @@ std::optional<std::pair<std::size_t, Point>> PathSearch::end_of(const Instant& i
         if (mode_ == ExecutionMode::EveryCycle)
             return std::pair{ring, machine_.pick(machine_.origins(good, machine_.pick(rest)))};
         const Bdd stable = machine_.stable(good);
-        const Bdd found = machine_.watches() ? machine_.origins(stable, machine_.pick(rest)) : stable & rest;
+        const Bdd found = machine_.remembers() ? machine_.origins(stable, machine_.pick(rest)) : stable & rest;
         if (!found.is_false()) return std::pair{ring, machine_.pick(found)};
     }
     return {};

@@ -28,7 +28,7 @@ Bdd TerminalRegions::after(const Bdd& points) const {
 Bdd TerminalRegions::before(const Bdd& points) const {
     const Bdd rest = machine_.before_time(points);
     if (mode_ == ExecutionMode::EveryCycle) return ends_ & machine_.origins(rest);
-    return (transient_ & machine_.origins(points)) | (ends_ & (machine_.watches() ? machine_.origins(rest) : rest));
+    return (transient_ & machine_.origins(points)) | (ends_ & (machine_.remembers() ? machine_.origins(rest) : rest));
 }
 
 /// Adds to `all` the points that `step` reaches from `fresh` within an instant. The sets remain small, because each

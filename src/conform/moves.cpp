@@ -8,7 +8,7 @@
 //   parts     In a class, the firing conditions are also constant. Within a class, the next value of a variable is a
 //             number or, rarely, a function of the inputs, whose values split the class into parts. Variables without
 //             dependencies (dependencies.hpp) are unchanged.
-//   stable    A part is split by the stability condition of the equations. In a stable part, nothing changes.
+//   stable    A part is split by the stability condition of the equations. In a stable part, only previous values change.
 //   levels    The levels that timers observe are terms over the new values and the inputs. The values of these levels
 //             split the parts again.
 //
@@ -161,7 +161,7 @@ void Moves::add_moves(const Cell& cell, StateId state, const Values& at, std::ve
         for (Region& piece : with_levels(std::move(part), at)) add_piece(piece);
     };
     for (Region& part : evolved(cell, at)) {
-        if (!stable.is_false()) add({part.set & stable, {}}, true);
+        if (!stable.is_false()) add({part.set & stable, part.changes}, true);
         if (!stable.is_true())
             add({stable.is_false() ? std::move(part.set) : part.set & ~stable, std::move(part.changes)}, false);
     }

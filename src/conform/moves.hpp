@@ -26,7 +26,7 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    /// True if, under the inputs of `set`, the move changes nothing except levels that timers observe.
+    /// True if, under the inputs of `set`, the move changes nothing except previous values and levels that timers observe.
     bool stable = false;
 };
 

@@ -23,7 +23,8 @@ struct Edges {
     std::vector<bool> occur = {};   ///< true if the term contains an edge
     std::vector<bool> needed = {};  ///< true if the term is false whenever no edge occurs
     std::vector<bool> nested = {};  ///< true if the term contains an edge of an edge
-    std::vector<bool> after = {};   ///< true if the term can become true because an edge that it reads has passed
+    /// True if the term reads an edge, and can become true or undefined once no signal has an edge.
+    std::vector<bool> after = {};
 };
 
 bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& needed) {
@@ -43,6 +44,7 @@ bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& need
 Edges edges(const Exprs& exprs) {
     const std::vector<bool> none(exprs.size());
     Edges result{none, none, none, none};
+    std::vector<bool> partial = none;  // true if the term can be undefined
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const Id<Expr> id{index};
         const bool is_edge = exprs[id].op == Op::Rise || exprs[id].op == Op::Fall;
@@ -54,6 +56,9 @@ Edges edges(const Exprs& exprs) {
             if (result.occur[operand.index]) result.occur[index] = true;
             if (result.nested[operand.index] || (is_edge && result.occur[operand.index])) result.nested[index] = true;
         }
+        partial[index] = is_arithmetic(exprs[id].op);
+        for (const Id<Expr> operand : exprs.operands(id)) partial[index] = partial[index] || partial[operand.index];
+        result.after[index] = result.after[index] || (partial[index] && result.occur[index]);
         result.needed[index] = needs_edge(exprs, id, result.needed);
     }
     return result;

@@ -183,11 +183,10 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
     if (state.started) {
         evolution.fired = transitions_to_clear(chart, levels, state, before, evolution.fault);
         if (evolution.fault) return evolution;
-        // In another evolution with the same inputs, all edges are false. A condition without value is not true.
+        // In another evolution with the same inputs, all edges are false.
         Reader without_edges(chart, state, inputs, timed, nullptr);
-        std::optional<RunFault> undefined;
-        evolution.stable =
-            evolution.fired.empty() && transitions_to_clear(chart, levels, state, without_edges, undefined).empty();
+        evolution.stable = evolution.fired.empty() &&
+                           transitions_to_clear(chart, levels, state, without_edges, evolution.fault).empty();
     }
     if (evolution.fault) return evolution;
     remember(chart, remembered, before, evolution);

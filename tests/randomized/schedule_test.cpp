@@ -134,7 +134,8 @@ std::string disagreement(const ModelPair& models, const EquationsCycle& cycle, E
     return {};
 }
 
-/// Checks that one more cycle with the same inputs changes only flags if the system marks the state as quiescent.
+/// Checks that one more cycle with the same inputs changes only flags and previous values if the system marks the state
+/// as quiescent.
 std::string settled_disagreement(const ModelPair& models, std::span<const std::int64_t> inputs, bool must_be_settled) {
     const bool settled = value_of(models.system, models.state, models.system.settled) != 0;
     if (must_be_settled && !settled) return "not settled after a stable cycle";
@@ -144,7 +145,7 @@ std::string settled_disagreement(const ModelPair& models, std::span<const std::i
     for (const Id<Equations::Variable> id : models.equations.variables.ids()) {
         const Role role = models.equations.variables[id].role;
         // The system has no timers and therefore no such variables.
-        if (role == Role::FiringCondition || role == Role::Watched) continue;
+        if (role == Role::FiringCondition || role == Role::Watched || role == Role::Previous) continue;
         if (models.value(id) != after.value(id))
             return "settled, but " + models.equations.variables[id].name + " changes";
     }

@@ -94,6 +94,8 @@ TEST(Derive, ASituationIsNotStableIfAConditionIsTrueOnceEdgesAreOver) {
     EXPECT_EQ(text(positive, positive.stable), "not CF_t0");
     const Equations negative = equations(steps + "transition t0: 1 -> 2 when b && !rise(a);");
     EXPECT_EQ(text(negative, negative.stable), "not (CF_t0 or (X_1 and b))");
+    const Equations partial = equations(steps + "transition t0: 1 -> 2 when (rise(a) || 2 / N == 1) && b;");
+    EXPECT_EQ(text(partial, partial.stable), "not (CF_t0 or (X_1 and 2 / N == 1 and b))");
     const Equations event =
         equations("input a, b; internal N: int 0..9 = 0; initial step 1 { N := 1 on event rise(a); }");
     EXPECT_EQ(text(event, event.stable), "not (X_1 and a and not P_a)");

@@ -63,6 +63,15 @@ TEST(Edges, MakeASituationUnstableIfAConditionIsTrueAfterThem) {
     EXPECT_TRUE(run(chart, "a").stable);
 }
 
+TEST(Edges, AreOverBeforeADivisionByZero) {
+    Play chart = play(
+        "input a, b, c; internal N: int 0..3 = 0; initial step 1; step 2;"
+        "transition t1: 1 -> 2 when (b || rise(a) || 2 / N == 1) && c;");
+    EXPECT_FALSE(run(chart, "b").fault);
+    EXPECT_FALSE(run(chart, "b").fault);
+    EXPECT_TRUE(run(chart, "a").fault) << "in one more evolution, a has no edge";
+}
+
 TEST(Events, MakeASituationUnstableIfTheyExecuteAnAction) {
     Play chart = play(
         "input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on event rise(a); } step 2;"
