@@ -89,15 +89,19 @@ std::vector<bool> CyclePremises::locations_like_waiting() const {
     if (is_location_observed() || is_quiescence_observed() || meet(read_by_properties(), flags)) return like;
     for (const Uses& uses : uses_)
         if (meet(uses.read, flags)) return like;
-    for (const Id<Network::Location> location : plc_.locations.ids())
-        like[location.index] =
-            location != controller_.waiting && std::ranges::all_of(plc_.edges, [&](const Network::Edge& edge) {
-                if (edge.to != location) return true;
-                return edge.from == controller_.waiting && edge.constraint.empty() && edge.resets.empty() &&
-                       std::ranges::all_of(uses_of(edge).written, [&](auto variable) {
-                           return flags.contains(variable) || of_observers_.contains(variable);
-                       });
-            });
+    for (const Id<Network::Location> location : plc_.locations.ids()) {
+        const bool is_entered =  // unlike the location before the first evolution
+            std::ranges::find(plc_.edges, location, &Network::Edge::to) != plc_.edges.end();
+        like[location.index] = is_entered && location != controller_.waiting &&
+                               std::ranges::all_of(plc_.edges, [&](const Network::Edge& edge) {
+                                   if (edge.to != location) return true;
+                                   return edge.from == controller_.waiting && edge.constraint.empty() &&
+                                          edge.resets.empty() &&
+                                          std::ranges::all_of(uses_of(edge).written, [&](auto variable) {
+                                              return flags.contains(variable) || of_observers_.contains(variable);
+                                          });
+                               });
+    }
     return like;
 }
 

@@ -45,8 +45,8 @@ public:
     /// variable that the timers read or write.
     std::vector<bool> independent_locations() const;
 
-    /// Returns, per location of the PLC, whether only edges from W lead to it, and these edges change only flags that
-    /// request a cycle. Always false if an observer or a property reads these flags or the location of the PLC. Then no
+    /// Returns, per location of the PLC, whether edges lead to it, all of them from W, and these edges change only flags
+    /// that request a cycle. Always false if an observer or a property reads these flags or the location of the PLC. Then no
     /// process except the PLC can distinguish the location from W.
     std::vector<bool> locations_like_waiting() const;
 

@@ -111,7 +111,7 @@ private:
         std::vector<bool> within = {};       // per location of the PLC: true if the PLC is within a cycle
         std::vector<bool> independent = {};  // per location: true if its edges are independent of the timers' edges
         std::vector<Edge> edges = {};
-        std::vector<bool> like_waiting = {};  // per location: the PLC moves first, as if it were still in W
+        std::vector<bool> like_waiting = {};  // per location: before the inputs are sampled
         std::size_t waiting = 0;              // location W
         Field stable = {};
         std::vector<Reset> outputs = {};  // outputs that are not read before the PLC writes them

@@ -105,14 +105,22 @@ private:
         Situation others;
         for (const Id<Expr> operand : network_.exprs.operands(term))
             if (const auto step = absorbs ? activity(operand, node.op == Op::And) : std::nullopt) others.insert(*step);
+        // A term that may be undefined reads all its operands in all situations.
+        const bool is_partial = may_be_undefined(term);
         for (const Id<Expr> operand : network_.exprs.operands(term))
             for (Situation reading : readings_of(operand)) {
-                // Operators of integers may be undefined; therefore, they read all their operands in all situations.
-                if (!absorbs && node.op != Op::Not) reading.clear();
-                reading.insert(others.begin(), others.end());
+                if (is_partial || (!absorbs && node.op != Op::Not)) reading.clear();
+                if (!is_partial) reading.insert(others.begin(), others.end());
                 add(found, std::move(reading));
             }
         return terms_.emplace(term, std::move(found)).first->second;
+    }
+
+    bool may_be_undefined(Id<Expr> term) {
+        if (const auto known = partial_.find(term); known != partial_.end()) return known->second;
+        bool partial = is_arithmetic(network_.exprs[term].op);
+        for (const Id<Expr> operand : network_.exprs.operands(term)) partial = may_be_undefined(operand) || partial;
+        return partial_[term] = partial;
     }
 
     /// Returns the activity with which `term`, the variable of a step or its negation, has the value `value`.
@@ -132,6 +140,7 @@ private:
     const Variable variable_;
     std::vector<Readings> readings_;  // per location
     std::map<Id<Expr>, Readings> terms_ = {};
+    std::map<Id<Expr>, bool> partial_ = {};
 };
 
 /// Clears dead values in one procedure `evolve`.

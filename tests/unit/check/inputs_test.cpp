@@ -58,6 +58,29 @@ TEST(InputAbstraction, DeclaredPropertiesWithNamesOfImplicitOnesAreProvedThemsel
     EXPECT_EQ(outcome(expand(loop.network), "no_race"), Outcome::Violated);
 }
 
+/// Before the first evolution, both instances move. The first evolution reads them.
+TEST(InputAbstraction, MacroStepsKeepMovesBeforeTheFirstEvolution) {
+    const Network loop = expand(
+        read_loop(
+            "grafcet c { input A, B, C; output L; internal M = false; initial step 0 { M := A && B on activation; }\n"
+            "step 1 { L; } transition t0: 0 -> 1 when C; }\n"
+            "closed_loop l { controller c; environment EA = free(OUT = A); environment EB = free(OUT = B);\n"
+            "environment EC = push_button(OUT = C); property p: never M && X1; }\n")
+            .network);
+    const std::vector<AbstractableProcess> processes = abstractable_processes(loop);
+    std::vector<InputLevel> levels;
+    for (const AbstractableProcess& process : processes)
+        levels.push_back(loop.processes[process.process].name == "EC" ? InputLevel::Chosen : InputLevel::Untimed);
+    const InputAbstraction abstraction = abstract_inputs(loop, processes, levels);
+    ASSERT_FALSE(abstraction.unprompted.empty());
+    const TimedResult found = check_timed(
+        abstraction.network,
+        {.timelock = false,
+         .choices = abstraction.choices,
+         .macro_steps = {.enabled = true, .deferred = abstraction.deferred, .unprompted = abstraction.unprompted}});
+    EXPECT_EQ(found.verdicts.front().outcome, Outcome::Violated);
+}
+
 TEST(InputAbstraction, MacroStepsMakeTheCoarseSearchOfAStationSmall) {
     Network loop = expand(read_sample("../bench/stations/undecided/capper.grafcet").network);
     for (const Property& property : std::exchange(loop.properties, {}))

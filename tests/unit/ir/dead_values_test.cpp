@@ -64,6 +64,11 @@ TEST(DeadValues, OfAnEventAreReadWhileItsStepIsActive) {
               Stored({{"P_A", {"A_sample", "X_1"}}}));
 }
 
+TEST(DeadValues, AreNotClearedIfATermThatReadsThemCanBeUndefined) {
+    EXPECT_EQ(cleared("internal N: int 0..3 = 0; " + two_steps("(rise(A) || 2 / N == 1) && B")),
+              Stored({{"P_A", {"A_sample"}}}));
+}
+
 TEST(DeadValues, OfTwoReadersAreClearedIfBothStepsAreInactive) {
     EXPECT_EQ(
         cleared("initial step 0; step 1; step 2; transition t0: 0 -> 1 when rise(A); transition t1: 1 -> 2 when B; "
