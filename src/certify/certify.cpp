@@ -2,8 +2,8 @@
 // grafverif-certify: checks the certificate that `grafverif check --certificate FOLDER` writes. This folder is the
 // complete program; it shares no code with grafverif. docs/how-to/certificates.md describes the files and the claims.
 //
-//   network.txt      the closed loop as a flat network of timed automata, with its properties
-//   certificate.txt  the claims (`holds P`, `violated P` with a run), the caps of the clocks, and checksums
+//   network.txt      the closed loop as a flat network of timed automata, with its properties and the caps of its clocks
+//   certificate.txt  the claims (`holds P`, `violated P` with a run), and checksums
 //   states.txt       a set of states, one per line
 //
 // If the set contains the initial state and all successors of its states, it contains every reachable state. The

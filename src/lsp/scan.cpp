@@ -60,8 +60,14 @@ std::optional<Word> structured_text_word(std::string_view text, std::size_t at) 
     };
     if (text.substr(at).starts_with("(*")) return to(Word::Kind::Comment, "*)", 2);
     if (text[at] == '{') return to(Word::Kind::Comment, "}", 1);
-    if (text[at] == '\'') return to(Word::Kind::String, "'", 1);
-    return {};
+    if (text[at] != '\'') return {};
+    std::size_t end = at + 1;  // a string ends at the line; `$` precedes a character of the string
+    while (end < text.size() && text[end] != '\'' && text[end] != '\n') {
+        if (text[end] == '$' && end + 1 < text.size() && text[end + 1] != '\n') ++end;
+        ++end;
+    }
+    if (end < text.size() && text[end] == '\'') ++end;
+    return Word{Word::Kind::String, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
 }
 
 Word word_at(std::string_view text, std::size_t at, TextLanguage language) {

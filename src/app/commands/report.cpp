@@ -52,7 +52,7 @@ ExitCode report_program(CommandContext& job, const Streams& streams) {
     decided.chart = {};
     note(decided, {}, job);
     content->report = std::move(decided.report);
-    const ExitCode code = exit_code(content->report, bounds.interrupted());
+    const ExitCode code = app::exit_code(content->report, bounds.interrupted());
     deliver(report_page(std::move(*content), job), job, streams);
     return code;
 }

@@ -175,6 +175,9 @@ private:
         if ((statement.kind == StatementKind::Assign || statement.kind == StatementKind::For) &&
             !statement.place.global)
             assigned_.insert(statement.place.offset);
+        // An earlier iteration of a loop may assign what a later iteration reads.
+        if (repeats || statement.kind == StatementKind::For || statement.kind == StatementKind::While)
+            for (const Program::Arm& arm : statement.arms) add_assigned(arm.body);
         const Cells before = assigned_;
         Cells after = assigned_;
         for (const Program::Arm& arm : statement.arms) {
@@ -185,6 +188,14 @@ private:
         }
         assigned_ = std::move(after);
         if (repeats) visit(statement.value);
+    }
+
+    void add_assigned(const Program::Body& body) {
+        for (const Id<Program::Statement> id : body) {
+            const Program::Statement& statement = program_.statements[id];
+            if (!statement.place.global) assigned_.insert(statement.place.offset);
+            for (const Program::Arm& arm : statement.arms) add_assigned(arm.body);
+        }
     }
 
     void visit(Id<Program::Node> id) {

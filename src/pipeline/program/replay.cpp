@@ -137,8 +137,8 @@ private:
     }
 
     /// Adds a row for the state before the first scan, for the last scan, and for each scan that changes a step, a
-    /// Boolean variable, an input or an output. Other scans have no row, because a run may have thousands of scans that only
-    /// change internal counters.
+    /// Boolean variable, an input or an output. Other scans have no row, because a run may have thousands of scans that
+    /// only change internal counters.
     void add_rows() {
         for (std::size_t i = 0; i < trace_.moments.size(); ++i) {
             const bool changes_steps =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Resolves elementary types and the types that a file declares. Array types with the same bounds and elements are one
 // type.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -74,6 +76,19 @@ std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Typ
 }
 
 std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
+    constexpr std::size_t most_types = 200;
+    struct Level {
+        std::size_t& depth;
+        explicit Level(std::size_t& of) : depth(++of) {}
+        ~Level() { --depth; }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+    };
+    const Level level(type_depth_);
+    if (type_depth_ > most_types)
+        return reject(where, fmt::format("a type that contains more than {} levels of types", most_types),
+                      "reduce the levels"),
+               std::nullopt;
     if (!type.values.empty()) return enumeration("enumeration", type, where);
     if (!type.dimensions.empty()) return array(type, where);
     if (type.composite) return reject(where, "a pointer or qualified type", "use elementary types"), std::nullopt;

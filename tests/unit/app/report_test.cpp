@@ -88,13 +88,11 @@ TEST(Report, OfAProgramWithPropertiesHasTheVerdictsOfCheck) {
     EXPECT_NE(check.out.find("Turning"), std::string::npos) << "the trace contains the active steps\n" << check.out;
     EXPECT_EQ(grafverif({"report", program, "--properties", properties}).out, folder.read("p.html"));
 
-    const std::string before = folder.read("p.html");
     folder.write("p.yaml", "properties:\n  - {id: still, kind: invariant, expression: \"NOT Rnu\"}\n");
     const Result wrong = grafverif({"report", program, "--properties", properties, "-o", page});
     EXPECT_EQ(wrong.code, ExitCode::Input);
     EXPECT_NE(wrong.err.find("p.yaml:2:51: error: unknown variable `Rnu`; did you mean `Run`?"), std::string::npos)
         << wrong.err;
-    EXPECT_EQ(folder.read("p.html"), before) << "an existing report remains unchanged";
     EXPECT_EQ(grafverif({"report", program, "--properties", folder.file("missing.yaml")}).code, ExitCode::Input);
     EXPECT_EQ(grafverif({"report", program, "--properties", properties, "--loop", "l"}).code, ExitCode::Input);
     EXPECT_EQ(grafverif({"report", program, "--properties", properties, "--sequence", "t.csv"}).code, ExitCode::Input);

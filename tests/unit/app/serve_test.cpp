@@ -163,7 +163,7 @@ TEST(ServeFileChecker, ProgramOfALoopIsDrawnAndSimulated) {
     const Json drawn = watcher.drawings();
     EXPECT_NE(drawn["drawings"][0].get<std::string>().find("Turning"), std::string::npos);
     EXPECT_EQ(drawn["marks"][0]["transitions"].size(), 2U);
-    const Json played = watcher.play({{"loop", "machine"}, {"moves", {"set Go true", "wait 200ms"}}});
+    const Json played = watcher.play({{"loop", "machine"}, {"moves", {"Go = true", "wait 200ms"}}});
     ASSERT_FALSE(played.contains("error")) << played;
     EXPECT_EQ(played["problem"], "") << played["problem"];
     const std::string lit = played["rows"].back()["lit"][0];

@@ -320,7 +320,7 @@ Made page_of_program(const std::string& program, const std::string& properties) 
 
 const std::string blinker_properties =
     "properties:\n  - id: dark\n    kind: invariant\n    expression: \"NOT L\"\n"
-    "  - id: lit\n    kind: reachable\n    expression: \"Left.Lit.X AND Right.Dark.X AND Left.Lit.T > T#20ms\"\n";
+    "  - id: lit\n    kind: reachable\n    expression: \"Left.Lit.X AND Right.Dark.X AND Left.Lit.T >= T#20ms\"\n";
 
 TEST(ProgramPage, ShowsTheScansOfAProgramWithoutAPlant) {
     for (const bool task : {true, false}) {

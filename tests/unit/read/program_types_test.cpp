@@ -27,6 +27,17 @@ std::size_t fault(const std::string& text, ProgramFault kind, const std::vector<
     return 0;
 }
 
+TEST(ProgramTypes, ManyLevelsAreRejected) {
+    const auto chain = [](int levels) {
+        std::string text = "TYPE\n";
+        for (int k = 0; k < levels; ++k)
+            text += "T" + std::to_string(k) + " : STRUCT m : T" + std::to_string(k + 1) + "; END_STRUCT;\n";
+        return text + "T" + std::to_string(levels) + " : INT; END_TYPE\n" + program("t : T0;", "n := 1;");
+    };
+    EXPECT_EQ(ReadProgram(chain(50)).codes(), "");
+    EXPECT_NE(ReadProgram(chain(20'000)).codes().find("not-in-program"), std::string::npos);
+}
+
 TEST(ProgramTypes, AnIndexSelectsAnElementOrIsAFault) {
     const std::string text = program("a : ARRAY[-1..2] OF INT; m : ARRAY[0..1, 1..2] OF INT;",
                                      "a[e] := a[e] + 5; m[1, 2] := a[-1]; m[1][1] := 7; n := a[0] + m[1, e + 1];");
