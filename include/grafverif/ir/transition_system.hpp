@@ -165,7 +165,7 @@ struct TransitionSystem {
     std::vector<Id<Instance>> observers = {};  ///< observers, which monitor the steps of this system
     Table<Property> properties = {};           ///< properties over symbols of main
     /// Condition for a quiescent state, over symbols of main: the meaning of `at stable`. Every controller is stable
-    /// and its outputs are up to date, so that one more cycle with the same inputs would change nothing.
+    /// and its outputs are up to date, so that one more cycle with the same inputs would change only previous values.
     Id<Expr> settled = {};
     std::vector<Omitted> omitted = {};
     std::vector<Controller> controllers = {};
