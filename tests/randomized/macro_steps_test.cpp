@@ -192,8 +192,7 @@ TEST(MacroSteps, EachPremiseIsNeeded) {
     for (const Premise& premise : {Premise{"states that decide a property are stored", &MacroStepAblations::properties},
                                    Premise{"nothing else reads the timers", &MacroStepAblations::timers},
                                    Premise{"no other process can move", &MacroStepAblations::processes},
-                                   Premise{"shared variables are unchanged", &MacroStepAblations::changes},
-                                   Premise{"a cycle can begin unrequested", &MacroStepAblations::requests}}) {
+                                   Premise{"shared variables are unchanged", &MacroStepAblations::changes}}) {
         MacroStepAblations without;
         without.*premise.omitted = true;
         std::map<std::string, int> seen;

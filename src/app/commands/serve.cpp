@@ -56,14 +56,27 @@ std::string redirect_to(const std::string& address) {
         address);
 }
 
-/// Returns the content of the file if it can be served, otherwise reports an error.
-std::optional<std::string> served_content(CommandContext& job) {
-    const std::string& path = job.options.operands[0];
+/// Returns the content of a file that can be watched, otherwise reports an error.
+std::optional<std::string> watched_content(const std::string& path, CommandContext& job) {
     std::string why;
     std::optional<std::string> content;
     if (path == "-" || own_descriptor(path)) why = "standard input cannot be watched; pass a file name";
-    else if (content = content_of_file(path, why); content) why.clear();
-    if (!why.empty()) job.diagnostics.add(messages::cannot_read(path, why));
+    else content = content_of_file(path, why);
+    if (!content) job.diagnostics.add(messages::cannot_read(path, why));
+    return content;
+}
+
+/// Returns the content of the file if it can be served, otherwise reports an error.
+std::optional<std::string> served_content(CommandContext& job) {
+    const std::string& path = job.options.operands[0];
+    std::optional<std::string> content = watched_content(path, job);
+    if (job.options.property_file) {
+        watched_content(*job.options.property_file, job);
+        if (content && format_of(*content) == FileFormat::Grafcet)
+            job.diagnostics.add(messages::cannot_read(
+                path,
+                "with `--properties`, the operand is a PLC program; declare the properties of a chart in a loop"));
+    }
     const std::uint64_t port = job.options.port;
     if (port > 65535) job.diagnostics.add(messages::cannot_listen(port, "invalid port; use a number up to 65535"));
     return job.diagnostics.has_errors() ? std::nullopt : content;

@@ -31,7 +31,7 @@ MacroSteps::MacroSteps(const Machine& machine, PropertyMonitor monitor, std::vec
                 if (!without_.changes) cycle.edges.back().shared.push_back(machine.layout().variables[variable.index]);
         }
         cycle.like_waiting.resize(cycle.within.size());
-        if (without_.requests || std::ranges::find(options.unprompted, controller.process) != options.unprompted.end())
+        if (std::ranges::find(options.unprompted, controller.process) != options.unprompted.end())
             cycle.like_waiting = premises.locations_like_waiting();
         cycle.waiting = controller.waiting.index;
         cycle.stable = machine.layout().variables[controller.stable.index];

@@ -59,7 +59,6 @@ struct MacroStepAblations {
     bool timers = false;      ///< true: edges of timers are reordered even if something else reads the timers
     bool processes = false;   ///< true: states within a cycle are omitted even if other processes can move
     bool changes = false;     ///< true: an edge of the PLC is independent even if it changes variables that others read
-    bool requests = false;    ///< true: other processes move before a cycle even if the PLC cannot begin it unrequested
 };
 
 struct MacroStepOptions {

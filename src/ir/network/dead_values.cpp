@@ -185,22 +185,22 @@ private:
         return found;
     }
 
-    /// Moves the assignment of the variable behind the assignments of steps, and restricts it to `readings`. Has no effect
+    /// Moves the assignment of the variable after the assignments of steps, and restricts it to `readings`. Has no effect
     /// if an assignment in between uses the variable or changes what is stored.
     void clear(Variable variable, const Readings& readings) {
         auto& list = automaton().procedures[controller_.evolve].assignments;
         const auto is_target = [&](const Network::Assignment& assignment) { return target(assignment) == variable; };
         const auto stored = std::ranges::find_if(list, is_target);
         if (stored == list.end() || std::ranges::count_if(list, is_target) != 1) return;
-        auto behind = stored + 1;
-        for (auto it = behind; it != list.end(); ++it)
-            if (steps_.contains(target(*it))) behind = it + 1;
-        const bool is_movable = std::none_of(stored + 1, behind, [&](const Network::Assignment& between) {
+        auto end = stored + 1;
+        for (auto it = end; it != list.end(); ++it)
+            if (steps_.contains(target(*it))) end = it + 1;
+        const bool is_movable = std::none_of(stored + 1, end, [&](const Network::Assignment& between) {
             return reads(between.value, variable) || reads(stored->value, target(between));
         });
         if (!is_movable) return;
         stored->value = network_.exprs.conjunction(condition(readings), stored->value);
-        std::rotate(stored, stored + 1, behind);
+        std::rotate(stored, stored + 1, end);
     }
 
     Id<Expr> condition(const Readings& readings) {

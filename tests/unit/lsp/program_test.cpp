@@ -116,7 +116,7 @@ TEST(LspPrograms, HoverShowsTypeDeclarationAddressAndComment) {
     };
     EXPECT_EQ(shown("(START)", "(STA@RT)"),
               "```st\nVAR_INPUT Start AT %IX0.0 : BOOL\n```\n\n```text\nfrom the desk\n```\n");
-    EXPECT_EQ(shown("State = Off", "Sta@te = Off"), "```st\nVAR State : Mode := Off\n```\n");
+    EXPECT_EQ(shown("State = Off", "@State = Off"), "```st\nVAR State : Mode := Off\n```\n");
     EXPECT_EQ(shown("Count : Counter", "Count : Cou@nter"),
               "```st\nFUNCTION_BLOCK Counter\n    VAR_INPUT Up : BOOL\n    VAR_OUTPUT Sum : INT\n```\n\n"
               "```text\n Counts edges. \n```\n");
