@@ -84,8 +84,8 @@ std::vector<std::string> assumptions(const PageContent& content) {
     if (!content.requested.empty())
         sentences.push_back("Only these properties were selected: " + listed(content.requested) + ".");
     if (!content.loop.valid() && !content.charts.empty() && content.charts.front().program) {
-        sentences.push_back(fmt::format("The program was checked by the engine `{}` for any number of scans.",
-                                        settings.engine));
+        sentences.push_back(
+            fmt::format("The program was checked by the engine `{}` for any number of scans.", settings.engine));
         sentences.push_back("There is no plant: every input can have any value in each scan.");
         return sentences;
     }

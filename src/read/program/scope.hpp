@@ -233,8 +233,8 @@ private:
     std::vector<State> states_ = {};
     std::unordered_map<std::uint32_t, Id<Type>> types_ = {};                 ///< word -> type
     std::unordered_map<std::uint32_t, std::size_t> type_declarations_ = {};  ///< word -> first declaration in the file
-    std::size_t type_depth_ = 0;  ///< number of types whose declarations are being read
-    std::vector<State> type_states_ = {};                                    ///< per type declaration of the file
+    std::size_t type_depth_ = 0;           ///< number of types whose declarations are being read
+    std::vector<State> type_states_ = {};  ///< per type declaration of the file
     struct EnumerationValue {
         Id<Type> type = {};
         std::int64_t value = 0;

@@ -118,9 +118,7 @@ struct Type {
 /// The qualifiers of a VAR section. PERSISTENT has the same meaning as RETAIN.
 struct Qualifiers {
     bool constant = false, retain = false;
-    friend Qualifiers operator|(Qualifiers a, Qualifiers b) {
-        return {a.constant || b.constant, a.retain || b.retain};
-    }
+    friend Qualifiers operator|(Qualifiers a, Qualifiers b) { return {a.constant || b.constant, a.retain || b.retain}; }
 };
 
 struct Variable {
