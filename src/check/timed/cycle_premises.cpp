@@ -89,19 +89,17 @@ std::vector<bool> CyclePremises::locations_like_waiting() const {
     if (is_location_observed() || is_quiescence_observed() || meet(read_by_properties(), flags)) return like;
     for (const Uses& uses : uses_)
         if (meet(uses.read, flags)) return like;
-    for (const Id<Network::Location> location : plc_.locations.ids()) {
-        const bool is_entered =  // unlike the location before the first evolution
-            std::ranges::find(plc_.edges, location, &Network::Edge::to) != plc_.edges.end();
-        like[location.index] = is_entered && location != controller_.waiting &&
+    const auto only_requests = [&](const Network::Edge& edge) {
+        return edge.from == controller_.waiting && edge.constraint.empty() && edge.resets.empty() &&
+               std::ranges::all_of(uses_of(edge).written, [&](auto variable) {
+                   return flags.contains(variable) || of_observers_.contains(variable);
+               });
+    };
+    for (const Id<Network::Location> location : plc_.locations.ids())
+        like[location.index] = location != controller_.waiting && is_entered(location) &&
                                std::ranges::all_of(plc_.edges, [&](const Network::Edge& edge) {
-                                   if (edge.to != location) return true;
-                                   return edge.from == controller_.waiting && edge.constraint.empty() &&
-                                          edge.resets.empty() &&
-                                          std::ranges::all_of(uses_of(edge).written, [&](auto variable) {
-                                              return flags.contains(variable) || of_observers_.contains(variable);
-                                          });
+                                   return edge.to != location || only_requests(edge);
                                });
-    }
     return like;
 }
 
@@ -110,6 +108,8 @@ std::vector<Independence> CyclePremises::independence() const {
     Variables visible = read_by_properties();
     visible.insert(seen_by_observers_.begin(), seen_by_observers_.end());
     const bool is_visible = is_location_observed(), is_quiescence_visible = is_quiescence_observed();
+    Variables read_elsewhere = visible;
+    for (const Uses& uses : uses_) read_elsewhere.insert(uses.read.begin(), uses.read.end());
     std::vector<Independence> result;
     for (const Network::Edge& edge : plc_.edges) {
         Independence made{std::vector<bool>(count), std::vector<bool>(count), {}};
@@ -117,8 +117,6 @@ std::vector<Independence> CyclePremises::independence() const {
         const bool settles =
             edge.to == controller_.waiting && !has_conjunct(network_.exprs, edge.guard, controller_.stable, true);
         const Uses plc = uses_of(edge);
-        Variables read_elsewhere = visible;
-        for (const Uses& uses : uses_) read_elsewhere.insert(uses.read.begin(), uses.read.end());
         for (const Id<Network::Variable> variable : plc.written)
             if (read_elsewhere.contains(variable) && !of_observers_.contains(variable)) made.shared.push_back(variable);
         for (std::size_t i = 0; i < count && !is_visible; ++i) {
@@ -135,9 +133,6 @@ std::vector<Independence> CyclePremises::independence() const {
 }
 
 std::vector<Id<Network::Variable>> CyclePremises::dead_outputs() const {
-    const auto is_entered = [&](Id<Network::Location> location) {
-        return std::ranges::find(plc_.edges, location, &Network::Edge::to) != plc_.edges.end();
-    };
     // Before the first cycle, all outputs have their initial values.
     const bool writes = std::ranges::all_of(plc_.edges, [&](const Network::Edge& edge) {
         return edge.to != controller_.waiting || !is_entered(edge.from) ||
@@ -151,6 +146,11 @@ std::vector<Id<Network::Variable>> CyclePremises::dead_outputs() const {
         if (network_.variables[output].role == Network::Role::Output && !read.contains(output)) dead.push_back(output);
     }
     return dead;
+}
+
+/// False for the location before the first evolution.
+bool CyclePremises::is_entered(Id<Network::Location> location) const {
+    return std::ranges::find(plc_.edges, location, &Network::Edge::to) != plc_.edges.end();
 }
 
 bool CyclePremises::reads(Id<Expr> term, const Variables& variables) const {

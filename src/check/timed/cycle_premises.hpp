@@ -62,6 +62,7 @@ private:
         Variables read = {}, written = {};
     };
 
+    bool is_entered(Id<Network::Location> location) const;
     bool reads(Id<Expr> term, const Variables& variables) const;
     bool meet(const Variables& left, const Variables& right) const;
     std::vector<bool> closed(std::vector<bool> processes) const;
