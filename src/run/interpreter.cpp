@@ -185,8 +185,11 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
         if (evolution.fault) return evolution;
         // In another evolution with the same inputs, all edges are false.
         Reader without_edges(chart, state, inputs, timed, nullptr);
-        evolution.stable = evolution.fired.empty() &&
-                           transitions_to_clear(chart, levels, state, without_edges, evolution.fault).empty();
+        const auto clears_next = [&] {
+            return !remembered.edges.empty() &&
+                   !transitions_to_clear(chart, levels, state, without_edges, evolution.fault).empty();
+        };
+        evolution.stable = evolution.fired.empty() && !clears_next();
     }
     if (evolution.fault) return evolution;
     remember(chart, remembered, before, evolution);
