@@ -36,10 +36,6 @@ std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vec
     return runs_of(model.charts[charts.front()], *test);
 }
 
-}  // namespace
-
-namespace {
-
 /// Writes the report of a PLC program that is checked with a property file.
 ExitCode report_program(CommandContext& job, const Streams& streams) {
     ResourceLimits bounds(job.options, streams);

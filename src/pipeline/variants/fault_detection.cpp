@@ -67,6 +67,14 @@ std::vector<ControllerSignal> controller_signals(const Network& network, bool in
     return found;
 }
 
+Id<Expr> any_of_signals(Network& network, const std::vector<std::string>& names) {
+    std::vector<Id<Expr>> terms;
+    for (const ControllerSignal& each : controller_signals(network, false))
+        if (std::ranges::find(names, each.name) != names.end())
+            terms.push_back(network.exprs.leaf(Op::Variable, each.variable.index));
+    return network.exprs.disjunction(terms);
+}
+
 FaultDetection::FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states, bool observers)
     : network_(network), limits_(limits), max_states_(max_states), signals_(controller_signals(network, true)) {
     if (observers) normal_ = pairs_in(network);
@@ -74,11 +82,7 @@ FaultDetection::FaultDetection(const Network& network, const Limits& limits, std
 
 FaultDetection::Detected FaultDetection::detected(Network faulty, const std::string& instance,
                                                   const std::vector<std::string>& names, const Decide& decide) const {
-    std::vector<Id<Expr>> terms;
-    for (const ControllerSignal& each : controller_signals(faulty, false))
-        if (std::ranges::find(names, each.name) != names.end())
-            terms.push_back(faulty.exprs.leaf(Op::Variable, each.variable.index));
-    const Id<Expr> condition = faulty.exprs.disjunction(terms);
+    const Id<Expr> condition = any_of_signals(faulty, names);
     faulty.properties = {};
     faulty.properties.add(
         {.name = "shown", .pattern = Pattern::LeadsTo, .operands = {occurs(faulty, instance), condition}});

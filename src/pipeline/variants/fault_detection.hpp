@@ -37,6 +37,9 @@ struct ControllerSignal {
 /// Returns the steps and Boolean outputs of all controllers and, if `inputs` is true, their Boolean inputs.
 std::vector<ControllerSignal> controller_signals(const Network& network, bool inputs);
 
+/// Returns the term that is true if one of the steps and outputs `names` is true.
+Id<Expr> any_of_signals(Network& network, const std::vector<std::string>& names);
+
 class FaultDetection {
 public:
     /// Decides the properties of a network.

@@ -381,13 +381,9 @@ private:
 
     /// Decides whether, in every run, at least one of the elements becomes true.
     Outcome shown(const Model& model, Network& network, const std::vector<std::string>& names) const {
-        std::vector<Id<Expr>> terms;
-        for (const ControllerSignal& each : controller_signals(network, false))
-            if (std::ranges::find(names, each.name) != names.end())
-                terms.push_back(network.exprs.leaf(Op::Variable, each.variable.index));
         network.properties = {};
         network.properties.add(
-            {.name = "shown", .pattern = Pattern::Inevitable, .operands = {network.exprs.disjunction(terms)}});
+            {.name = "shown", .pattern = Pattern::Inevitable, .operands = {any_of_signals(network, names)}});
         CheckOptions how = options(1);
         how.properties = {"shown"};
         for (const PropertyResult& result : report_on(model, network, how, false).answers)
