@@ -25,7 +25,9 @@ using Signature = std::vector<std::int64_t>;
 /// A stage of the abstract run, with the requirements for reaching the next stage.
 struct Stage {
     Signature signature = {};
-    std::vector<Word> goals = {};  // valuations sampled before the next stage, per instance
+    /// Per instance: the sets of valuations that the samplings of the stage require. A sampling that permits all
+    /// valuations has no set.
+    std::vector<std::vector<Word>> goals = {};
 };
 
 }  // namespace
@@ -42,23 +44,29 @@ std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
 
 namespace {
 
-/// Returns the stages. The goals of a stage are the valuations of its last sampling. A stage without sampling has no
-/// requirements.
+/// Returns the stages. A sampling that changes the signature belongs to the stage before the change.
 std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Network::Variable>>& signature) {
     std::vector<Stage> stages;
     const auto begin = [&](const std::vector<std::int64_t>& variables) {
         Signature now;
         for (const Id<Network::Variable> id : signature) now.push_back(variables[id.index]);
         if (!stages.empty() && stages.back().signature == now) return;
-        stages.push_back({std::move(now), std::vector<Word>(run.instances.size(), ~Word{0})});
+        stages.push_back({std::move(now), std::vector<std::vector<Word>>(run.instances.size())});
     };
     std::vector<std::int64_t> initial;
     for (const Network::Variable& variable : run.network.variables) initial.push_back(variable.initial);
     begin(initial);
+    const auto require = [&](const Sampling& sampling) {
+        for (std::size_t i = 0; i < run.instances.size(); ++i) {
+            std::vector<Word>& goals = stages.back().goals[i];
+            const Word possible = sampling.possible[i];
+            if (possible != ~Word{0} && std::ranges::find(goals, possible) == goals.end()) goals.push_back(possible);
+        }
+    };
     const std::vector<Sampling> all = samplings(run);
     auto next = all.begin();
     for (std::size_t at = 0; at < run.path.size(); ++at) {
-        if (next != all.end() && next->at == at) stages.back().goals = (next++)->possible;
+        if (next != all.end() && next->at == at) require(*next++);
         begin(run.path[at].state.variables);
     }
     return stages;
@@ -131,8 +139,8 @@ private:
         }
     }
 
-    /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not among the goals of
-    /// the stage; all other processes move freely.
+    /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not in all goals of the
+    /// stage; all other processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
@@ -142,7 +150,7 @@ private:
         for (const Id<Network::Variable> output : instance.outputs)
             values.push_back(layout_.variables[output.index].get(at));
         const auto row = std::ranges::find(instance.valuations, values) - instance.valuations.begin();
-        return (stages_[stage].goals[i] >> row & 1U) == 0;
+        return std::ranges::any_of(stages_[stage].goals[i], [&](Word goal) { return (goal >> row & 1U) == 0; });
     }
 
     void expand(std::size_t node) {
@@ -164,7 +172,7 @@ private:
         const auto constrained = [&](const Stage& stage) {
             std::vector<std::size_t> found;
             for (std::size_t i = 0; i < stage.goals.size(); ++i)
-                if (stage.goals[i] != ~Word{0}) found.push_back(i);
+                if (!stage.goals[i].empty()) found.push_back(i);
             return found;
         };
         std::vector<std::size_t> found = constrained(stages_[last_stage_]);

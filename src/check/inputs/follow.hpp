@@ -5,8 +5,8 @@
 // The abstract run is divided into stages; a new stage begins whenever a step or an internal variable of a controller
 // changes. The search is best-first. It prefers states whose run has reached the latest stage. Among these states, it
 // prefers states with the fewest variables that differ from the next stage. Among states with equal priority, the
-// search is breadth-first. An autonomous Chosen instance moves only if its outputs differ from all valuations that the
-// abstract run samples before the next stage. All moves are moves of the complete network; therefore each run that is
+// search is breadth-first. An autonomous Chosen instance moves only if its outputs differ from the valuations that some
+// sampling of the stage requires. All moves are moves of the complete network; therefore each run that is
 // found is a real run. The search finds a run quickly if the complete network can perform the abstract run with longer
 // delays. If the search finds no run, the property may still have a run in the complete network.
 #pragma once

@@ -392,9 +392,9 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
                                                    Levels& raised) {
     // A guided search is more expensive than a search of a coarse abstraction.
     if (task.coarse && raise_impossible(abstract, true, raised)) return {};
-    FollowLimits limits{.states = task.coarse ? limits_.followed_coarse : limits_.followed,
-                        .deadline = deadline_,
-                        .stop = options_.stop};
+    const std::size_t states =
+        task.coarse ? std::clamp<std::size_t>(4 * round_, limits_.followed_coarse, limits_.followed) : limits_.followed;
+    FollowLimits limits{.states = states, .deadline = deadline_, .stop = options_.stop};
     ConcreteRun followed = follow(complete_, single(k), abstract, limits);
     if (followed.run) return in_units(std::move(*followed.run));
     if ((!task.coarse && raise_impossible(abstract, true, raised)) || raise_impossible(abstract, false, raised))

@@ -181,6 +181,21 @@ TEST(InputAbstraction, FollowsAViolationOnTheCompleteLoop) {
     EXPECT_TRUE(found.run);
 }
 
+/// One sampling in step 1 requires J, so that the cylinder moves, and a later one requires B. All other samplings permit
+/// both values.
+TEST(InputAbstraction, FollowsARunWithSeveralRequirementsInOneStage) {
+    const Verdict found =
+        decided(loop("input J, B, AT_BACK, AT_FRONT; output G_OUT;",
+                     "initial step 0; step 1 { G_OUT if J; } step 2; transition t0: 0 -> 1 when !B; "
+                     "transition t1: 1 -> 2 when B && AT_FRONT;",
+                     "environment EJ = push_button(OUT = J);\nenvironment EB = push_button(OUT = B);\n"
+                     "plant P = cylinder_5_2_spring(G_OUT = G_OUT, IN = AT_BACK, OUT = AT_FRONT);",
+                     "never X2"));
+    EXPECT_EQ(found.outcome, Outcome::Violated);
+    ASSERT_TRUE(found.abstraction);
+    EXPECT_EQ(found.abstraction->chosen, (std::vector<std::string>{"EJ", "EB"}));
+}
+
 TEST(InputAbstraction, RefinesAButtonThatMustNotChangeTwiceInAnInstant) {
     const std::string text = loop("input A; output L;",
                                   "initial step 0; step 1 { L; } step 2; transition t0: 0 -> 1 when A; "
