@@ -271,16 +271,12 @@ Report checked(const LoopToCheck& loop, const CheckOptions& options, bool explai
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    // If all requested properties have observers, a timelock only causes a note. Therefore the number of states for the
-    // check of `no timelock` is limited.
-    if (only_watched) {
-        rest.properties = {"no_timelock"};
-        rest.limits.states =
-            std::min(rest.limits.states.value_or(LocalizationLimits{}.whole), LocalizationLimits{}.whole);
-    }
+    if (only_watched) rest.properties = {"no_timelock"};
     const LoopToCheck unwatched{alone, loop.charts, loop.disabled_corrections, loop.finest, loop.prove};
     const Observe nothing = std::identity{};
     StagedSearch search(unwatched, nothing, alone, rest);
+    // If all requested properties have observers, a timelock only causes a note.
+    if (only_watched) search.make_brief();
     std::deque<StagedSearch*> searches{&search};
     std::deque<WatchedCheck> checks;
     for (const Id<Property> id : by_observers)

@@ -111,6 +111,12 @@ StagedSearch::StagedSearch(const LoopToCheck& loop, const Observe& observe, cons
     options_.many = {};
 }
 
+void StagedSearch::make_brief() {
+    // A bound of the user that is smaller also excludes input abstraction.
+    is_brief_ = options_.max_states > LocalizationLimits{}.whole;
+    options_.max_states = std::min(options_.max_states, LocalizationLimits{}.whole);
+}
+
 void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, const InputLimits& inputs) {
     if (options_.max_states <= LocalizationLimits{}.whole || loop_.disabled_corrections)
         in_steps_ = in_steps_ && !is_watched_;
@@ -120,7 +126,8 @@ void StagedSearch::begin(const Deadline& deadline, LocalizationLimits limits, co
     const WholeSearch search = is_watched_ ? WholeSearch(check_timed) : WholeSearch(check_timed_by_parts);
     complete_.emplace(expand(network_), options_, limits, LocalAblations{}, search);
     complete_->begin();
-    if (options_.max_states <= limits.whole || loop_.disabled_corrections || !needs_whole()) return;
+    const bool is_open = is_brief_ ? is_large() : options_.max_states > limits.whole && needs_whole();
+    if (loop_.disabled_corrections || !is_open) return;
     expanded_ = expand(loop_.network);
     abstract_ = options_;
     abstract_.max_states = TimedOptions{}.max_states;
@@ -135,7 +142,7 @@ bool StagedSearch::refine(std::uint64_t states, const Deadline& deadline) {
         complete_ && (refines_inputs_ ? complete_->refine(std::min(states, search_rounds[1]), share_of(deadline, 3))
                                       : complete_->refine(states, deadline));
     refines_inputs_ = inputs_ && inputs_->run(states, deadline);
-    return cells || refines_inputs_;
+    return (cells || refines_inputs_) && !is_brief_;
 }
 
 bool StagedSearch::needs_whole() {

@@ -43,6 +43,10 @@ public:
     StagedSearch(const LoopToCheck& loop, const Observe& observe, const Network& network, const CheckOptions& options,
                  bool timelock = true);
 
+    /// Limits the search to the bounded search of the complete loop and to one short round of input abstraction. Must be
+    /// called before `begin`.
+    void make_brief();
+
     /// Performs the first step: the bounded search and the first round of localization.
     void begin(const Deadline& deadline, LocalizationLimits limits = {}, const InputLimits& inputs = {});
 
@@ -62,7 +66,7 @@ public:
 
 private:
     const bool is_watched_;
-    bool in_steps_;
+    bool in_steps_, is_brief_ = false;
     const LoopToCheck& loop_;
     const Observe& observe_;
     const Network& network_;
