@@ -37,6 +37,7 @@ public:
           instances_(abstractable_processes(loop, ablations)),
           observed_(expand(observe(loop))),
           complete_(in_longest_unit(observed_)),
+          stricter_(in_longer_unit(observed_, instances_)),
           writers_(observed_.variables.size()) {
         // If the loop has a model error or time cannot pass in it, a property that holds in an abstraction may hold
         // only vacuously.
@@ -137,7 +138,8 @@ private:
     void decide_symbolically(std::size_t verdict, const Task& task, const Deadline& end);
     void conclude(std::size_t verdict, const Verdict& found, const Levels& levels);
     std::optional<Run> real_run(std::size_t verdict, const AbstractRun& abstract, const Task& task, Levels& raised);
-    Run in_units(Run run) const;
+    std::optional<Run> in_units(const Network& network, Run run) const;
+    ConcreteRun followed(std::size_t verdict, const AbstractRun& abstract, bool coarse) const;
     bool raise_impossible(const AbstractRun& abstract, bool waits, Levels& raised) const;
     InputsAbstracted abstracted(const Levels& levels) const;
     Property single(std::size_t verdict) const;
@@ -153,7 +155,10 @@ private:
     const StateProver prove_;
     const std::vector<AbstractableProcess> instances_;
     const Network observed_;
-    const Network complete_;                        // complete network in its longest time unit
+    const Network complete_;  // complete network in its longest time unit
+    // Complete network in a longer time unit (in_longer_unit). Searches for runs use it first, because it has fewer
+    // states.
+    const Network stricter_;
     std::vector<std::set<std::uint32_t>> writers_;  // processes that write each variable of observed_
     std::deque<Task> tasks_ = {}, postponed_ = {};
     std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in the order of its properties

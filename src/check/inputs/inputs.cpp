@@ -79,7 +79,7 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     if (!novelty_) {
         std::vector<Property> properties;
         for (const std::size_t k : explored_) properties.push_back(single(k));
-        novelty_.emplace(complete_, std::move(properties), instances_);
+        novelty_.emplace(stricter_, std::move(properties), instances_);
     }
     const std::size_t before = novelty_->states();
     const bool more = novelty_->run(
@@ -87,10 +87,11 @@ bool InputAbstractionCheck::search_for_runs(std::uint64_t states) {
     result_.states += novelty_->states() - before;
     for (std::size_t i = 0; i < explored_.size(); ++i) {
         std::optional<Run> run = is_open(explored_[i]) ? novelty_->run_of(i) : std::nullopt;
+        if (run) run = in_units(stricter_, std::move(*run));
         if (!run) continue;
         Verdict found;
         found.outcome = is_about_all_states(single(explored_[i]).pattern) ? Outcome::Violated : Outcome::Holds;
-        found.run = in_units(std::move(*run));
+        found.run = std::move(run);
         found.states = std::to_string(novelty_->states());
         conclude(explored_[i], found, Levels(instances_.size(), InputLevel::Complete));
     }
@@ -378,12 +379,28 @@ Property InputAbstractionCheck::single(std::size_t k) const {
     return property;
 }
 
-/// Converts a run of `complete_` to the time unit of `observed_`.
-Run InputAbstractionCheck::in_units(Run run) const {
+/// Converts a run of `complete_` or `stricter_` to the time unit of `observed_`. Returns nullopt if it is not a run of
+/// `observed_`.
+std::optional<Run> InputAbstractionCheck::in_units(const Network& network, Run run) const {
     for (Move& move : run.moves)
         if (Delay* const delay = std::get_if<Delay>(&move))
-            delay->units *= complete_.time_unit_ms / observed_.time_unit_ms;
+            delay->units *= network.time_unit_ms / observed_.time_unit_ms;
+    if (!replay(observed_, run)) return {};
     return run;
+}
+
+/// Searches for a run of the complete loop along the abstract run.
+ConcreteRun InputAbstractionCheck::followed(std::size_t k, const AbstractRun& abstract, bool coarse) const {
+    const std::size_t states =
+        coarse ? std::clamp<std::size_t>(4 * round_, limits_.followed_coarse, limits_.followed) : limits_.followed;
+    ConcreteRun found;
+    for (const Network* const network : {&stricter_, &complete_}) {
+        if (network == &stricter_ && stricter_.time_unit_ms == complete_.time_unit_ms) continue;
+        found = follow(*network, single(k), abstract, {.states = states, .deadline = deadline_, .stop = options_.stop});
+        if (found.run) found.run = in_units(*network, std::move(*found.run));
+        if (found.run) return found;
+    }
+    return found;
 }
 
 /// Returns a run of the complete loop along the abstract run. If there is no such run, `raised` receives the levels to
@@ -392,14 +409,11 @@ std::optional<Run> InputAbstractionCheck::real_run(std::size_t k, const Abstract
                                                    Levels& raised) {
     // A guided search is more expensive than a search of a coarse abstraction.
     if (task.coarse && raise_impossible(abstract, true, raised)) return {};
-    const std::size_t states =
-        task.coarse ? std::clamp<std::size_t>(4 * round_, limits_.followed_coarse, limits_.followed) : limits_.followed;
-    FollowLimits limits{.states = states, .deadline = deadline_, .stop = options_.stop};
-    ConcreteRun followed = follow(complete_, single(k), abstract, limits);
-    if (followed.run) return in_units(std::move(*followed.run));
+    ConcreteRun found = followed(k, abstract, task.coarse);
+    if (found.run) return std::move(found.run);
     if ((!task.coarse && raise_impossible(abstract, true, raised)) || raise_impossible(abstract, false, raised))
         return {};
-    for (const std::size_t i : followed.blamed)
+    for (const std::size_t i : found.blamed)
         if (raised[i] != InputLevel::Complete) raised[i] = next_level(instances_[i], raised[i]);
     if (!ablations_.ignore_readers) store_what_is_read(instances_, raised);
     return {};

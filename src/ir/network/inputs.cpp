@@ -317,8 +317,11 @@ void pace(const Network& network, const Network::Process& process, Network::Temp
     }
 }
 
-Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced,
-                        const std::vector<Id<Network::Process>>& rounded, const InputAblations& ablations) {
+namespace {
+
+/// Implements in_longest_unit and, if `inward` is true, in_longer_unit.
+Network in_unit(Network network, const std::vector<Id<Network::Process>>& paced,
+                const std::vector<Id<Network::Process>>& rounded, bool inward) {
     const auto is_in = [](const std::vector<Id<Network::Process>>& list, Id<Network::Process> id) {
         return std::ranges::find(list, id) != list.end();
     };
@@ -342,11 +345,28 @@ Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>
         const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
         const bool upper = constraint.relation == Op::Less || constraint.relation == Op::LessEqual;
         assert(bound % unit == 0 || (is_in(rounded, id) && constraint.relation != Op::Equal));
-        constraint.bound =
-            network.exprs.integer(upper == ablations.round_inward ? bound / unit : (bound + unit - 1) / unit);
+        constraint.bound = network.exprs.integer(upper == inward ? bound / unit : (bound + unit - 1) / unit);
     });
     network.time_unit_ms *= unit;
     return network;
+}
+
+}  // namespace
+
+Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced,
+                        const std::vector<Id<Network::Process>>& rounded, const InputAblations& ablations) {
+    return in_unit(std::move(network), paced, rounded, ablations.round_inward);
+}
+
+Network in_longer_unit(Network network, const std::vector<AbstractableProcess>& instances) {
+    std::set<Id<Network::Process>> exact;
+    each_constraint(network, [&](Id<Network::Process> id, const Network::ClockConstraint& constraint) {
+        if (constraint.relation == Op::Equal) exact.insert(id);
+    });
+    std::vector<Id<Network::Process>> rounded;
+    for (const AbstractableProcess& instance : instances)
+        if (instance.autonomous && !exact.contains(instance.process)) rounded.push_back(instance.process);
+    return in_unit(std::move(network), {}, rounded, true);
 }
 
 }  // namespace grafverif
