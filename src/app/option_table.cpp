@@ -383,8 +383,8 @@ std::vector<Option> options_for_checks() {
         list(OptionGroup::Compare, "ignore", "NAME", &Options::ignored_outputs,
              "do not compare this output; repeatable"),
         text(OptionGroup::Compare, "stop-output", "NAME[=NAME]", &Options::stop_output,
-             "output of a program that reports a stop by a value other than 0 (`FAULT` in programs of `st`); with two "
-             "names, the output of FILE and that of OTHER"),
+             "name of the output by which a program reports a stop (value other than 0; `FAULT` in programs that `st` "
+             "generates); with two names, the output of FILE and that of OTHER"),
         toggle(OptionGroup::Compare, "imported-charts", &Options::imported_charts,
                "compare the charts that `import` creates from Structured Text and PLCopen XML, not the programs"),
         toggle(OptionGroup::Analysis, "imported-charts", &Options::imported_charts,

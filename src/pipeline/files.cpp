@@ -245,7 +245,7 @@ std::optional<std::string> Reach::read(const std::string& path, std::string& why
     const fs::path file = fs::canonical(*permitted, failure);
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
         why =
-            "it is outside the directory of the main file and of its project (marked by `.git` or "
+            "it is below neither the folder of the main file nor the folder of its project (which contains `.git` or "
             "`grafverif.project`); allow it with `-I DIR`";
         return {};
     }

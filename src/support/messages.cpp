@@ -249,8 +249,8 @@ Diagnostic second_writer(Span where, std::string_view variable, std::string_view
 
 Diagnostic urgent_invariant(Span where, std::string_view component, std::string_view location) {
     return error("urgent-invariant", where,
-                 fmt::format("the invariant of `{}` can be violated when this urgent edge of `{}` is taken; reset its "
-                             "clock on the edge, or add the same bound to the source location",
+                 fmt::format("the invariant of the target location `{}` can be violated when this urgent edge of `{}` is taken; "
+                             "reset the clock of the invariant on this edge, or add the same bound to the source location",
                              location, component));
 }
 
