@@ -441,7 +441,7 @@ std::vector<Option> options_for_all() {
         toggle(OptionGroup::File, "lossy", &Options::lossy,
                "omit elements that cannot be imported from another format, and print a warning for each"),
         renamed("create",
-                toggle(OptionGroup::Writes, "create-dirs", &Options::create, "create missing output directories")),
+                toggle(OptionGroup::Writes, "create-dirs", &Options::create, "create missing output folders")),
         text(OptionGroup::Writes, "depfile", "FILE", &Options::depfile,
              "write to FILE a depfile: a list of the input files of each output, for a build system"),
         renamed("depfile-form",

@@ -65,7 +65,7 @@ constexpr const char* faults_schema = R"({
           "unknown": {"type": "array", "description": "combinations whose verdicts are unknown, with reasons"},
           "non_monotone": {
             "type": "array",
-            "description": "pairs: the combination `violating` violates the property, the larger `holding` does not"
+            "description": "pairs: the combination `violating` leads to a violation, the larger `holding` does not"
           }
         },
         "required": ["name", "without_faults", "minimal", "unproved", "unknown", "non_monotone"]
@@ -334,8 +334,8 @@ Json property_with_faults(const Json& found, std::string& text) {
         open += (open.empty() ? "" : "; ") + combination_text(each.at("faults"));
     std::string verdict = found.at("without_faults") != "holds"
                               ? found.at("without_faults").get<std::string>() + " without faults"
-                          : !all.empty() ? "violated by " + all
-                          : open.empty() ? "no combination violates it"
+                          : !all.empty() ? "violated with " + all
+                          : open.empty() ? "no combination leads to a violation"
                                          : "";
     if (!open.empty()) verdict += (verdict.empty() ? "unknown for " : "; unknown for ") + open;
     text += fmt::format("{}: {}\n", found.at("name").get<std::string>(), verdict);
@@ -439,10 +439,11 @@ Tool tune_tool() {
 }
 
 Tool faults_tool() {
-    Tool tool{"faults", "Find combinations of faults that violate properties",
-              "Decides for each property of a closed loop which minimal combinations of its declared faults "
-              "(`fault NAME of INSTANCE: COMPONENT(...)`) violate it, and which steps and outputs show each fault.",
-              input_arguments()};
+    Tool tool{
+        "faults", "Find combinations of faults that lead to violations of properties",
+        "Decides for each property of a closed loop which minimal combinations of its declared faults (`fault NAME "
+        "of INSTANCE: COMPONENT(...)`) lead to a violation, and which steps and outputs show each fault.",
+        input_arguments()};
     for (Argument& each : model_arguments())
         if (each.name != "chart") tool.arguments.push_back(std::move(each));
     for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));
