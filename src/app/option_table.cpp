@@ -420,7 +420,7 @@ std::vector<Option> options_for_checks() {
         time(OptionGroup::Mcp, "timeout", &Options::response_timeout_ms,
              "largest time limit that a call of a tool can request (default: 10min)"),
         toggle(OptionGroup::Lsp, "stdio", &Options::stdio,
-               "communicate over standard input and output (without this option, too)"),
+               "communicate over standard input and output (the default; accepted for editors that pass it)"),
         list(OptionGroup::Lsp, "include,I", "DIR", &Options::include_folders,
              "allow included files in DIR, and search for them there; repeatable"),
         toggle(OptionGroup::Verbose, "verbose,v", &Options::verbose,

@@ -419,7 +419,7 @@ Tool tune_tool() {
     Tool tool{"tune", "Decide properties for ranges of constants",
               "Decides for which values of constants of a closed loop each property holds, exactly at each point of a "
               "grid. The result is a list of boxes (products of ranges of constants) with equal verdicts, and the "
-              "distance of each current value from another verdict.",
+              "distance from each current value to the nearest value with another verdict.",
               input_arguments()};
     for (Argument& each : model_arguments())
         if (each.name != "chart") tool.arguments.push_back(std::move(each));
