@@ -472,7 +472,7 @@ class Fault:
     name: str
     instance: str
     component: str
-    violates: tuple[str, ...]  #: properties that this fault violates without other faults
+    violates: tuple[str, ...]  #: properties that are violated with this fault and without other faults
     newly_true: tuple[str, ...]  #: steps and outputs that are true in some state with this fault, but never without
     never_true: tuple[str, ...]  #: steps and outputs that are never true if the fault is present from power-on
     #: True if an element of `newly_true` becomes true in every run with the fault from power-on; None if unknown
@@ -487,7 +487,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class FaultCombination:
-    """A combination of faults that violates a property, with a trace if one is given."""
+    """A combination of faults that leads to a violation of a property, with a trace if one is given."""
 
     faults: tuple[str, ...]
     from_power_on: tuple[str, ...]  #: faults that are present from power-on in the run
@@ -497,9 +497,9 @@ class FaultCombination:
 
 
 class FaultedProperty:
-    """The combinations of faults that violate one property. It has no truth value. The property holds for all
-    combinations of at most `order` faults only if `without_faults` is `holds`, and both `combinations` and `unknown`
-    are empty."""
+    """The combinations of faults that lead to a violation of one property. It has no truth value. The property holds
+    for all combinations of at most `order` faults only if `without_faults` is `holds`, and both `combinations` and
+    `unknown` are empty."""
 
     def __init__(self, document: dict[str, Any], traces: Iterator[tuple[str, str]]):
         self.name: str = document["name"]
@@ -522,7 +522,7 @@ class FaultedProperty:
 
 
 class FaultAnalysis(_Tabular):
-    """The minimal combinations of faults that violate properties, and the effects of each fault (FMEA)."""
+    """The minimal combinations of faults that lead to violations, and the effects of each fault (FMEA)."""
 
     def __init__(self, shown: _Shown):
         self._text = shown[0]
@@ -908,8 +908,8 @@ class Loop:
 
     def faults(self, *properties: str, order: int = 1, mode: str | None = None, grain: str | None = None,
                timeout: Duration | None = None, memory: int | None = None) -> FaultAnalysis:
-        """Finds the minimal combinations of at most `order` declared faults that violate the given properties, or by
-        default any property, as `grafverif faults` does."""
+        """Finds the minimal combinations of at most `order` declared faults that lead to violations of the given
+        properties, or by default of any property, as `grafverif faults` does."""
         if not 1 <= order <= _core.most_faults:
             raise ValueError(f"order must be in 1..{_core.most_faults}; got {order}")
         return FaultAnalysis(self._file.faults(self.name, _core.How(mode=mode, grain=grain), order, list(properties),
@@ -1012,7 +1012,7 @@ def _written(constants: Constants | None) -> dict[str, str]:
 
 def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
          constants: Constants | None = None) -> File:
-    """Reads a file of any supported format and its included files, which are also searched for in the directories
+    """Reads a file of any supported format and its included files, which are also searched for in the folders
     `include`.
 
     `constants` sets constants of closed loops as `--set` does, in every loop that declares them.

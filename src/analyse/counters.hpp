@@ -18,8 +18,8 @@ struct Counter {
     std::int64_t safe = 0;  ///< number of evolutions in which the counter cannot leave its range
 };
 
-/// Returns the Counter of each variable that is a counter, if the abstraction saves bits for it; otherwise the entry is
-/// empty.
+/// Returns the Counter of each variable that is a counter, if the abstraction needs fewer bits than the variable;
+/// otherwise the entry is empty.
 std::vector<std::optional<Counter>> counters(const Equations& equations);
 
 }  // namespace grafverif::analysis

@@ -63,7 +63,7 @@ std::optional<Model> read_model(const std::string& path, CommandContext& job) {
 std::optional<Model> read_model(Id<Source> file, const std::string& path, CommandContext& job) {
     for (const std::string& folder : job.options.include_folders) {
         if (std::filesystem::is_directory(folder)) continue;
-        job.diagnostics.add(messages::cannot_read(folder, "the directory does not exist"));
+        job.diagnostics.add(messages::cannot_read(folder, "the folder does not exist"));
         return {};
     }
     const Reach reach(path == "-" ? "./-" : path,  // standard input is treated as a file in the current folder

@@ -383,8 +383,8 @@ std::vector<Option> options_for_checks() {
         list(OptionGroup::Compare, "ignore", "NAME", &Options::ignored_outputs,
              "do not compare this output; repeatable"),
         text(OptionGroup::Compare, "stop-output", "NAME[=NAME]", &Options::stop_output,
-             "output of a program that reports a stop by a value other than 0 (`FAULT` in programs of `st`); with two "
-             "names, the output of FILE and that of OTHER"),
+             "name of the output by which a program reports a stop (value other than 0; `FAULT` in programs that `st` "
+             "generates); with two names, the output of FILE and that of OTHER"),
         toggle(OptionGroup::Compare, "imported-charts", &Options::imported_charts,
                "compare the charts that `import` creates from Structured Text and PLCopen XML, not the programs"),
         toggle(OptionGroup::Analysis, "imported-charts", &Options::imported_charts,
@@ -420,7 +420,7 @@ std::vector<Option> options_for_checks() {
         time(OptionGroup::Mcp, "timeout", &Options::response_timeout_ms,
              "largest time limit that a call of a tool can request (default: 10min)"),
         toggle(OptionGroup::Lsp, "stdio", &Options::stdio,
-               "communicate over standard input and output (without this option, too)"),
+               "communicate over standard input and output (the default; accepted for editors that pass it)"),
         list(OptionGroup::Lsp, "include,I", "DIR", &Options::include_folders,
              "allow included files in DIR, and search for them there; repeatable"),
         toggle(OptionGroup::Verbose, "verbose,v", &Options::verbose,
@@ -441,7 +441,7 @@ std::vector<Option> options_for_all() {
         toggle(OptionGroup::File, "lossy", &Options::lossy,
                "omit elements that cannot be imported from another format, and print a warning for each"),
         renamed("create",
-                toggle(OptionGroup::Writes, "create-dirs", &Options::create, "create missing output directories")),
+                toggle(OptionGroup::Writes, "create-dirs", &Options::create, "create missing output folders")),
         text(OptionGroup::Writes, "depfile", "FILE", &Options::depfile,
              "write to FILE a depfile: a list of the input files of each output, for a build system"),
         renamed("depfile-form",

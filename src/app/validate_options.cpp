@@ -45,7 +45,7 @@ std::string validate_streams(const CliCommand& verb, const Options& options) {
             return fmt::format("`--{}` cannot be a standard stream, because it is read and rewritten; pass a file name",
                                name);
         if (use == PathUse::WrittenFolder && is_stream)
-            return fmt::format("`--{}` writes a directory, which `{}` is not; pass a directory name", name, path);
+            return fmt::format("`--{}` writes a folder, which `{}` is not; pass a folder name", name, path);
         if (use == PathUse::Written && names_output(path)) documents.push_back(fmt::format("`--{}`", name));
     }
     const bool is_json = options.format == Format::Json || options.format == Format::JsonLines;
@@ -64,14 +64,14 @@ std::string validate_streams(const CliCommand& verb, const Options& options) {
 std::string validate_outputs(const CliCommand& verb, const Options& options) {
     if (accepts(verb, OptionGroup::OutputDirectory) && options.output == "-")
         return fmt::format(
-            "`{}` writes a directory, which `-` is not; pass a directory name, or use a command that writes one "
+            "`{}` writes a folder, which `-` is not; pass a folder name, or use a command that writes one "
             "document",
             verb.name);
     const bool several = (options.operands.size() > 1 && verb.most_operands == any_number) || options.all;
     if (options.name && several)
         return "`--name` applies to a single loop; remove `--name`, or pass one FILE without `--all`";
     if (options.name && (options.name->empty() || options.name->find('/') != std::string::npos))
-        return fmt::format("invalid value `{}` of `--name`; use a file name without a directory", *options.name);
+        return fmt::format("invalid value `{}` of `--name`; use a file name without a folder", *options.name);
     if (options.all && (options.loop || options.chart))
         return "`--all` and `--loop` or `--chart` are mutually exclusive; remove one";
     if (options.all_modes && options.mode) return "`--all-modes` and `--mode` are mutually exclusive; remove one";

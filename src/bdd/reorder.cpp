@@ -19,7 +19,8 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Maximum number of nodes in two exchanged levels, because an exchange cannot be interrupted.
+/// Maximum number of nodes in two levels that are exchanged. It limits the time of an exchange, which cannot be
+/// interrupted.
 constexpr std::size_t longest_exchange = 1U << 18U;
 
 struct NoMemory {};

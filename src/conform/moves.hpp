@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Moves: one evolution of the chart from a state, for all inputs simultaneously. Each move has a set of inputs and the
-// next state. The input sets of the moves of a state are disjoint and together cover the assumed inputs.
+// Moves: one evolution of the chart from a state, for all inputs simultaneously. Each move has a set of input values
+// and the next state. The input sets of the moves of a state are disjoint and together cover the assumed inputs.
 //
 // Timer outputs are treated as inputs. The input sets of a state do not depend on timer outputs whose values the state
 // determines: `3s/v` is false if v is false or has just become true; `v/2s` is true if v is true or has just become

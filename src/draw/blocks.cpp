@@ -196,7 +196,7 @@ private:
         list.push_back(with_hanging(block, edge.hanging, true));
     }
 
-    /// Completes a connected component of the flow of which only the end `end` remains.
+    /// Completes a connected component of the flow: all its ends except `end` have been removed.
     void finish(const End& end) {
         std::vector<std::size_t> halves;
         for (const std::vector<std::size_t>* hanging : {&end.from_nowhere, &end.to_nowhere})

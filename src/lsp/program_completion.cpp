@@ -85,7 +85,8 @@ private:
         return nullptr;
     }
 
-    /// Returns the element that the path before the word `end` names, such as `Line.Motor`; null if it is unknown.
+    /// Returns the element named by the path that ends before word number `end`, such as `Line.Motor`; null if it is
+    /// unknown.
     const Declaration* owner_before(std::size_t end) const {
         std::size_t begin = end;
         while (begin > 0 && words_[begin - 1] == "]") {  // an index does not change the type of the elements

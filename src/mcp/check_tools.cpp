@@ -65,7 +65,7 @@ constexpr const char* faults_schema = R"({
           "unknown": {"type": "array", "description": "combinations whose verdicts are unknown, with reasons"},
           "non_monotone": {
             "type": "array",
-            "description": "pairs: the combination `violating` violates the property, the larger `holding` does not"
+            "description": "pairs: the combination `violating` leads to a violation, the larger `holding` does not"
           }
         },
         "required": ["name", "without_faults", "minimal", "unproved", "unknown", "non_monotone"]
@@ -334,8 +334,8 @@ Json property_with_faults(const Json& found, std::string& text) {
         open += (open.empty() ? "" : "; ") + combination_text(each.at("faults"));
     std::string verdict = found.at("without_faults") != "holds"
                               ? found.at("without_faults").get<std::string>() + " without faults"
-                          : !all.empty() ? "violated by " + all
-                          : open.empty() ? "no combination violates it"
+                          : !all.empty() ? "violated with " + all
+                          : open.empty() ? "no combination leads to a violation"
                                          : "";
     if (!open.empty()) verdict += (verdict.empty() ? "unknown for " : "; unknown for ") + open;
     text += fmt::format("{}: {}\n", found.at("name").get<std::string>(), verdict);
@@ -419,7 +419,7 @@ Tool tune_tool() {
     Tool tool{"tune", "Decide properties for ranges of constants",
               "Decides for which values of constants of a closed loop each property holds, exactly at each point of a "
               "grid. The result is a list of boxes (products of ranges of constants) with equal verdicts, and the "
-              "distance of each current value from another verdict.",
+              "distance from each current value to the nearest value with another verdict.",
               input_arguments()};
     for (Argument& each : model_arguments())
         if (each.name != "chart") tool.arguments.push_back(std::move(each));
@@ -439,10 +439,11 @@ Tool tune_tool() {
 }
 
 Tool faults_tool() {
-    Tool tool{"faults", "Find combinations of faults that violate properties",
-              "Decides for each property of a closed loop which minimal combinations of its declared faults "
-              "(`fault NAME of INSTANCE: COMPONENT(...)`) violate it, and which steps and outputs show each fault.",
-              input_arguments()};
+    Tool tool{
+        "faults", "Find combinations of faults that lead to violations of properties",
+        "Decides for each property of a closed loop which minimal combinations of its declared faults (`fault NAME "
+        "of INSTANCE: COMPONENT(...)`) lead to a violation, and which steps and outputs show each fault.",
+        input_arguments()};
     for (Argument& each : model_arguments())
         if (each.name != "chart") tool.arguments.push_back(std::move(each));
     for (Argument& each : loop_arguments()) tool.arguments.push_back(std::move(each));

@@ -54,7 +54,7 @@ std::string outcome_text(const FaultAnalysis& analysis, const FaultAnalysis::Row
                            row.without_faults == Outcome::Violated && row.expected_violated ? ", as expected" : "");
     std::string text;
     if (!row.minimal.empty())
-        text = fmt::format("violated by {}", counted(row.minimal.size(), "combination", "combinations"));
+        text = fmt::format("violated with {}", counted(row.minimal.size(), "combination", "combinations"));
     if (!row.open.empty())
         text += fmt::format("{}unknown for {}", text.empty() ? "" : ", ",
                             counted(row.open.size(), "combination", "combinations"));
@@ -106,7 +106,7 @@ void add_row(const PageContent& content, const FaultAnalysis::Row& row, Html& ht
     if (row.without_faults != Outcome::Holds)
         html.put("p", "The analysis considers only properties that hold without faults.");
     if (!row.minimal.empty()) {
-        html.put("p", "Minimal combinations of faults that violate the property:").open("ul", {{"class", "cuts"}});
+        html.put("p", "Minimal combinations of faults that lead to a violation:").open("ul", {{"class", "cuts"}});
         for (const FaultAnalysis::Cut& cut : row.minimal) add_cut(analysis, row, cut, html);
         html.close("ul");
     }
@@ -114,7 +114,7 @@ void add_row(const PageContent& content, const FaultAnalysis::Row& row, Html& ht
     for (const FaultAnalysis::Open& each : row.open)
         open.push_back(names_of(analysis, each.faults) + (each.reason.empty() ? "" : ": " + each.reason));
     for (const FaultAnalysis::NonMonotone& each : row.non_monotone)
-        restored.push_back(names_of(analysis, each.violating) + " violates the property, " +
+        restored.push_back(names_of(analysis, each.violating) + " leads to a violation, " +
                            names_of(analysis, each.holding) + " does not");
     add_list("Unknown for these combinations:", open, html);
     add_list("Further faults can restore the property:", restored, html);
@@ -162,10 +162,10 @@ SummaryItem summary_of(const FaultAnalysis& analysis) {
     };
     const std::string most = "at most " + counted(analysis.order, "fault", "faults");
     add(wrong, "violated without faults");
-    add(violated, "violated by combinations of " + most);
+    add(violated, "violated with combinations of " + most);
     add(open, "unknown for some combinations");
     if (!words.empty()) return {wrong + violated != 0 ? "bad" : "unknown", words + "."};
-    return {"ok", "No combination of " + most + " violates a property that holds without faults."};
+    return {"ok", "No combination of " + most + " leads to a violation of a property that holds without faults."};
 }
 
 std::vector<Playable> fault_runs(const PageContent& content, const std::vector<std::size_t>& charts) {

@@ -32,7 +32,7 @@ std::string reason(int error) {
 
 /// Returns a text that states the type of a file that is not a regular file.
 std::string_view kind_of(mode_t mode) {
-    if (S_ISDIR(mode)) return "it is a directory";
+    if (S_ISDIR(mode)) return "it is a folder";
     if (S_ISFIFO(mode)) return "it is a pipe, not a file";
     if (S_ISSOCK(mode)) return "it is a socket, not a file";
     return "it is a device, not a file";
@@ -42,7 +42,7 @@ constexpr std::size_t block_size = std::size_t{1} << 20U;
 
 std::string too_large(std::uintmax_t most) { return fmt::format("larger than {} MiB", most >> 20U); }
 
-constexpr const char* outside_text = "it is outside the permitted directories";
+constexpr const char* outside_text = "it is outside the permitted folders";
 
 std::string device_and_node(const struct stat& status) { return fmt::format("{}:{}", status.st_dev, status.st_ino); }
 
@@ -245,7 +245,7 @@ std::optional<std::string> Reach::read(const std::string& path, std::string& why
     const fs::path file = fs::canonical(*permitted, failure);
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
         why =
-            "it is outside the directory of the main file and of its project (marked by `.git` or "
+            "it is below neither the folder of the main file nor the folder of its project (which contains `.git` or "
             "`grafverif.project`); allow it with `-I DIR`";
         return {};
     }

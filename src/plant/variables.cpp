@@ -133,7 +133,7 @@ void power_on(const Component& component, const ClosedLoop::Instance& instance, 
         const Id<Variable> variable{shared->index};
         const Type bound = plant.variables[variable].type;
         here.declare(plant.variables[variable], parameter.low, parameter.high, parameter.initial, parameter.origin);
-        // The type is the type in the loop, because a controller may declare a wider range.
+        // Restores the type from the loop: a controller may declare a wider range than the component.
         plant.variables[variable].type = bound;
         written.push_back(variable);
     }

@@ -36,8 +36,8 @@ enum class Discipline {
     /// The automaton takes one edge in a step in which the parameter `turn` is true, and no edge in all other steps.
     Turns,
     Together,  ///< the automaton takes one edge in each step; it may take no edge if it has no enabled urgent edge
-    /// As Together, but only in a step in which `turn` is true, at most once in each `round`, and timed edges only in
-    /// the `first` round.
+    /// Like `Together`, but the automaton takes an edge only in a step in which `turn` is true. It takes at most one
+    /// edge in each `round`, and a timed edge only in the `first` round.
     Rounds,
 };
 

@@ -223,7 +223,7 @@ Id<Expr> guarded(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> val
     }
     const std::string preferred = variable.name + (at_first ? "_leaves_range_at_first" : "_leaves_range");
     const Id<Symbol> symbol = draft.add(preferred, Type{}, TransitionSystem::DefineSymbol{fault},
-                                        "assignments that would leave the range of their variable", variable.origin);
+                                        "assignments of values outside the range of the variable", variable.origin);
     faults.conditions.push_back(exprs.conjunction(when, draft.leaf(symbol)));
     return exprs.conditional(draft.leaf(symbol), kept, safe);
 }

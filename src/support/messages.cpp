@@ -68,8 +68,8 @@ Diagnostic other_format(std::string_view path, std::string_view named, std::stri
 Diagnostic missing_folder(std::string_view output, std::string_view folder) {
     return error("missing-folder", {},
                  output == folder
-                     ? fmt::format("output directory `{}` does not exist; create it or pass `--create-dirs`", folder)
-                     : fmt::format("the directory of `{}`, `{}`, does not exist; create it or pass `--create-dirs`",
+                     ? fmt::format("output folder `{}` does not exist; create it or pass `--create-dirs`", folder)
+                     : fmt::format("the folder of `{}`, `{}`, does not exist; create it or pass `--create-dirs`",
                                    output, folder));
 }
 
@@ -248,10 +248,11 @@ Diagnostic second_writer(Span where, std::string_view variable, std::string_view
 }
 
 Diagnostic urgent_invariant(Span where, std::string_view component, std::string_view location) {
-    return error("urgent-invariant", where,
-                 fmt::format("the invariant of `{}` can be violated when this urgent edge of `{}` is taken; reset its "
-                             "clock on the edge, or add the same bound to the source location",
-                             location, component));
+    return error(
+        "urgent-invariant", where,
+        fmt::format("the invariant of the target location `{}` can be violated when this urgent edge of `{}` is taken; "
+                    "reset the clock of the invariant on this edge, or add the same bound to the source location",
+                    location, component));
 }
 
 Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,

@@ -41,9 +41,10 @@ Diagnostic urgent_clock_guard(Span where) {
 }
 
 Diagnostic lower_bound_invariant(Span where) {
-    return error("lower-bound-invariant", where,
-                 "an invariant does not give an upper bound (`<=` or `<`) of a clock; move other bounds to the guards "
-                 "of the edges");
+    return error(
+        "lower-bound-invariant", where,
+        "an invariant must be an upper bound of a clock (`<=` or `<`); move all other conditions to the guards of "
+        "the edges");
 }
 
 Diagnostic invariant_without_clock(Span where) {

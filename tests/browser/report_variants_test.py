@@ -32,7 +32,7 @@ class Variants(browser.Case):
     def test_a_combination_plays_its_run_on_the_drawing(self):
         self.page.open(self.faults)
         self.page.wait_for(".player")
-        self.assertIn("violated by combinations", self.page.text(".glance"))
+        self.assertIn("violated with combinations", self.page.text(".glance"))
         self.play("safe: First_1 + Second_1")
         self.page.press(Keys.END)
         lit = self.page.script("return [...document.querySelectorAll('.chart-view .step.active')].map(e => e.dataset.element)")

@@ -139,7 +139,7 @@ class Mcp(unittest.TestCase):
     def test_only_existing_folders_are_accepted(self):
         result = subprocess.run([PROGRAM, "mcp", "nowhere"], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
-        self.assertIn("cannot read `nowhere`: the directory does not exist", result.stderr)
+        self.assertIn("cannot read `nowhere`: the folder does not exist", result.stderr)
 
     def test_the_session_of_the_page_is_real(self):
         with open(os.path.join(ROOT, "docs/how-to/mcp.md"), encoding="utf-8") as file:

@@ -97,7 +97,7 @@ class Simulate(unittest.TestCase):
             terminal.await_text("saved; replay the session with `--script session.txt`")
             terminal.await_text("> ")
         terminal.type("save no/such/folder/session.txt\r")
-        terminal.await_text("! directory `no/such/folder` does not exist; create it or choose another one")
+        terminal.await_text("! folder `no/such/folder` does not exist; create it or choose another one")
         terminal.await_text("> ")
         terminal.type(CTRL_D)
         self.assertEqual(terminal.end(), (0, True))

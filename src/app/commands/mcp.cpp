@@ -48,7 +48,7 @@ std::optional<std::vector<std::string>> folders_of(CommandContext& job) {
         std::error_code failure;
         const std::filesystem::path resolved = std::filesystem::canonical(folder, failure);
         if (failure || !std::filesystem::is_directory(resolved, failure))
-            job.diagnostics.add(messages::cannot_read(folder, "the directory does not exist"));
+            job.diagnostics.add(messages::cannot_read(folder, "the folder does not exist"));
         else folders.push_back(resolved.string());
     }
     if (job.diagnostics.has_errors()) return {};
@@ -99,7 +99,7 @@ CliCommand mcp_usage() {
         "run a server for assistants: read, draw, check, explain, simulate, analyse, compare, tune, faults, complete",
         "Implements the Model Context Protocol (2024-11-05, 2025-03-26, 2025-06-18) on standard input and output,\n"
         "for programs that start this server (docs/how-to/mcp.md has the configuration). Only files below the\n"
-        "FOLDERs are read (default: the current directory), and no file is written. A separate process with a time\n"
+        "FOLDERs are read (default: the current folder), and no file is written. A separate process with a time\n"
         "limit and a memory limit executes each call of a tool. --max-memory limits the memory of the server, and is\n"
         "the largest memory limit that a call can request (default: 8192M). The server exits when the client closes\n"
         "standard input.",

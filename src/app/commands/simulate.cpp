@@ -123,7 +123,7 @@ private:
             return fmt::format("`{}` exists and is not a saved session; choose another name", file);
         const std::filesystem::path folder = std::filesystem::path(file).parent_path();
         if (!folder.empty() && !std::filesystem::is_directory(folder))
-            return fmt::format("directory `{}` does not exist; create it or choose another one", folder.string());
+            return fmt::format("folder `{}` does not exist; create it or choose another one", folder.string());
         try {
             write_files({{file, recording_.script()}});
         } catch (const std::system_error& failure) {

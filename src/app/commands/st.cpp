@@ -126,10 +126,10 @@ CliCommand st_usage() {
         1,
         1,
         "generate Structured Text for a chart, or a test program",
-        "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), derived from the verified\n"
-        "equations. One call of the block is one PLC cycle. With --sequence, `st` writes a program that executes the\n"
-        "test on this function block, one scan per call, and compares its outputs in each scan. Formats: PLCopen XML\n"
-        "(TC6 2.01), text.\n"
+        "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), generated from the equations\n"
+        "of the chart. One call of the block is one PLC cycle. With --sequence, `st` writes a program that executes\n"
+        "the test on this function block, one scan per call, and compares its outputs in each scan. Formats: PLCopen\n"
+        "XML (TC6 2.01), text.\n"
         "\n"
         "The dialects `twincat` (a .TcPOU file) and `siemens` (a source in SCL for TIA Portal) have their own "
         "formats.\n"

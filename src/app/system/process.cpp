@@ -167,7 +167,7 @@ TemporaryFolder::TemporaryFolder() {
     remove_stale_folders(where);
     std::string pattern = (where / folder_name).string() + std::string(random_part);
     if (::mkdtemp(pattern.data()) == nullptr)
-        fail(errno, fmt::format("cannot create a temporary directory in `{}`", where.string()));
+        fail(errno, fmt::format("cannot create a temporary folder in `{}`", where.string()));
     path_ = pattern;
     lock_ = locked_folder(path_);
     if (lock_.open()) write(lock_mark, "");

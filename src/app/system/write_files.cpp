@@ -108,7 +108,7 @@ void lock(const Folder& folder) {
          ::flock(folder.open.number(), LOCK_EX | LOCK_NB) != 0;) {
         if (errno != EWOULDBLOCK && errno != EINTR) return;  // this file system does not support such locks
         if (std::chrono::steady_clock::now() > end)
-            fail(ETIMEDOUT, fmt::format("another process has locked the directory `{}`", folder.path.string()));
+            fail(ETIMEDOUT, fmt::format("another process has locked the folder `{}`", folder.path.string()));
         std::this_thread::sleep_for(nap);
     }
     remove_litter(folder);

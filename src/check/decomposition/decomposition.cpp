@@ -271,7 +271,8 @@ void DecomposedCheck::answer(SubsystemQuery& question) {
     const Property& property = question.property;
     if (question.reads.size() == parts_.count) return needs_complete(question, "");
     if (property.at_stable && !settled_separately(property.pattern))
-        return needs_complete(question, "quiescence at the end of a run depends on all sub-loops");
+        return needs_complete(question,
+                              "whether a run ends in a quiescent state (`at stable`) depends on all sub-loops");
     if (property.at_stable && network_.settled.valid() && parts_.settled.empty())
         return needs_complete(question, "quiescence cannot be decomposed into sub-loops");
     const SubsystemSearch& search = search_of(question.reads);

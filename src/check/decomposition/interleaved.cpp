@@ -101,7 +101,7 @@ void InterleavedCheck::answer(Id<Property> id) {
     if (!about_states && !parts_.flat().justice.empty())
         return needs_complete(id, "fairness of a run depends on all sub-loops");
     if (property.at_stable && !about_states)
-        return needs_complete(id, "quiescence at the end of a run depends on all sub-loops");
+        return needs_complete(id, "whether a run ends in a quiescent state (`at stable`) depends on all sub-loops");
     if (property.at_stable && system_.settled.valid() &&
         std::ranges::any_of(system_.parts.each, [](const System::Subsystem& part) { return !part.settled.valid(); }))
         return needs_complete(id, "quiescence cannot be decomposed into sub-loops");

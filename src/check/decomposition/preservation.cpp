@@ -76,7 +76,7 @@ std::string because(const Verdict& verdict, bool at_stable) {
     case PreservationClass::Everywhere: return "shares only time with it and adds no state";
     case PreservationClass::Somewhere: return "shares only time with it and can let time pass forever";
     case PreservationClass::Unavoidable:
-        return "shares only time with it, has no timelock and cannot move forever within one instant";
+        return "shares only time with it, has no timelock and makes only finitely many moves within one instant";
     case PreservationClass::Possible: break;
     }
     return "shares only time with it and has no timelock";

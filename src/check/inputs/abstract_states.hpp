@@ -39,7 +39,7 @@ public:
     std::uint32_t successor(std::size_t move);
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }
 
-    /// Returns the abstraction. The properties of the abstraction are the properties of the loop.
+    /// Returns the abstraction. Its list of properties is that of the loop.
     const Network& network() const { return network_; }
     /// True if each PLC is in W in the state that `words` represents.
     bool all_wait(const timed::Word* words) const;

@@ -242,13 +242,16 @@ private:
         Answered one = check_properties({"one_follows"}, {});
         if (one.outcome == Comparison::Outcome::Different)
             return {Comparison::Outcome::Unknown,
-                    "with constant inputs, the outputs of neither program settle, so the outputs cannot be compared",
+                    "there are constant inputs for which the outputs of neither program settle, so the outputs cannot "
+                    "be compared",
                     {}};
         if (one.outcome != Comparison::Outcome::Equal) return one;
         one = check_properties({"a_settles_after_stop", "b_settles_after_stop"}, {});
         if (one.outcome == Comparison::Outcome::Different)
             return {
-                Comparison::Outcome::Unknown, "one side stops, and the outputs of the other side do not settle", {}};
+                Comparison::Outcome::Unknown,
+                "there are constant inputs for which one side stops and the outputs of the other side do not settle",
+                {}};
         return one;
     }
 

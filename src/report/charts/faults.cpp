@@ -50,7 +50,7 @@ void print_table(const FaultAnalysis& analysis, std::ostream& out) {
     std::size_t width = columns_of("property");
     for (const FaultAnalysis::Row& row : analysis.rows)
         if (is_shown(row)) width = std::max(width, columns_of(printable(row.property)));
-    out << '\n' << padded("property", width) << "  minimal combinations of faults that violate the property\n";
+    out << '\n' << padded("property", width) << "  minimal combinations of faults that lead to a violation\n";
     for (const FaultAnalysis::Row& row : analysis.rows) {
         if (!is_shown(row)) continue;
         std::string text;
@@ -84,7 +84,7 @@ void print_non_monotone(const FaultAnalysis& analysis, std::ostream& out) {
         if (row.non_monotone.empty()) continue;
         out << fmt::format("\n{}: further faults can restore the property\n", printable(row.property));
         for (std::size_t k = 0; k < std::min(row.non_monotone.size(), most_listed_sets); ++k)
-            out << fmt::format("    {} violates the property, {} does not\n",
+            out << fmt::format("    {} leads to a violation, {} does not\n",
                                names_of(analysis, row.non_monotone[k].violating),
                                names_of(analysis, row.non_monotone[k].holding));
         if (row.non_monotone.size() > most_listed_sets)
@@ -139,7 +139,7 @@ void print_effects(const FaultAnalysis& analysis, std::size_t index, std::ostrea
 
 void print_run(const FaultAnalysis& analysis, const FaultAnalysis::Row& row, const FaultAnalysis::Cut& cut,
                std::ostream& out) {
-    out << fmt::format("\n{}: violated by {}", printable(row.property), names_of(analysis, cut.faults));
+    out << fmt::format("\n{}: violated with {}", printable(row.property), names_of(analysis, cut.faults));
     if (!cut.from_power_on.empty()) out << ", present from power-on: " << names_of(analysis, cut.from_power_on);
     out << '\n';
     if (!cut.result.trace) return void(out << "    " << printable(absence_of_trace(row, cut)) << '\n');
@@ -267,10 +267,11 @@ FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t index) {
                         std::string_view tail = "") {
         if (!names.empty()) to.push_back(std::string(head) + joined(names) + std::string(tail));
     };
-    add(effects.on_properties, "violates ", violated_by(analysis, index));
-    add(effects.on_properties, "violates with other faults ", violated_with_others(analysis, index));
+    add(effects.on_properties, "leads to a violation of ", violated_by(analysis, index));
+    add(effects.on_properties, "leads, together with other faults, to a violation of ",
+        violated_with_others(analysis, index));
     if (effects.on_properties.empty())
-        effects.on_properties.push_back(is_decided(analysis, index) ? "violates no property"
+        effects.on_properties.push_back(is_decided(analysis, index) ? "leads to no violation"
                                                                     : "no violation found, but verdicts are unknown");
     const FaultAnalysis::Visible& visible = analysis.faults[index].visible;
     if (!visible.decided) {
@@ -371,8 +372,8 @@ std::string gate_comments(const FaultAnalysis& analysis, const FaultAnalysis::Ro
         if (const std::string note = unproved(analysis, cut); !note.empty())
             xml += comment(names_of(analysis, cut.faults) + ": " + note);
     for (const FaultAnalysis::NonMonotone& each : row.non_monotone)
-        xml += comment("not monotone: " + names_of(analysis, each.violating) + " violates " + row.property + ", " +
-                       names_of(analysis, each.holding) + " does not");
+        xml += comment("not monotone: " + names_of(analysis, each.violating) + " leads to a violation of " +
+                       row.property + ", " + names_of(analysis, each.holding) + " does not");
     return xml;
 }
 

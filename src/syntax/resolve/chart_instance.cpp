@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Resolves the arguments of chart instances and the declarations of constants, and the controllers that are instances.
+// Resolves declarations of constants, arguments of chart instances, and controllers that are chart instances.
 #include "syntax/resolve/chart_instance.hpp"
 
 #include <algorithm>

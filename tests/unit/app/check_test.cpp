@@ -146,8 +146,8 @@ TEST(Check, StatesOmittedSubsystemsWithTheReason) {
     for (std::size_t at = 0; (at = text.find("\n        ")) != std::string::npos;) text.replace(at, 9, " ");
     for (const char* words :
          {"sub-loop `left` alone; omitted: `right`, which shares only time with it and can let time pass forever\n",
-          "sub-loop `left` alone; omitted: `right`, which shares only time with it, has no timelock and cannot move "
-          "forever within one instant\n",
+          "sub-loop `left` alone; omitted: `right`, which shares only time with it, has no timelock and makes only "
+          "finitely many moves within one instant\n",
           "sub-loops `left`, `right`, each separately\n"})
         EXPECT_NE(text.find(words), std::string::npos) << text;
     const Json apart = Json::parse(grafverif({"check", file, "--format", "json"}).out)["properties"];

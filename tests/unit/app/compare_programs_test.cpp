@@ -175,7 +175,7 @@ TEST(ComparePrograms, AStopMakesTheResultUnknownIfTheOtherDoesNotSettle) {
         const Result result = compared(turned ? other : stopping, turned ? stopping : other,
                                        {"--stop-output", "S", "--compare", "settled"});
         EXPECT_EQ(result.code, ExitCode::Unknown) << result.out << result.err;
-        EXPECT_NE(result.out.find("one side stops, and the outputs of the other side do not settle"), std::string::npos)
+        EXPECT_NE(result.out.find("one side stops and the outputs of the other side do not settle"), std::string::npos)
             << result.out;
     }
 }

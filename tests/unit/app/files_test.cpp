@@ -324,7 +324,7 @@ TEST(ReadFile, AcceptsOnlyRegularFilesAndNeverBlocks) {
     std::string why;
     for (const auto& [path, reason] :
          {std::pair(folder.file("pipe"), "it is a pipe, not a file"),
-          std::pair(folder.file("link"), "it is a pipe, not a file"), std::pair(folder.file(""), "it is a directory"),
+          std::pair(folder.file("link"), "it is a pipe, not a file"), std::pair(folder.file(""), "it is a folder"),
           std::pair(std::string("/dev/zero"), "it is a device, not a file"),
           std::pair(folder.file("none"), "no such file"), std::pair(folder.file("none/deeper"), "no such file")}) {
         EXPECT_EQ(content_of_file(path, why), std::nullopt);
@@ -373,8 +373,8 @@ TEST(Include, PipesDevicesAndFoldersAreRejected) {
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     fs::create_directory(folder.file("folder"));
     for (const auto& [name, reason] :
-         {std::pair("pipe", "it is a pipe"), std::pair("folder", "it is a directory"),
-          std::pair("none", "no such file"), std::pair("/nowhere/at/all", "no such file")}) {
+         {std::pair("pipe", "it is a pipe"), std::pair("folder", "it is a folder"), std::pair("none", "no such file"),
+          std::pair("/nowhere/at/all", "no such file")}) {
         const std::string main = folder.write("main.grafcet", "include \"" + std::string(name) + "\";\n");
         const Result result = grafverif({"equations", main});
         EXPECT_EQ(result.code, ExitCode::Input);
@@ -481,7 +481,7 @@ TEST(Within, RestrictsMainFilesAndIncludedFiles) {
     fs::create_symlink("../missing.grafcet", folder.file("inside/dangling.grafcet"));
     for (const char* name : {"outside.grafcet", "missing.grafcet", "inside/link.grafcet", "inside/includes.grafcet",
                              "inside/missing/../link.grafcet", "inside/dangling.grafcet"})
-        EXPECT_NE(drawn(folder.file(name)).err.find("outside the permitted directories"), std::string::npos) << name;
+        EXPECT_NE(drawn(folder.file(name)).err.find("outside the permitted folders"), std::string::npos) << name;
     EXPECT_EQ(grafverif({"draw", folder.file("inside/fine.grafcet"), "--within", folder.file("none")}).code,
               ExitCode::Input);
 }

@@ -198,7 +198,7 @@ TEST(FirstUse, StepOfAPropertyIsSelectedByTheNameOfItsVerdict) {
 TEST(FirstUse, AFolderIsNotWrittenToStandardOutput) {
     const Result result = grafverif({"build", station, "-o", "-"});
     EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_TRUE(says(result, "`build` writes a directory, which `-` is not")) << result.err;
+    EXPECT_TRUE(says(result, "`build` writes a folder, which `-` is not")) << result.err;
 }
 
 TEST(FirstUse, ColoursAreUsedOnTerminalsByDefault) {

@@ -96,7 +96,8 @@ TEST(Decomposition, EachVerdictNamesItsOmittedParts) {
     const SearchScope& scope = verdict(result, "on").scope;
     EXPECT_EQ(scope.searched, std::vector<std::string>{"lamp"});
     EXPECT_EQ(scope.left_out, (std::vector<std::string>{"other", "third"}));
-    EXPECT_EQ(scope.because, "shares only time with it, has no timelock and cannot move forever within one instant");
+    EXPECT_EQ(scope.because,
+              "shares only time with it, has no timelock and makes only finitely many moves within one instant");
     EXPECT_EQ(verdict(result, "seen").scope.because, "shares only time with it and can let time pass forever");
     EXPECT_EQ(verdict(result, "one").scope.because, "shares only time with it and adds no state");
     EXPECT_EQ(verdict(result, "no_timelock").scope.searched, (std::vector<std::string>{"lamp", "other", "third"}));

@@ -40,10 +40,10 @@ TEST_F(FaultsCommand, PrintsMinimalCombinationsEffectsAndRuns) {
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
     for (const char* const part :
          {"room: 3 faults, 5 combinations of at most 2, ", "never_both  Off_held\n", "lit         On_dead; Off_held\n",
-          "rare        none\n", "On_held: On behaves as stuck\n    violates no property\n",
-          "Off_held: Off behaves as stuck\n    violates never_both, lit\n",
-          "never true if this fault is present from power-on: LAMP, X1\n", "never_both: violated by Off_held\n",
-          "lit: violated by On_dead, present from power-on: On_dead\n"})
+          "rare        none\n", "On_held: On behaves as stuck\n    leads to no violation\n",
+          "Off_held: Off behaves as stuck\n    leads to a violation of never_both, lit\n",
+          "never true if this fault is present from power-on: LAMP, X1\n", "never_both: violated with Off_held\n",
+          "lit: violated with On_dead, present from power-on: On_dead\n"})
         EXPECT_NE(result.out.find(part), std::string::npos) << part << '\n' << result.out;
 }
 
@@ -85,7 +85,7 @@ TEST_F(FaultsCommand, WritesAnHtmlReportWithTheRunsOfTheText) {
     const std::string html = folder_.read("faults.html");
     EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
     EXPECT_NE(html.find("data-run=\"never_both: Off_held\""), std::string::npos);
-    EXPECT_NE(html.find("2 properties are violated by combinations of at most 2 faults."), std::string::npos);
+    EXPECT_NE(html.find("2 properties are violated with combinations of at most 2 faults."), std::string::npos);
     EXPECT_NE(folder_.read("tree.xml").find("<opsa-mef>"), std::string::npos);
     EXPECT_EQ(run({"--report", folder_.file("none/faults.html")}).code, ExitCode::Input);
 }

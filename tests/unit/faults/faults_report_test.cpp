@@ -37,7 +37,7 @@ TEST(FaultsReport, TextStatesWhatIsUnknown) {
                                    "p: unknown for 2 combinations\n    _A: stopped\n"})
         EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
     EXPECT_EQ(text.find("no_deadlock"), std::string::npos) << text;
-    EXPECT_EQ(text.find("violates no property"), std::string::npos) << text;
+    EXPECT_EQ(text.find("leads to no violation"), std::string::npos) << text;
 }
 
 TEST(FaultsReport, OnlyAViolatedReachableHasNoRunThatSatisfiesTheProperty) {
@@ -51,7 +51,7 @@ TEST(FaultsReport, OnlyAViolatedReachableHasNoRunThatSatisfiesTheProperty) {
     EXPECT_NE(text().find(absent), std::string::npos);
     made.rows.front().pattern = Pattern::Never;
     EXPECT_EQ(text().find(absent), std::string::npos);
-    EXPECT_NE(text().find("p: violated by _A + B\n    no trace is given\n"), std::string::npos) << text();
+    EXPECT_NE(text().find("p: violated with _A + B\n    no trace is given\n"), std::string::npos) << text();
     made.rows.front().minimal.front().result.verdict.notes = {"no trace is given: the trace has too many moves"};
     EXPECT_NE(text().find("\n    no trace is given: the trace has too many moves\n"), std::string::npos) << text();
 }
@@ -107,7 +107,8 @@ TEST(FaultsReport, AFaultTreeStatesWhatItOmits) {
          {"<!-- only combinations of at most 2 faults -->\n", "<!-- omitted: q is violated without faults -->\n",
           "<!-- omitted: no_timelock is unknown without faults -->\n", "<!-- incomplete: p is unknown for _A, B -->\n",
           "<!-- _A + B: minimality is unproved: _A, B have the verdict unknown -->\n",
-          "<!-- not monotone: _A + B violates p, _A + B + C does not -->\n", "<label>_A:  behaves as </label>"})
+          "<!-- not monotone: _A + B leads to a violation of p, _A + B + C does not -->\n",
+          "<label>_A:  behaves as </label>"})
         EXPECT_NE(xml.find(part), std::string::npos) << part << '\n' << xml;
 }
 

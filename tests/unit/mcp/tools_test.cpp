@@ -231,7 +231,8 @@ TEST(McpTools, FaultsReturnsMinimalCombinations) {
     EXPECT_EQ(data["combinations"], 1);
     EXPECT_EQ(data["faults"][0]["never_true"], Json::array({"LIGHT", "X1"}));
     EXPECT_EQ(data["properties"][0]["minimal"], Json::array({Json::array({"stuck"})}));
-    EXPECT_TRUE(has(text_of(found), "works: violated by stuck\ndark: no combination violates it\n")) << text_of(found);
+    EXPECT_TRUE(has(text_of(found), "works: violated with stuck\ndark: no combination leads to a violation\n"))
+        << text_of(found);
 }
 
 TEST(McpTools, FaultsReturnsModelErrorsAndUnknownCombinations) {
@@ -343,7 +344,7 @@ TEST(McpTools, RejectsFilesThatAreNotRegular) {
     server.folder.write("inside/--help", lamp);
     EXPECT_TRUE(has(server.failure("check", {{"file", "pipe"}}), "it is a pipe, not a file"));
     EXPECT_TRUE(has(server.failure("read", {{"file", "pipe"}}), "it is a pipe, not a file"));
-    EXPECT_TRUE(has(server.failure("check", {{"file", "sub"}}), "it is a directory"));
+    EXPECT_TRUE(has(server.failure("check", {{"file", "sub"}}), "it is a folder"));
     EXPECT_TRUE(has(server.failure("check", {{"file", "none.grafcet"}}), "no such file"));
     EXPECT_TRUE(has(server.failure("check", {{"file", "-"}}), "no such file"));
     EXPECT_FALSE(server.failure("check", {{"file", std::string(4000, 'a')}}).empty());

@@ -89,7 +89,8 @@ TEST(FaultsPage, ShowsTheCombinationsOfEachPropertyAndTheEffectsOfEachFault) {
           "<strong>On_dead</strong><span class=\"remark\"> present from power-on; no run reaches a state that "
           "satisfies the property</span>",
           "violated without faults, as expected", "<details class=\"property ok\" id=\"property-rare\">",
-          "holds for all combinations of at most 2 faults", "Effects of each fault (FMEA)", "violates never_both, lit"})
+          "holds for all combinations of at most 2 faults", "Effects of each fault (FMEA)",
+          "leads to a violation of never_both, lit"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     for (const char* const absent : {"id=\"verdicts\"", "id=\"equations\"", "id=\"coverage\"", "property-no_timelock"})
         EXPECT_EQ(page.find(absent), std::string::npos) << absent;

@@ -146,16 +146,15 @@ ExitCode init(CommandContext& job, const Streams& streams) {
     if (!is_name(name))
         return refused(streams, fmt::format("`{}`{} cannot be the name of a chart (letters, digits and `_`, not a "
                                             "keyword); pass a project name: `grafverif init NAME`",
-                                            name, here ? ", the name of the directory," : ""));
+                                            name, here ? ", the name of the folder," : ""));
     std::vector<OutputFile> files;
     std::string summary = "wrote\n";
     for (const ProjectFile& part : parts()) {
         const fs::path path = (here ? fs::path() : fs::path(name)) / named(part.path, name);
         if (fs::exists(fs::symlink_status(path, failure)))
             return refused(
-                streams,
-                fmt::format("`{}` already exists, so nothing was written; remove it or choose another directory",
-                            path.string()));
+                streams, fmt::format("`{}` already exists, so nothing was written; remove it or choose another folder",
+                                     path.string()));
         files.push_back({path, named(part.text, name)});
         summary += fmt::format("  {}\n{}", path.string(), part.use.empty() ? "" : "      " + part.use + "\n");
     }
@@ -174,11 +173,10 @@ CliCommand init_usage() {
         0,
         1,
         "create a project: chart, component, closed loop with properties, CMake",
-        "Writes a small project into the new directory NAME: a chart, a custom component, a closed loop of both with\n"
-        "properties that hold, a CMakeLists.txt with one test per property, and a .gitignore. Without NAME, the "
-        "project\n"
-        "is written into the current directory and has the name of this directory. Nothing is overwritten: if one of\n"
-        "the files exists, nothing is written.",
+        "Writes a small project into the new folder NAME: a chart, a custom component, a closed loop of both with\n"
+        "properties that hold, a CMakeLists.txt with one test per property, and a .gitignore. Without NAME, the\n"
+        "project is written into the current folder and has the name of this folder. Nothing is overwritten: if one\n"
+        "of the files exists, nothing is written.",
         {"grafverif init press", "cd press && grafverif check press.grafcet"},
         {}};
 }

@@ -149,7 +149,7 @@ CliCommand watch_usage() {
         "COMMAND ARGUMENT...",
         2,
         any_number - 1,
-        "rerun a command whenever a file that it reads changes",
+        "rerun a command whenever one of its input files changes",
         "Runs `grafverif COMMAND ARGUMENT...`, and reruns it when a file that it reads changes: FILE, included files, "
         "tables. A\n"
         "change during a run terminates the run. COMMAND must terminate, so `serve`, `edit`, `lsp` and `simulate` are "

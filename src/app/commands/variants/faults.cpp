@@ -82,13 +82,13 @@ CliCommand faults_usage() {
         "FILE",
         1,
         1,
-        "find combinations of faults that violate the properties",
-        "Decides for each property of a closed loop in FILE which combinations of its declared faults violate it.\n"
-        "A fault makes an instance behave as another component, from power-on or from any later time. Prints the\n"
-        "minimal combinations of at most --order faults, each with a run. Also prints the effects of each fault, and\n"
-        "the steps and outputs that show the fault (docs/how-to/faults.md). Properties that are violated without\n"
-        "faults are not analysed. --report writes these results as an HTML report, with a player for the runs.\n"
-        "Exit code 0: no combination violates a property; 1: some combination does, or causes a model error,\n"
+        "find combinations of faults that lead to violations of properties",
+        "Decides for each property of a closed loop in FILE which combinations of its declared faults lead to a\n"
+        "violation. A fault makes an instance behave as another component, from power-on or from any later time.\n"
+        "Prints the minimal combinations of at most --order faults, each with a run. Also prints the effects of each\n"
+        "fault, and the steps and outputs that show the fault (docs/how-to/faults.md). Properties that are violated\n"
+        "without faults are not analysed. --report writes these results as an HTML report with a player for runs.\n"
+        "Exit code 0: no combination leads to a violation; 1: some combination does, or causes a model error,\n"
         "or a property is violated without faults and not declared as `expected violated`; 3: some verdicts are\n"
         "unknown (--timeout, Ctrl-C).",
         {"grafverif faults station.grafcet", "grafverif faults station.grafcet --order 2 --openpsa tree.xml",

@@ -95,8 +95,8 @@ CliCommand tune_usage() {
         1,
         "decide for which values of constants the properties hold",
         "Decides the properties of a closed loop in FILE for every combination (point) of the values that --over\n"
-        "gives to constants of the loop. Prints for which values each property holds, and how far each current value\n"
-        "is from another verdict. The verdict at a point is the verdict of `check` with the values of this point.\n"
+        "states for constants of the loop. Prints for which values each property holds, and by how much each current\n"
+        "value can change before the verdict changes. The verdict at a point is that of `check` with these values.\n"
         "Most points need no separate check: their verdicts follow from a network with more behaviour, or from a\n"
         "trace that is possible at several points (docs/how-to/tune.md). --report writes the results as an HTML "
         "report,\n"
