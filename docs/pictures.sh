@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Makes the pictures of the documents: docs/pictures.sh GRAFVERIF (such as build/run/bin/grafverif). GRAFVERIF draws the
-# samples and the chart of the tutorial; Chromium makes the pictures of the players in the README and in the tutorial.
+# samples and the chart of the tutorial; Chromium makes the pictures of pages in the README, the tutorial and the guides.
 set -euo pipefail
 grafverif=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -13,9 +13,17 @@ work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 (cd "$work" && "$grafverif" init press --quiet)
 "$grafverif" draw "$work/press/press_controller.grafcet" -o docs/tutorials/press_chart.svg
-sed -n '/^```grafcet$/,/^```$/{/^```/d;p}' docs/tutorials/read-a-counterexample.md >"$work/press.grafcet"
+block() { sed -n '/^```grafcet$/,/^```$/{/^```/d;p}' "docs/$1" >"$work/$2.grafcet"; }
+block tutorials/read-a-counterexample.md press
+block how-to/tune.md clamp
+block how-to/faults.md driveway
 export GRAFVERIF_PROGRAM=$grafverif
 GRAFVERIF_SCREENSHOTS=$work tests/browser/run edit_test.py Edit.test_it_can_be_read_at_every_size_in_both_schemes_and_by_a_screen_reader
 cp "$work/edit-laptop-light.png" docs/edit.png
-tests/browser/run picture.py "$PWD/docs/blinker_pressed.grafcet" answered/10 "$PWD/docs/player.png"
-tests/browser/run picture.py "$work/press.grafcet" guarded/4 "$PWD/docs/tutorials/press_player.png"
+picture() { tests/browser/run picture.py "$PWD/docs/$1.png" "${@:2}"; }
+picture player answered/10 report "$PWD/docs/blinker_pressed.grafcet" -o
+picture tutorials/press_player guarded/4 report "$work/press.grafcet" -o
+picture tune_report tuning tune "$work/clamp.grafcet" --over RAM=1s..9s --over CLOSING=1s..9s --report
+picture faults_report faults faults "$work/driveway.grafcet" --order 2 --report
+picture certificate_report verdicts check "$PWD/samples/testing_station/testing_station.grafcet" \
+    --certificate "$work/certificate" --report

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "grafverif/grafverif.hpp"
+#include "pipeline/recording/recording.hpp"
 
 namespace grafverif::python {
 
@@ -47,10 +48,8 @@ std::optional<CertificateFiles> certify(const Model& model, Id<ClosedLoop> loop,
 /// A recording whose samples arrive one by one.
 class Recording {
 public:
-    /// The check has no time limit. `map` contains pairs of the name of a column and the name of a variable.
     Recording(std::shared_ptr<const ParseResult> reading, const std::vector<Id<Chart>>& charts,
-              std::optional<ExecutionMode> mode, std::int64_t jitter_ms,
-              std::vector<std::pair<std::string, std::string>> map, bool stop_early);
+              std::optional<ExecutionMode> mode, RecordingOptions options);
     ~Recording();
 
     /// Adds a line of JSON. Returns false if the check has ended (RecordingMonitor::add).

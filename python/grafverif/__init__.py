@@ -569,6 +569,8 @@ class RecordingVerdict:
         deviation = document["deviation"]
         self.time: float | None = deviation and deviation["time"]  #: time of the deviation in seconds
         self.output: str | None = deviation and deviation["output"]  #: the output that deviates
+        #: for each clock of `skew`: `columns`, `bound`, and the range `low`, `high` of its offset in seconds
+        self.offsets: list[dict[str, Any]] = document["offsets"]
         #: the timing that explains most of the recording
         self.trace = Trace(deviation["trace"], *next(traces)) if deviation else None
         self.document = document
@@ -969,13 +971,18 @@ class File:
         return self._one(self.loops, "closed loop", name)
 
     def recording(self, *charts: str, mode: str | None = None, jitter: Duration = 0.02,
+                  skew: Mapping[str | tuple[str, ...], Duration] | None = None,
                   map: Mapping[str, str] | None = None, stop_early: bool = False) -> Recording:
         """Begins the check of a recording against the given charts, or by default all charts of the file. The recorded
-        times differ from the times in the controller by at most `jitter`. `map` maps names in samples to names of
-        inputs and outputs. With `stop_early`, the check ends at the first deviation or violated property, as
+        times differ from the times in the controller by at most `jitter`. `skew` maps a name in samples, or a tuple of
+        names, to the maximum offset of their clock. `map` maps names in samples to names of inputs and outputs. With `stop_early`, the check ends at the first deviation or violated property, as
         `grafverif monitor` does."""
         return Recording(self._core.recording(list(charts) or list(self.charts), _core.How(mode=mode),
-                                              round(1000 * _seconds(jitter)), dict(map or {}), stop_early))
+                                              round(1000 * _seconds(jitter)),
+                                              [([names] if isinstance(names, str) else list(names),
+                                                round(1_000_000 * _seconds(bound)))
+                                               for names, bound in (skew or {}).items()],
+                                              dict(map or {}), stop_early))
 
     @staticmethod
     def _one(things: dict[str, _Thing], what: str, name: str | None) -> _Thing:

@@ -230,6 +230,12 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     return decided;
 }
 
+std::optional<CertificateSummary> certificate_summary(const Decided& decided, const Options& options) {
+    if (!decided.certificate) return {};
+    const Certificate& certificate = *decided.certificate;
+    return CertificateSummary{*options.certificate, certificate.certified, certificate.kinds, certificate.omitted};
+}
+
 std::optional<std::pair<Model, Decided>> decide_program(CommandContext& job, ResourceLimits& bounds, bool witnesses) {
     const Options& requested = job.options;
     const auto program = read_source(requested.operands[0], job);

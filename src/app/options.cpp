@@ -132,7 +132,7 @@ bool accepts(const CliCommand& verb, OptionGroup what) {
     if (what == OptionGroup::Writes)
         return accepts(verb, OptionGroup::Output) || accepts(verb, OptionGroup::OutputDirectory) ||
                accepts(verb, OptionGroup::Search) || accepts(verb, OptionGroup::Bench) ||
-               accepts(verb, OptionGroup::Traces);
+               accepts(verb, OptionGroup::Traces) || accepts(verb, OptionGroup::Log);
     return what == OptionGroup::Always || std::ranges::find(verb.accepts, what) != verb.accepts.end();
 }
 

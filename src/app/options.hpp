@@ -155,9 +155,10 @@ struct Options {
     std::optional<std::uint64_t> response_timeout_ms = {};
     bool stop_on_failure = false, keep_going = false;  ///< options of `test`
     std::optional<std::string> open_psa = {};          ///< option of `faults`
-    std::optional<std::string> page = {};              ///< option of `faults` and `tune`: HTML report
+    std::optional<std::string> page = {};              ///< HTML report of `check`, `faults`, `replay` and `tune`
     std::optional<std::string> log = {};               ///< option of `replay`
     std::optional<std::uint64_t> jitter_ms = {};       ///< option of `replay` and `monitor`
+    std::vector<std::string> skews = {};               ///< option of `replay` and `monitor`
     std::optional<std::string> script = {};            ///< option of `simulate`
     std::optional<std::string> exclusions = {};        ///< option of `analyse`
     std::optional<std::uint64_t> random_seed = {};

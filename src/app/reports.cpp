@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/outputs.hpp"
+#include "app/stop_text.hpp"
 #include "pipeline/files.hpp"
 #include "report/json.hpp"
 #include "report/junit.hpp"
@@ -88,6 +89,22 @@ std::string report_page(PageContent content, const CommandContext& job) {
     render_text(warnings, job.sources, Colour::Plain, text);
     content.warnings = std::move(text).str();
     return page_of(content);
+}
+
+std::optional<PageContent> verdict_content(const Model& model, const Decided& decided, Id<Chart> chart,
+                                           CommandContext& job, const ResourceLimits& bounds) {
+    auto content =
+        page_content(model, job.sources, decided.loop, chart, job.options.mode, bounds.limits(), job.diagnostics);
+    if (!content) return {};
+    for (ChartContent& one : content->charts)
+        one.analysis.obstacle = with_who_stopped(std::move(one.analysis.obstacle), bounds.interrupted(), job.options);
+    content->certificate = certificate_summary(decided, job.options);
+    return content;
+}
+
+bool has_failed(const PageContent& content) {
+    return std::ranges::any_of(content.charts,
+                               [](const ChartContent& chart) { return !chart.analysis.failures.empty(); });
 }
 
 void begin_reports(bool output, CommandContext& job) {

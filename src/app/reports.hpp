@@ -6,6 +6,7 @@
 // names it as a report by mistake.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct Reports {
 
 /// Returns `content` as an HTML report with the file, the options and the warnings of the command.
 std::string report_page(PageContent content, const CommandContext& job);
+
+/// Returns the content of the report about the verdicts of `decided`, without these verdicts, and with the analyses of
+/// the charts. `chart` is the chart of the report if `decided` is not about a loop. Returns nothing after an error.
+std::optional<PageContent> verdict_content(const Model& model, const Decided& decided, Id<Chart> chart,
+                                           CommandContext& job, const ResourceLimits& bounds);
+/// True if the analysis of a chart has an internal error.
+bool has_failed(const PageContent& content);
 
 /// Prepares the report files. `output` is true if the file given by `-o` is also a report.
 void begin_reports(bool output, CommandContext& job);

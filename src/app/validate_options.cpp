@@ -83,7 +83,8 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
     if (options.certificate && options.check_untimed && options.engine != Engine::Pdr)
         return "for untimed models, only PDR writes certificates; pass `--engine pdr`, or remove `--certificate`";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
-                          options.certificate || (options.output && !accepts(verb, OptionGroup::OutputDirectory));
+                          options.certificate || options.page ||
+                          (options.output && !accepts(verb, OptionGroup::OutputDirectory));
     if (several && one_form && !options.list && !accepts(verb, OptionGroup::OutputDirectory))
         return fmt::format(
             "{} the results of one file and one loop only; for several files or loops, use `--junit`, "
@@ -92,7 +93,7 @@ std::string validate_outputs(const CliCommand& verb, const Options& options) {
             accepts(verb, OptionGroup::Verdicts) ? " or `--json-lines`" : "");
     if (several && accepts(verb, OptionGroup::InPlace) && !options.in_place && !options.check)
         return "several FILEs require `--check` or `--in-place`; add one of them";
-    if (options.list && (options.junit || options.sarif || options.trace_vcd || options.trace_svg))
+    if (options.list && (options.junit || options.sarif || options.trace_vcd || options.trace_svg || options.page))
         return "`--list` runs no check and has no results; remove the report options";
     bool to_file = accepts(verb, OptionGroup::OutputDirectory);
     for (const auto& [name, path, use] : named_paths(options))

@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: MIT
-// CertificateSummary: the verdicts that a certificate proves (docs/how-to/certificates.md).
+// CertificateSummary: the verdicts that a certificate proves, and how (docs/how-to/certificates.md).
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace grafverif {
+
+/// What proves a verdict. WitnessCircuit: the circuit of an inductive invariant of an untimed model.
+enum class CertificateKind : std::uint8_t { States, Run, WitnessCircuit };
+
+constexpr std::string_view word(CertificateKind kind) {
+    switch (kind) {
+    case CertificateKind::States: return "set of states";
+    case CertificateKind::Run: return "run";
+    case CertificateKind::WitnessCircuit: break;
+    }
+    return "witness circuit";
+}
 
 struct CertificateSummary {
     /// A verdict that the certificate does not prove, with the reason.
@@ -14,6 +28,7 @@ struct CertificateSummary {
     };
     std::string folder = {};                  ///< the folder of the files
     std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
+    std::vector<CertificateKind> kinds = {};  ///< for each element of `certified`
     std::vector<Omitted> omitted = {};
 };
 

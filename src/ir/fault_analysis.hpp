@@ -41,6 +41,9 @@ struct FaultAnalysis {
         std::optional<std::int64_t> within_ms = {};  ///< the longest time from the fault to such an element
         /// A property that reveals the fault, if not every run with the fault is detected by steps and outputs.
         std::optional<Observer> observer = {};
+        /// The limit that the search for this property has reached, such as `the search for an observer tried 6 of 14
+        /// conditions`; empty if it has reached none.
+        std::string observer_limit = {};
         bool decided = false;  ///< false: the search was stopped, and the lists are incomplete
         bool operator==(const Visible&) const = default;
     };

@@ -25,19 +25,34 @@ struct Deviation {
     /// True: the chart changes the output, but the recording does not; false: the recording changes the output, but the
     /// chart does not.
     bool missing_change = false;
-    std::string situation = {};   ///< active steps, such as `{2, 5}`
-    ChartRun run = {};            ///< end of the run of the chart with this timing
-    bool run_is_complete = true;  ///< true if `run` begins at power-on; false if `run` contains only the last instants
+    std::string situation = {};  ///< active steps, such as `{2, 5}`
 
     bool operator==(const Deviation&) const = default;
+};
+
+/// Offset of the clock of a data source: the difference between the recorded times of some columns and those of the
+/// other columns. If the offset is positive, this clock is ahead.
+struct ClockOffset {
+    std::vector<std::string> columns = {};  ///< the columns of the log with times of this clock
+    std::int64_t bound_us = 0;              ///< maximum absolute value
+    std::int64_t low_us = 0, high_us = 0;   ///< range of the offsets that explain the recording
+
+    bool operator==(const ClockOffset&) const = default;
 };
 
 struct RecordingVerdict {
     enum class Kind { Conforms, Deviates, Unknown };
     std::string chart = {};
     Kind kind = Kind::Conforms;
-    std::string reason = {};                   ///< for Unknown: the reason
-    std::optional<Deviation> deviation = {};   ///< for Deviates
+    std::string reason = {};                  ///< for Unknown: the reason
+    std::optional<Deviation> deviation = {};  ///< for Deviates
+    /// Run of the chart with one timing: for Deviates that of `deviation`, otherwise one that is admissible so far.
+    /// Without such a timing, the run has no events.
+    ChartRun run = {};
+    bool run_is_complete = true;  ///< true if `run` begins at power-on; false if `run` contains only the last instants
+    /// For each clock of `--skew` that concerns the chart: its offset. No other offset explains the recording; for
+    /// Deviates, the range is that of the timing in `deviation`.
+    std::vector<ClockOffset> offsets = {};
     std::vector<std::string> unrecorded = {};  ///< outputs that the recording does not contain
 
     bool operator==(const RecordingVerdict&) const = default;
@@ -58,6 +73,7 @@ struct RecordedProperty {
 struct RecordingReport {
     std::string log = {};  ///< name of the log
     std::int64_t jitter_us = 0;
+    std::int64_t skew_us = 0;                ///< maximum absolute value of the offsets of clocks
     std::uint64_t samples = 0;               ///< number of samples that were read
     std::int64_t first_us = 0, last_us = 0;  ///< times of the first and the last of these samples
     bool stopped = false;                    ///< true if a limit or the user ended the check before the end of the log

@@ -55,11 +55,18 @@ std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> l
 }  // namespace
 
 PageContent drawn_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop) {
-    PageContent content{.model = model, .sources = sources, .loop = loop};
-    const auto& controllers = model.loops[loop].controllers;
-    for (const ClosedLoop::Controller& controller : controllers)
-        content.charts.push_back(drawn_chart_content(model, sources, controller.chart, controllers.size() == 1));
+    std::vector<Id<Chart>> charts;
+    for (const ClosedLoop::Controller& controller : model.loops[loop].controllers) charts.push_back(controller.chart);
+    PageContent content = drawn_charts(model, sources, charts);
+    content.loop = loop;
     content.components = components_of(model, loop);
+    return content;
+}
+
+PageContent drawn_charts(const Model& model, const Sources& sources, const std::vector<Id<Chart>>& charts) {
+    PageContent content{.model = model, .sources = sources};
+    for (const Id<Chart> chart : charts)
+        content.charts.push_back(drawn_chart_content(model, sources, chart, charts.size() == 1));
     return content;
 }
 

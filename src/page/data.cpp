@@ -201,6 +201,8 @@ std::vector<Playable> playable_runs(const PageContent& content) {
         for (Playable& run : fault_runs(content, all)) add(std::move(run));
     if (content.tuning)
         for (Playable& run : tuning_runs(content, all)) add(std::move(run));
+    if (content.recording)
+        for (Playable& run : recording_runs(content)) add(std::move(run));
     for (const bool violated : {true, false})
         for (const PropertyResult& answer : content.report.answers) {
             const Verdict& verdict = answer.verdict;

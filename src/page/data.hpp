@@ -20,7 +20,7 @@
 //   plant       per instance, by name, the id of the figure with the drawing of its component
 //   runs        the runs to play:
 //     name        in addresses: `#NAME/INDEX`, INDEX being a row, or `ROW+MOVES` between rows
-//     kind        `counterexample`, `witness`, `evidence`, `breakdown`, `test`
+//     kind        `counterexample`, `witness`, `evidence`, `breakdown`, `test`, `recording`
 //     title       display text
 //     property    index of its property in `properties`, or null
 //     charts      for each controller of the run, the index of its chart in `charts`
@@ -80,6 +80,9 @@ std::vector<Playable> fault_runs(const PageContent& content, const std::vector<s
 /// Returns the runs at points of a grid whose models have the controllers and the elements of the drawings. `charts`
 /// contains the index of the chart of each controller.
 std::vector<Playable> tuning_runs(const PageContent& content, const std::vector<std::size_t>& charts);
+
+/// Returns the runs of the timings that explain a recording.
+std::vector<Playable> recording_runs(const PageContent& content);
 
 /// Returns the selected properties of the loop that have no verdict because the model cannot express them.
 std::vector<const Property*> left_out(const PageContent& content);

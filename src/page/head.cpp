@@ -45,6 +45,7 @@ std::string errors_text(const PageContent& content) {
 SummaryItem glance_of(const PageContent& content) {
     if (content.faults) return summary_of(*content.faults);
     if (content.tuning) return summary_of(*content.tuning);
+    if (content.recording) return summary_of(*content.recording);
     const Report& report = content.report;
     const Tally count = tally(report);
     const bool analysis_failed =
@@ -81,6 +82,12 @@ std::string tally_text(const PageContent& content) {
 std::vector<std::string> assumptions(const PageContent& content) {
     const CheckSettings& settings = content.report.settings;
     std::vector<std::string> sentences;
+    if (content.recording)
+        return {
+            "The controller executes all evolutions of a stability search in one scan.",
+            "The recording begins when the controller is switched on, and contains every pulse of the inputs.",
+            "Each recorded time differs from the time in the controller by at most the jitter and the offset of its "
+            "clock."};
     if (!content.requested.empty())
         sentences.push_back("Only these properties were selected: " + listed(content.requested) + ".");
     if (!content.loop.valid() && !content.charts.empty() && content.charts.front().program) {

@@ -28,6 +28,7 @@ void add_contents(const PageContent& content, Html& html) {
     const bool complete = is_about_verdicts(content);
     if (content.faults) add("faults", "Faults");
     else if (content.tuning) add("tuning", "Values of constants");
+    else if (content.recording) add("recording", "Recording");
     else add("verdicts", "Properties");
     if (!playable_runs(content).empty()) add("runs", "Runs");
     add("charts", charts_title(content));
@@ -77,6 +78,7 @@ std::string written(const PageContent& content) {
     const bool complete = is_about_verdicts(content);
     if (content.faults) add_faults(content, html);
     else if (content.tuning) add_tuning(content, html);
+    else if (content.recording) add_recording(content, html);
     else add_verdicts(content, html);
     add_runs(content, html);
     add_charts(content, html);

@@ -6,10 +6,10 @@
 // The document permits its style and script by their hashes and forbids everything else (Content-Security-Policy). The
 // data of the script is in the element `data` (see page/data.hpp). The sections have the ids `verdicts`, `runs`,
 // `findings`, `charts`, `plant`, `equations`, `coverage`. A page with a fault analysis has the section `faults` instead
-// of `verdicts`, a page about values of constants has `tuning`; both have neither `findings`, `equations` nor
-// `coverage`. A property has the id `property-NAME`. The drawing of a chart is in the figure `chart-N`, with the ids
-// that element_ids() returns; the lines of a PLC program are in `program-N`, the drawing of a component is in
-// `component-N`.
+// of `verdicts`, a page about values of constants has `tuning`, a page about a recording has `recording`; these pages
+// have neither `findings`, `equations` nor `coverage`. A property has the id `property-NAME`. The drawing of a chart is
+// in the figure `chart-N`, with the ids that element_ids() returns; the lines of a PLC program are in `program-N`, the
+// drawing of a component is in `component-N`.
 #pragma once
 
 #include <map>
@@ -24,7 +24,9 @@
 #include "grafverif/ir/finding.hpp"
 #include "grafverif/ir/report.hpp"
 #include "grafverif/support/source.hpp"
+#include "ir/certificate_summary.hpp"
 #include "ir/fault_analysis.hpp"
+#include "ir/recording.hpp"
 #include "ir/tuning.hpp"
 #include "page/listing.hpp"
 #include "report/remedies/trials.hpp"
@@ -65,14 +67,18 @@ struct PageContent {
     std::vector<ChartContent> charts = {};          ///< charts of the controllers, in order
     std::vector<ComponentContent> components = {};  ///< components of the plant, without duplicates
     Report report = {};
-    std::vector<Trial> trials = {};    ///< trials of remedies, if a limit ended the check
-    std::vector<ChartRun> tests = {};  ///< runs of the test sequences of the only chart
+    std::vector<Trial> trials = {};                      ///< trials of remedies, if a limit ended the check
+    std::optional<CertificateSummary> certificate = {};  ///< certificate of the verdicts of `report`, if requested
+    std::vector<ChartRun> tests = {};                    ///< runs of the test sequences of the only chart
     /// If present, the page shows these results instead of the verdicts of `report`.
     std::optional<FaultAnalysis> faults = {};
     /// If present, the page shows these results instead of the verdicts of `report`.
     std::optional<Tuning> tuning = {};
     std::map<std::size_t, Model> point_models = {};  ///< models of the points of `tuning` with runs
-    std::string warnings = {};                       ///< diagnostics as text
+    /// If present, the page shows these results instead of the verdicts of `report`. `charts` contains the charts of
+    /// its verdicts, in order.
+    std::optional<RecordingReport> recording = {};
+    std::string warnings = {};  ///< diagnostics as text
 };
 
 /// Returns the chart to be drawn: for a PLC program, the chart with transitions and actions.
@@ -81,10 +87,14 @@ inline const Chart& drawn_chart(const PageContent& content, const ChartContent& 
 }
 
 /// True if the page shows the verdicts of `report` and the analyses of the charts.
-inline bool is_about_verdicts(const PageContent& content) { return !content.faults && !content.tuning; }
+inline bool is_about_verdicts(const PageContent& content) {
+    return !content.faults && !content.tuning && !content.recording;
+}
 
 /// Returns the drawn charts and components of a page about `loop`, without equations and analyses.
 PageContent drawn_content(const Model& model, const Sources& sources, Id<ClosedLoop> loop);
+/// Returns the drawn charts of a page about `charts`, without equations and analyses.
+PageContent drawn_charts(const Model& model, const Sources& sources, const std::vector<Id<Chart>>& charts);
 
 /// Returns the charts and components of a page about `loop`, or about `chart` if `loop` is invalid, or nothing after an
 /// error.

@@ -56,7 +56,10 @@ PropertyLook look_of(const Verdict& verdict) {
 void add_result(const PageContent& content, const PropertyResult& answer, Html& html) {
     const Verdict& verdict = answer.verdict;
     const bool folded = verdict.outcome == Outcome::Holds && as_expected(verdict) && !verdict.vacuous;
-    begin_property(look_of(verdict), verdict.property, answer.text, outcome_text(verdict), folded, html);
+    std::string outcome = outcome_text(verdict);
+    if (content.certificate)
+        outcome += fmt::format(" (certificate: {})", certificate_word(*content.certificate, verdict.property));
+    begin_property(look_of(verdict), verdict.property, answer.text, outcome, folded, html);
     add_formula(content, verdict.property, html);
     if (!verdict.declared && verdict.outcome != Outcome::Unknown)
         html.put("p", "The model does not declare this property; it is always checked.");
@@ -66,6 +69,9 @@ void add_result(const PageContent& content, const PropertyResult& answer, Html& 
         .text("Assumptions: ")
         .prose(settings_text(content.report, answer) + ".")
         .close("p");
+    if (content.certificate)
+        html.put("p", "Certificate: " + certificate_text(*content.certificate, verdict.property) + ".",
+                 {{"class", "remark"}});
     const bool witness = verdict.outcome == Outcome::Holds;
     if (answer.trace) add_play(html, *answer.trace, verdict.property, witness ? "witness" : "counterexample");
     html.close("details");

@@ -18,6 +18,9 @@ SummaryItem summary_of(const FaultAnalysis& analysis);
 /// Returns the summary of verdicts for values of constants. It is positive only if there is a property and each verdict
 /// is as expected at each point.
 SummaryItem summary_of(const Tuning& tuning);
+/// Returns the summary of the verdicts on a recording. It is positive only if the recording conforms to each chart and
+/// violates no property.
+SummaryItem summary_of(const RecordingReport& report);
 
 /// The CSS class of a property and the symbol with the same meaning.
 struct PropertyLook {
@@ -39,6 +42,8 @@ void add_verdicts(const PageContent& content, Html& html);
 void add_faults(const PageContent& content, Html& html);
 /// Adds for each property the map of the grid or a table of boxes, and the margins of the current values.
 void add_tuning(const PageContent& content, Html& html);
+/// Adds for each chart the verdict on the recording with the first deviation, and the properties of the loops.
+void add_recording(const PageContent& content, Html& html);
 /// Adds the element of the player. If JavaScript is disabled, the page shows the runs as text.
 void add_runs(const PageContent& content, Html& html);
 /// True if a controller is a chart, not a PLC program.

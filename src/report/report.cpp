@@ -124,6 +124,20 @@ Tally tally(const Report& report) {
     return tally;
 }
 
+std::string_view certificate_word(const CertificateSummary& certificate, const std::string& property) {
+    const auto found = std::ranges::find(certificate.certified, property);
+    if (found == certificate.certified.end()) return "none";
+    return word(certificate.kinds[static_cast<std::size_t>(found - certificate.certified.begin())]);
+}
+
+std::string certificate_text(const CertificateSummary& certificate, const std::string& property) {
+    if (const std::string_view kind = certificate_word(certificate, property); kind != "none")
+        return std::string(kind) + " in " + certificate.folder;
+    for (const CertificateSummary::Omitted& one : certificate.omitted)
+        if (one.property == property) return "none: " + one.reason;
+    return "none";
+}
+
 bool has_result(const Report& report, const Property& property) {
     return std::ranges::any_of(report.answers, [&](const PropertyResult& answer) {
         const std::string& name = answer.verdict.property;

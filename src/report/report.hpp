@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/report.hpp"
+#include "ir/certificate_summary.hpp"
 #include "ir/flat_system.hpp"
 #include "report/trace_rows.hpp"
 
@@ -39,6 +41,11 @@ struct Tally {
     bool operator==(const Tally&) const = default;
 };
 Tally tally(const Report& report);
+
+/// Returns what proves a verdict: `set of states`, `run`, `witness circuit` or `none`.
+std::string_view certificate_word(const CertificateSummary& certificate, const std::string& property);
+/// Returns text about the certificate of a verdict: `set of states in station`, or `none: the verdict is unknown`.
+std::string certificate_text(const CertificateSummary& certificate, const std::string& property);
 
 /// True if the report has a verdict on the property, or on one of the steps for which the property is checked (`S.X7`).
 /// The result is false if the model of the report omits the property.

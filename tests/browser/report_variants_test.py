@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests the pages of `faults --report` and `tune --report` in a browser."""
+"""Tests the pages of `faults --report`, `tune --report` and `replay --report` in a browser."""
 import re
 
 import browser
@@ -16,12 +16,16 @@ class Variants(browser.Case):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.faults, cls.map = cls.folder / "faults.html", cls.folder / "map.html"
-        driveway, press = cls.folder / "driveway.grafcet", cls.folder / "press.grafcet"
+        cls.faults, cls.map, cls.late = cls.folder / "faults.html", cls.folder / "map.html", cls.folder / "late.html"
+        driveway, press, pump = (cls.folder / f"{name}.grafcet" for name in ("driveway", "press", "pump"))
         driveway.write_text(block_of("faults.md"), encoding="utf-8")
         press.write_text(block_of("tune.md"), encoding="utf-8")
+        pump.write_text(block_of("check-recordings.md") + "closed_loop l { controller pump; "
+                        "environment A = free(OUT = START); environment B = free(OUT = STOP);\n"
+                        "property p: never PUMP && !START; }", encoding="utf-8")
         browser.run("faults", driveway, "--order", "2", "--report", cls.faults, code=1)
         browser.run("tune", press, "--over", "RAM=1s..9s", "--over", "CLOSING=1s..9s", "--report", cls.map, code=1)
+        browser.run("replay", pump, "--log", browser.SOURCE / "docs/pump_late.csv", "--report", cls.late, code=1)
 
     def play(self, name):
         [button] = [each for each in self.page.all("[data-run]") if each.get_attribute("data-run") == name]
@@ -57,8 +61,22 @@ class Variants(browser.Case):
         cells = self.page.script("return [...document.querySelectorAll('.map td')].map(e => e.textContent).join('')")
         self.assertEqual((cells.count("✓"), cells.count("✗")), (28, 53))
 
+    def test_a_recording_is_played_up_to_the_deviation(self):
+        self.page.open(self.late)
+        self.page.wait_for(".player")
+        self.assertIn("deviates from 1 chart", self.page.text(".glance"))
+        self.play("pump")
+        self.page.press(Keys.END)
+        active = "return [...document.querySelectorAll('.chart-view .step.active')].map(e => e.dataset.element)"
+        self.assertEqual(self.page.script(active), ["step-3"])
+        self.assertIn("`HORN` is 0, but the chart sets it to 1", self.page.text(".player").replace("\u201c", "`"))
+        [link] = self.page.all("#recording a")
+        self.assertIn("2.6 s", link.text)
+        link.click()
+        eventually(lambda: self.page.script(active) == ["step-2"])
+
     def test_pages_are_readable_on_each_screen_and_by_all(self):
-        for made, name in ((self.faults, "faults"), (self.map, "map")):
+        for made, name in ((self.faults, "faults"), (self.map, "map"), (self.late, "recording")):
             for size in ("laptop", "phone"):
                 for scheme in ("light", "dark"):
                     with self.subTest(name=name, size=size, scheme=scheme):

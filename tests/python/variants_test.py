@@ -165,6 +165,21 @@ def test_a_deviation_is_reported_while_samples_arrive(pump):
     assert 3.9 < verdict.time < 4.2
 
 
+def test_the_offset_of_a_clock_is_found(pump):
+    path = root / "docs/pump_clock.csv"
+    recording = grafverif.read(pump).recording(skew={("PUMP", "HORN"): 0.5})
+    added(recording, path)
+    [verdict] = recording.finish()
+    expected = json.loads(printed("replay", pump, "--log", path, "--skew", "PUMP,HORN=500ms", "--format", "json"))
+    assert verdict.verdict == "conforms" and verdict.offsets == expected["charts"][0]["offsets"]
+    [offset] = verdict.offsets
+    assert offset["columns"] == ["PUMP", "HORN"] and offset["low"] < 0.3 < offset["high"] < 0.4
+    with pytest.raises(ValueError, match="skew"):
+        grafverif.read(pump).recording(skew={"PUMP": -1})
+    with pytest.raises(grafverif.GrafverifError, match="PUMPE"):
+        grafverif.read(pump).recording(skew={"PUMPE": 1}).add(0, START=False, STOP=False, PUMP=False, HORN=False)
+
+
 def test_each_warning_of_a_recording_is_issued_once():
     text = (root / "tests/diagnostics/forced-differently.grafcet").read_text()
     text = text.replace("input STOP, HOLD;", "input STOP, HOLD; output LAMP, HORN;")

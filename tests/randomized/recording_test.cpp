@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Randomized tests: RecordingCheck accepts a recording if and only if it has an admissible timing. An independent
-// implementation executes the equations of the chart with concrete times. For short recordings, it tries all times and
-// all orders, and checks the outputs by the definition. Long recordings are written with random delays.
+// Randomized tests: RecordingCheck accepts a recording if and only if it has an admissible timing, also with unknown
+// offsets of clocks. An independent implementation executes the equations of the chart with concrete times. For short
+// recordings, it tries all times and all orders, and checks the outputs by the definition. Long recordings are written
+// with random delays.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -277,10 +278,12 @@ void damage(std::map<std::size_t, History>& outputs, const Chart& chart, Random&
     }
 }
 
-RecordingVerdict checked(const Chart& chart, const Recording& recording, std::size_t table_bytes = 1'000'000) {
+RecordingVerdict checked(const Chart& chart, const Recording& recording, RecordingSettings settings = {}) {
     std::vector<Id<Chart::Variable>> outputs;
     for (const auto& [output, history] : recording.outputs) outputs.push_back({static_cast<std::uint32_t>(output)});
-    RecordingCheck check(chart, outputs, {recording.jitter, 1, 100'000, table_bytes});
+    settings.jitter = recording.jitter;
+    settings.ticks_per_ms = 1;
+    RecordingCheck check(chart, outputs, settings);
     for (Ticks time = recording.begin; time <= recording.end; ++time) {
         RecordedSample sample{time, static_cast<std::uint64_t>(time), {}};
         for (const auto* const variables : {&recording.inputs, &recording.outputs})
@@ -300,7 +303,7 @@ std::string text_of(const RecordingVerdict& verdict) {
     if (const auto& end = verdict.deviation) {
         out << end->output << " at " << end->time_us << " us is " << end->recorded << ", allowed " << end->allowed
             << " in " << end->situation << '\n';
-        for (const ChartRun::Event& event : end->run.moments) {
+        for (const ChartRun::Event& event : verdict.run.moments) {
             out << "instant at " << event.after.time_ms << ':';
             for (const std::int64_t value : event.after.values) out << ' ' << value;
             out << '\n';
@@ -366,7 +369,9 @@ TEST(RandomizedRecording, ConformsIfAndOnlyIfATimingIsAdmissible) {
         if (search.is_too_long()) continue;
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text_of(made->recording) + chart_text(made->chart));
         // Tables that are often cleared do not change the verdict.
-        const RecordingVerdict verdict = checked(made->chart, made->recording, seed % 2 == 0 ? 1'000'000 : 10'000);
+        const std::size_t table_bytes = seed % 2 == 0 ? 1'000'000 : 10'000;
+        const RecordingVerdict verdict =
+            checked(made->chart, made->recording, {.most_hypotheses = 100'000, .table_bytes = table_bytes});
         EXPECT_TRUE(expected || damaged);
         if (verdict.reason.starts_with("too many orders")) {
             ++limited;
@@ -402,6 +407,196 @@ TEST(RandomizedRecording, AcceptsLongRecordingsWithDelays) {
     }
     EXPECT_GT(conforming, 100);
     EXPECT_GT(changes, 400);
+}
+
+/// Clocks of a recording: for each clock, the bound of its offset, and for each variable, the index of its clock + 1.
+struct Clocks {
+    std::vector<Ticks> bounds = {};
+    std::vector<std::size_t> clock_of = {};
+
+    Ticks largest() const { return std::ranges::max(bounds); }
+    Ticks offset(std::size_t variable, const std::vector<Ticks>& offsets) const {
+        return clock_of[variable] == 0 ? 0 : offsets[clock_of[variable] - 1];
+    }
+};
+
+Clocks random_clocks(const Chart& chart, std::size_t count, Ticks bound, Random& random) {
+    Clocks clocks;
+    for (std::size_t k = 0; k < count; ++k) clocks.bounds.push_back(random_number(random, 0, bound));
+    for (std::size_t k = 0; k < chart.variables.size(); ++k)
+        clocks.clock_of.push_back(static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(count))));
+    return clocks;
+}
+
+std::vector<Ticks> random_offsets(const Clocks& clocks, Random& random) {
+    std::vector<Ticks> offsets;
+    for (const Ticks bound : clocks.bounds) offsets.push_back(random_number(random, -bound, bound));
+    return offsets;
+}
+
+/// Adds the offset of its clock, multiplied by `sign`, to the time of each change, and omits the changes after `end`.
+/// Empty if a change would not be after the first sample.
+std::optional<Recording> shifted(Recording recording, const Clocks& clocks, const std::vector<Ticks>& offsets,
+                                 Ticks sign, Ticks end) {
+    recording.end = end;
+    for (auto* const variables : {&recording.inputs, &recording.outputs})
+        for (auto& [variable, history] : *variables) {
+            const auto same = [](const TimedValue& one, const TimedValue& next) { return one.value == next.value; };
+            history.erase(std::unique(history.begin(), history.end(), same), history.end());
+            for (std::size_t k = 1; k < history.size(); ++k) history[k].time += sign * clocks.offset(variable, offsets);
+            if (history.size() > 1 && history[1].time <= recording.begin) return {};
+            std::erase_if(history, [&](const TimedValue& entry) { return entry.time > end; });
+        }
+    return recording;
+}
+
+/// Calls `use` with all offsets within the bounds.
+void for_all_offsets(const Clocks& clocks, const auto& use) {
+    std::vector<Ticks> offsets;
+    for (const Ticks bound : clocks.bounds) offsets.push_back(-bound);
+    while (true) {
+        use(offsets);
+        std::size_t k = 0;
+        while (k < offsets.size() && offsets[k] == clocks.bounds[k]) {
+            offsets[k] = -clocks.bounds[k];
+            ++k;
+        }
+        if (k == offsets.size()) return;
+        ++offsets[k];
+    }
+}
+
+// The slow way: correct the times of the recording by each possible offset, and check the result without offsets. The
+// part of the recording is checked that all clocks have recorded.
+TEST(RandomizedRecording, HasTheVerdictOfTheBestClockOffsets) {
+    int conforming = 0, deviating = 0, narrowed = 0, excluded = 0;
+    for (int seed = 1; seed <= test_size(3'000); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        auto made = random_case(random, random_number(random, 0, 2), 24, 9);
+        if (!made || !record_outputs(*made, random)) continue;
+        const Clocks clocks =
+            random_clocks(made->chart, static_cast<std::size_t>(random_number(random, 1, 2)), 3, random);
+        const Ticks end = made->recording.end;
+        auto recording = shifted(made->recording, clocks, random_offsets(clocks, random), 1, end);
+        if (!recording) continue;
+        if (chance(random, 60)) damage(recording->outputs, made->chart, random);
+        SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text_of(*recording) + chart_text(made->chart));
+        const auto verdict_for = [&](const std::vector<Ticks>& offsets, Ticks until) {
+            const auto corrected = shifted(*recording, clocks, offsets, -1, until);
+            return corrected ? checked(made->chart, *corrected).kind : RecordingVerdict::Kind::Deviates;
+        };
+        const Ticks known = end - clocks.largest();
+        std::vector<std::vector<Ticks>> possible;
+        bool unknown = false;
+        for_all_offsets(clocks, [&](const std::vector<Ticks>& offsets) {
+            const RecordingVerdict::Kind kind = verdict_for(offsets, known);
+            unknown = unknown || kind == RecordingVerdict::Kind::Unknown;
+            if (kind == RecordingVerdict::Kind::Conforms) possible.push_back(offsets);
+        });
+        const RecordingVerdict verdict =
+            checked(made->chart, *recording, {.clocks = clocks.bounds, .clock_of = clocks.clock_of});
+        if (verdict.reason.starts_with("too many")) continue;
+        EXPECT_EQ(verdict.kind == RecordingVerdict::Kind::Conforms, !possible.empty()) << text_of(verdict);
+        EXPECT_TRUE(unknown || verdict.kind != RecordingVerdict::Kind::Unknown) << verdict.reason;
+        for (std::size_t k = 0; k < verdict.offsets.size() && !possible.empty(); ++k) {
+            const Ticks low = verdict.offsets[k].low_us / 1'000, high = verdict.offsets[k].high_us / 1'000;
+            for (const std::vector<Ticks>& offsets : possible)
+                EXPECT_TRUE(low <= offsets[k] && offsets[k] <= high) << low << ' ' << offsets[k] << ' ' << high;
+            narrowed += high - low < 2 * clocks.bounds[k] ? 1 : 0;
+            if (clocks.bounds.size() > 1) continue;
+            // An offset at the end of the range explains the recording except for a part at its end.
+            for (const Ticks offset : {low, high})
+                EXPECT_NE(verdict_for({offset}, known - 2 * clocks.largest()), RecordingVerdict::Kind::Deviates)
+                    << offset;
+            excluded += low > -clocks.bounds[k] && high < clocks.bounds[k] ? 1 : 0;
+        }
+        if (HasFailure()) return;
+        ++(possible.empty() ? deviating : conforming);
+    }
+    EXPECT_GT(conforming, 200);
+    EXPECT_GT(deviating, 100);
+    EXPECT_GT(narrowed, 100);
+    EXPECT_GT(excluded, 5);
+}
+
+TEST(RandomizedRecording, FindsTheClockOffsetsOfLongRecordings) {
+    int conforming = 0, found = 0;
+    for (int seed = 1; seed <= test_size(300); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        auto made = random_case(random, 20, 10'000, 600);
+        if (!made || !record_outputs(*made, random)) continue;
+        const Clocks clocks =
+            random_clocks(made->chart, static_cast<std::size_t>(random_number(random, 1, 2)), 300, random);
+        const std::vector<Ticks> offsets = random_offsets(clocks, random);
+        const auto recording = shifted(made->recording, clocks, offsets, 1, made->recording.end);
+        if (!recording) continue;
+        const RecordingVerdict verdict =
+            checked(made->chart, *recording, {.clocks = clocks.bounds, .clock_of = clocks.clock_of});
+        ASSERT_EQ(verdict.kind, RecordingVerdict::Kind::Conforms)
+            << "seed " << seed << '\n'
+            << text_of(verdict) << text_of(*recording) << chart_text(made->chart);
+        ++conforming;
+        for (std::size_t k = 0; k < offsets.size(); ++k) {
+            const ClockOffset& offset = verdict.offsets[k];
+            EXPECT_TRUE(offset.low_us <= 1'000 * offsets[k] && 1'000 * offsets[k] <= offset.high_us) << seed;
+            found += offset.high_us - offset.low_us <= 80'000 && clocks.bounds[k] > 40 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(conforming, 60);
+    EXPECT_GT(found, 10);
+}
+
+TEST(RandomizedRecording, JoinsZonesIfAndOnlyIfTheirUnionIsAZone) {
+    int joined = 0, separate = 0;
+    for (int seed = 1; seed <= test_size(2'000); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const auto zone = [&]() -> std::optional<Zone> {
+            Zone made;
+            for (int k = 0; k < 2; ++k) {
+                const std::size_t x = made.add();
+                if (!made.constrain(x, 0, 3) || !made.constrain(0, x, 3)) return {};
+            }
+            for (int k = 0; k < 3; ++k) {
+                const auto x = static_cast<std::size_t>(random_number(random, 0, 2));
+                const auto y = static_cast<std::size_t>(random_number(random, 0, 2));
+                if (x != y && !made.constrain(x, y, random_number(random, -2, 4))) return {};
+            }
+            return made;
+        };
+        const auto one = zone(), other = zone();
+        if (!one || !other) continue;
+        const auto united = one->joined(*other);
+        bool equal = true;
+        std::vector<std::pair<Ticks, Ticks>> in_union;
+        const auto contains = [](const Zone& large, Ticks x, Ticks y) {
+            Zone point;
+            point.assign(point.add(), x);
+            point.assign(point.add(), y);
+            return large.includes(point);
+        };
+        for (Ticks x = -3; x <= 3; ++x)
+            for (Ticks y = -3; y <= 3; ++y)
+                if (contains(*one, x, y) || contains(*other, x, y)) in_union.emplace_back(x, y);
+        const auto bound = [&](const auto& value) {
+            Ticks most = -10;
+            for (const auto& [x, y] : in_union) most = std::max(most, value(x, y));
+            return most;
+        };
+        for (Ticks x = -3; x <= 3; ++x)
+            for (Ticks y = -3; y <= 3; ++y) {
+                const bool in_hull =
+                    x <= bound([](Ticks a, Ticks) { return a; }) && -x <= bound([](Ticks a, Ticks) { return -a; }) &&
+                    y <= bound([](Ticks, Ticks b) { return b; }) && -y <= bound([](Ticks, Ticks b) { return -b; }) &&
+                    x - y <= bound([](Ticks a, Ticks b) { return a - b; }) &&
+                    y - x <= bound([](Ticks a, Ticks b) { return b - a; });
+                equal = equal && in_hull == (std::ranges::find(in_union, std::pair(x, y)) != in_union.end());
+                EXPECT_TRUE(!united || contains(*united, x, y) == in_hull) << seed;
+            }
+        ASSERT_EQ(united.has_value(), equal) << "seed " << seed;
+        ++(equal ? joined : separate);
+    }
+    EXPECT_GT(joined, 100);
+    EXPECT_GT(separate, 100);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -75,6 +76,15 @@ std::vector<ModelSelection> aims(const Model& model, bool all, const Options& re
     return list;
 }
 
+/// Returns text such as `set of states: P1, P2`; an empty string if the certificate proves no verdict in this way.
+std::string proved_text(const Certificate& certificate, CertificateKind kind) {
+    std::string text;
+    for (std::size_t k = 0; k < certificate.certified.size(); ++k)
+        if (certificate.kinds[k] == kind)
+            text += (text.empty() ? std::string(word(kind)) + ": " : ", ") + printable(certificate.certified[k]);
+    return text;
+}
+
 /// Records the files of the certificate, and prints which verdicts it contains.
 void note_certificate(const Decided& decided, CommandContext& job, const Streams& streams) {
     if (!decided.certificate) return;
@@ -88,6 +98,8 @@ void note_certificate(const Decided& decided, CommandContext& job, const Streams
                                                 "NAME.*.lrat with an LRAT checker";
     streams.out << fmt::format("certificate: {} of {} verdicts; check it with {}\n", certificate.certified.size(),
                                certificate.certified.size() + certificate.omitted.size(), checker);
+    for (const CertificateKind kind : {CertificateKind::States, CertificateKind::Run, CertificateKind::WitnessCircuit})
+        if (const std::string text = proved_text(certificate, kind); !text.empty()) streams.out << "  " << text << '\n';
     for (const Certificate::Omitted& one : certificate.omitted)
         streams.out << fmt::format("  {} is not certified: {}\n", one.property, one.reason);
 }
@@ -98,9 +110,7 @@ ExitCode show(const Decided& decided, const Model& model, CommandContext& job, R
     const Options& requested = job.options;
     const Report& report = decided.report;
     work_is_done();
-    std::optional<CertificateSummary> certificate;
-    if (decided.certificate)
-        certificate = {*requested.certificate, decided.certificate->certified, decided.certificate->omitted};
+    const auto certificate = certificate_summary(decided, requested);
     if (requested.format == Format::Json)
         print_json(report, job.sources, streams.out, decided.why ? &*decided.why : nullptr, decided.trials,
                    certificate ? &*certificate : nullptr);
@@ -140,28 +150,45 @@ bool compare_with_cycle_zero(Model model, Decided& decided, CommandContext& job,
     return true;
 }
 
+/// Adds the HTML report to the report files, if requested. `chart` is the chart of the report if `decided` is not about
+/// a loop. Returns an exit code that is worse than `code` after an error.
+ExitCode note_page(const Model& model, const Decided& decided, Id<Chart> chart, ExitCode code, CommandContext& job,
+                   const ResourceLimits& bounds) {
+    if (!job.options.page) return code;
+    auto content = verdict_content(model, decided, chart, job, bounds);
+    if (!content) return ExitCode::Input;
+    content->report = decided.report;
+    content->trials = decided.trials;
+    if (has_failed(*content)) code = worse(code, ExitCode::Failure);
+    job.reports->files.push_back({*job.options.page, report_page(std::move(*content), job)});
+    return code;
+}
+
+/// True if the output contains witnesses of properties that hold.
+bool shows_witnesses(const Options& options) {
+    return options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg || options.page;
+}
+
 ExitCode check_one(const Model& model, CommandContext& job, ResourceLimits& bounds, const Streams& streams) {
     const Options& requested = job.options;
-    const bool witnesses =
-        requested.verbose || requested.format == Format::Json || requested.trace_vcd || requested.trace_svg;
-    auto decided = decide(model, job, bounds, witnesses, streams);
+    auto decided = decide(model, job, bounds, shows_witnesses(requested), streams);
     if (!decided) return ExitCode::Input;
     const bool compares =
         requested.cycle == CycleTime::Both && decided->loop.valid() && has_task_cycle(model.loops[decided->loop]);
     if (compares && !compare_with_cycle_zero(model, *decided, job, bounds, streams)) return ExitCode::Input;
-    return show(*decided, model, job, bounds, streams);
+    const ExitCode code = show(*decided, model, job, bounds, streams);
+    return note_page(model, *decided, decided->chart, code, job, bounds);
 }
 
 /// Checks a PLC program with the properties of a file.
 ExitCode check_program(CommandContext& job, const Streams& streams) {
     ResourceLimits bounds(job.options, streams);
-    const Options& requested = job.options;
-    const bool witnesses =
-        requested.verbose || requested.format == Format::Json || requested.trace_vcd || requested.trace_svg;
-    auto decided = decide_program(job, bounds, witnesses);
-    if (!decided) return ExitCode::Input;
-    decided->second.chart = {};  // the locations in the output are those of the property file
-    return show(decided->second, {}, job, bounds, streams);
+    auto checked = decide_program(job, bounds, shows_witnesses(job.options));
+    if (!checked) return ExitCode::Input;
+    auto& [model, decided] = *checked;
+    const Id<Chart> chart = std::exchange(decided.chart, {});  // the output has the locations of the property file
+    const ExitCode code = show(decided, {}, job, bounds, streams);
+    return note_page(model, decided, chart, code, job, bounds);
 }
 
 }  // namespace
@@ -222,8 +249,9 @@ CliCommand check_usage() {
         "circuits\n"
         "in AIGER.\n"
         "\n"
-        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); the first trace also\n"
-        "as VCD (--trace-vcd) and SVG (--trace-svg). Report files of an earlier run are replaced or removed before\n"
+        "Output: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif), an HTML report as\n"
+        "that of `report` (--report); the first trace also as VCD (--trace-vcd) and SVG (--trace-svg). Report files of "
+        "an earlier run are replaced or removed before\n"
         "the check starts (docs/how-to/ci.md).\n"
         "\n"
         "Exit codes:\n"

@@ -14,6 +14,7 @@
 
 #include "app/commands.hpp"
 #include "app/outputs.hpp"
+#include "app/reports.hpp"
 #include "app/system/cancellable_input.hpp"
 #include "app/system/watchdog.hpp"
 #include "pipeline/descriptor.hpp"
@@ -41,8 +42,12 @@ std::vector<Id<Chart>> recorded_charts(const Model& model, CommandContext& job) 
     return charts;
 }
 
+/// Minimum number of instants of a long run in the HTML report.
+constexpr std::uint64_t most_played_instants = 2'000;
+
 std::optional<RecordingOptions> recording_options(CommandContext& job, const Limits& limits) {
     RecordingOptions options{.limits = limits};
+    if (job.options.page) options.shown_instants = most_played_instants;
     if (job.options.jitter_ms) options.jitter_ms = static_cast<std::int64_t>(*job.options.jitter_ms);
     for (const std::string& entry : job.options.renamings) {
         const std::size_t sign = entry.rfind('=');
@@ -52,6 +57,11 @@ std::optional<RecordingOptions> recording_options(CommandContext& job, const Lim
             return {};
         }
         options.map.emplace_back(entry.substr(0, sign), entry.substr(sign + 1));
+    }
+    for (const std::string& entry : job.options.skews) {
+        const auto clock = recording_clock(entry, job.diagnostics);
+        if (!clock) return {};
+        options.clocks.push_back(*clock);
     }
     return options;
 }
@@ -102,12 +112,19 @@ ExitCode check_log(LogBlocks log, const std::string& name, bool stop_early, Comm
     if (!log)
         log = blocks_of(streams.alone ? [&](std::span<char> buffer) { return input.receive(buffer); }
                                       : receive_from(streams.in));
-    const auto report = check_recording(*model, charts, std::move(log), name, *options, job.sources, job.diagnostics);
+    auto report = check_recording(*model, charts, std::move(log), name, *options, job.sources, job.diagnostics);
     if (!report) return ExitCode::Input;
     work_is_done();
     if (job.options.format == Format::Json) streams.out << recording_json(*report);
     else print_recording(*report, colour_on(streams.out_screen, job.options), streams.out);
-    return job.diagnostics.has_errors() ? ExitCode::Input : exit_code(*report);
+    const ExitCode code = job.diagnostics.has_errors() ? ExitCode::Input : exit_code(*report);
+    if (!job.options.page) return code;
+    PageContent content = drawn_charts(*model, job.sources, charts);
+    for (const Id<Chart> chart : charts)
+        content.report.model += (content.report.model.empty() ? "" : ", ") + model->charts[chart].name;
+    content.recording = std::move(*report);
+    return write_outputs({{*job.options.page, report_page(std::move(content), job)}}, job, streams) ? code
+                                                                                                    : ExitCode::Input;
 }
 
 }  // namespace
@@ -141,10 +158,13 @@ CliCommand replay_usage() {
             "conforms if the chart with these inputs can have these outputs, and each recorded time differs from the\n"
             "time in the controller by at most the jitter (docs/how-to/check-recordings.md). Otherwise, the first\n"
             "deviation is printed. The log is CSV with a first line of column names, JSON lines or VCD; `-` is\n"
-            "standard input. The mode is stability-search. Exit code 1: the recording deviates or violates a\n"
-            "property; 3: inconclusive.",
+            "standard input. The mode is stability-search. With --skew, recorded times can be those of other clocks.\n"
+            "--report writes the verdicts as an HTML report, with a player for the run. Exit code 1: the recording\n"
+            "deviates or violates a property; 3: inconclusive.",
             {"grafverif replay press.grafcet --log night.csv --jitter 20ms",
-             "grafverif replay press.grafcet --log night.csv --map %I0.3=START --format json"},
+             "grafverif replay press.grafcet --log night.csv --skew VALVE,LAMP=500ms",
+             "grafverif replay press.grafcet --log night.csv --map %I0.3=START --format json",
+             "grafverif replay press.grafcet --log night.csv --report night.html"},
             {OptionGroup::Log, OptionGroup::Recording, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Format}};
 }
 

@@ -2,12 +2,9 @@
 // `report`: writes the results of `check` and `analyse`, drawn charts, plant and equations as one page.
 #include "report/report.hpp"
 
-#include <algorithm>
-
 #include "app/commands.hpp"
 #include "app/decide.hpp"
 #include "app/reports.hpp"
-#include "app/stop_text.hpp"
 #include "page/page.hpp"
 #include "run/replay_test.hpp"
 #include "support/messages.hpp"
@@ -42,8 +39,7 @@ ExitCode report_program(CommandContext& job, const Streams& streams) {
     auto checked = decide_program(job, bounds, true);
     if (!checked) return ExitCode::Input;
     auto& [model, decided] = *checked;
-    auto content =
-        page_content(model, job.sources, {}, decided.chart, job.options.mode, bounds.limits(), job.diagnostics);
+    auto content = verdict_content(model, decided, decided.chart, job, bounds);
     if (!content) return ExitCode::Input;
     decided.chart = {};
     note(decided, {}, job);
@@ -62,15 +58,11 @@ ExitCode report(CommandContext& job, const Streams& streams) {
     ResourceLimits bounds(job.options, streams);
     auto decided = decide(*model, job, bounds, true, streams);
     if (!decided) return ExitCode::Input;
-    auto made = page_content(*model, job.sources, decided->loop, decided->chart, job.options.mode, bounds.limits(),
-                             job.diagnostics);
+    auto made = verdict_content(*model, *decided, decided->chart, job, bounds);
     if (!made) return ExitCode::Input;
     PageContent& content = *made;
     std::vector<Id<Chart>> charts;
-    for (ChartContent& one : content.charts) {
-        charts.push_back(one.chart);
-        one.analysis.obstacle = with_who_stopped(std::move(one.analysis.obstacle), bounds.interrupted(), job.options);
-    }
+    for (const ChartContent& one : content.charts) charts.push_back(one.chart);
     if (job.options.sequence) {
         auto tests = tests_of(*model, charts, job);
         if (!tests) return ExitCode::Input;
@@ -79,9 +71,7 @@ ExitCode report(CommandContext& job, const Streams& streams) {
     note(*decided, *model, job);
     content.report = std::move(decided->report);
     content.trials = std::move(decided->trials);
-    const bool faulty =
-        std::ranges::any_of(content.charts, [](const ChartContent& chart) { return !chart.analysis.failures.empty(); });
-    const ExitCode code = faulty ? ExitCode::Failure : exit_code(content.report, bounds.interrupted());
+    const ExitCode code = has_failed(content) ? ExitCode::Failure : exit_code(content.report, bounds.interrupted());
     deliver(report_page(std::move(content), job), job, streams);
     return code;
 }

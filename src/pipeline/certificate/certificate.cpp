@@ -71,6 +71,7 @@ public:
             if (found->run) claims_ += certificate::run_text(flat_, *found->run);
             else needs_states = true;
             certificate_.certified.push_back(found->property);
+            certificate_.kinds.push_back(found->run ? CertificateKind::Run : CertificateKind::States);
         }
         std::string network = certificate::network_text(flat_, properties);
         std::string index = fmt::format("grafverif-certificate 1\nnetwork {}\n", certificate::checksum(network));

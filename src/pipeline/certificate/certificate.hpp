@@ -19,6 +19,7 @@ struct Certificate {
     using Omitted = CertificateSummary::Omitted;
     std::vector<File> files = {};
     std::vector<std::string> certified = {};  ///< names of the properties whose verdicts the files prove
+    std::vector<CertificateKind> kinds = {};  ///< for each element of `certified`
     std::vector<Omitted> omitted = {};
     std::vector<std::string> failures = {};  ///< internal errors: verdicts of `report` that this search contradicts
 };

@@ -122,6 +122,7 @@ void add_witness(const std::string& property, const Circuit& circuit, pdr::Liter
     }
     certificate.files.insert(certificate.files.end(), files.begin(), files.end());
     certificate.certified.push_back(property);
+    certificate.kinds.push_back(CertificateKind::WitnessCircuit);
 }
 
 }  // namespace grafverif

@@ -2,7 +2,9 @@
 #include "pipeline/recording/recorded_properties.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "ir/patterns.hpp"
@@ -32,8 +34,8 @@ bool is_state_property(const Property& property) {
 }  // namespace
 
 RecordedProperties::RecordedProperties(const Model& model, const std::vector<std::string>& names,
-                                       std::int64_t jitter_us)
-    : jitter_us_(jitter_us), values_(names.size()) {
+                                       RecordingTolerance tolerance)
+    : tolerance_(std::move(tolerance)), values_(names.size()) {
     for (const ClosedLoop& loop : model.loops) {
         const std::vector<std::size_t> columns = columns_of(loop, names);
         for (const Id<Property> id : loop.properties.ids()) {
@@ -52,6 +54,7 @@ RecordedProperties::RecordedProperties(const Model& model, const std::vector<std
                     if (column != no_column) checked.reads[column] = true;
                 }
             if (!recorded) continue;
+            checked.least_us = least_us(checked.reads);
             checked_.push_back(std::move(checked));
             results_.push_back({.name = property.name, .loop = loop.name});
         }
@@ -72,13 +75,24 @@ void RecordedProperties::set(std::size_t column, std::int64_t value, std::int64_
 void RecordedProperties::pass(std::int64_t time_us) {
     for (std::size_t k = 0; k < checked_.size(); ++k) {
         Checked& checked = checked_[k];
-        if (!checked.pending || time_us - checked.since_us <= 4 * jitter_us_) continue;
+        if (!checked.pending || time_us - checked.since_us <= checked.least_us) continue;
         checked.pending = false;
         if (results_[k].violated || holds(checked)) continue;
         results_[k].violated = true;
         results_[k].time_us = checked.since_us;
         results_[k].line = checked.line;
     }
+}
+
+std::int64_t RecordedProperties::least_us(const std::vector<bool>& reads) const {
+    std::vector<std::size_t> clocks;
+    for (std::size_t column = 0; column < reads.size(); ++column)
+        if (reads[column] && std::ranges::find(clocks, tolerance_.clock_of[column]) == clocks.end())
+            clocks.push_back(tolerance_.clock_of[column]);
+    std::vector<std::int64_t> bounds = {0, 0};
+    for (const std::size_t clock : clocks) bounds.push_back(clock == 0 ? 0 : tolerance_.clocks_us[clock - 1]);
+    std::ranges::sort(bounds, std::greater());
+    return 4 * tolerance_.jitter_us + (clocks.size() > 1 ? bounds[0] + bounds[1] : 0);
 }
 
 bool RecordedProperties::holds(const Checked& checked) const {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Checks state properties of closed loops on recorded values. A property is violated if its condition is false for
-// recorded values that do not change for more than four times the jitter. Combinations of values that last for a
-// shorter time can result from the delays of the recording and are not reported. The result assumes that no pulse of an
-// output is missing in the recording.
+// recorded values that do not change for more than four times the jitter. If it reads columns with the times of several
+// clocks, this duration is increased by the maximum difference between the offsets of two of these clocks. Combinations
+// of values that last for a shorter time can result from the recording and are not reported. The result assumes that no
+// pulse of an output is missing in the recording.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +17,19 @@
 
 namespace grafverif {
 
+/// Differences between recorded times and the times in the controller.
+struct RecordingTolerance {
+    std::int64_t jitter_us = 0;
+    std::vector<std::size_t> clock_of = {};    ///< for each column: index of its clock + 1, or 0
+    std::vector<std::int64_t> clocks_us = {};  ///< for each clock: maximum absolute value of its offset
+};
+
 class RecordedProperties {
 public:
     /// `names` contains for each column the name of its variable. Selects, from all loops, the properties `always`,
     /// `never` and `exactly one of` that read only these variables and have neither `at stable` nor `expected
     /// violated`. `model` must outlive the object.
-    RecordedProperties(const Model& model, const std::vector<std::string>& names, std::int64_t jitter_us);
+    RecordedProperties(const Model& model, const std::vector<std::string>& names, RecordingTolerance tolerance);
 
     /// Sets a value of the sample at `time_us`. Times do not decrease.
     void set(std::size_t column, std::int64_t value, std::int64_t time_us, std::uint64_t line);
@@ -37,14 +45,16 @@ private:
         Id<Property> property = {};
         std::vector<std::size_t> column_of = {};  ///< for each symbol of the loop: its column
         std::vector<bool> reads = {};             ///< for each column: true if the property reads it
+        std::int64_t least_us = 0;                ///< a shorter violation is not reported
         std::int64_t since_us = 0;                ///< time of the last change of a variable that the property reads
         std::uint64_t line = 0;
         bool pending = true;  ///< true if the values since `since_us` have not been evaluated
     };
 
     bool holds(const Checked& checked) const;
+    std::int64_t least_us(const std::vector<bool>& reads) const;
 
-    std::int64_t jitter_us_;
+    RecordingTolerance tolerance_;
     std::vector<std::optional<std::int64_t>> values_;  ///< for each column; empty before its first value
     std::vector<Checked> checked_ = {};
     std::vector<RecordedProperty> results_ = {};

@@ -48,6 +48,7 @@ public:
           errors_(diagnostics.errors()) {
         report_.log = name;
         report_.jitter_us = options.jitter_ms * 1000;
+        for (const RecordingClock& clock : options.clocks) report_.skew_us = std::max(report_.skew_us, clock.bound_us);
     }
 
     /// Reads the names of the variables. Returns false after an error.
@@ -60,7 +61,12 @@ public:
         std::vector<std::string> names;
         for (std::size_t k = 0; k < reader_.columns().size(); ++k)
             names.push_back(is_used(k) ? mapped(reader_.columns()[k].name) : "");
-        properties_.emplace(model, names, report_.jitter_us);
+        std::vector<std::size_t> clock_of;
+        for (const LogColumn& column : reader_.columns()) clock_of.push_back(clock_of_column(column.name));
+        std::vector<std::int64_t> bounds;
+        for (const RecordingClock& clock : options_.clocks) bounds.push_back(clock.bound_us);
+        properties_.emplace(model, names,
+                            RecordingTolerance{report_.jitter_us, std::move(clock_of), std::move(bounds)});
         return true;
     }
 
@@ -98,6 +104,7 @@ private:
         std::vector<Variable> variable_of = {};    ///< for each column: its variable, or an invalid id
         std::vector<std::size_t> column_of = {};   ///< for each variable: its column + 1, or 0
         std::vector<std::string> unrecorded = {};  ///< names of the outputs without a column
+        std::vector<std::size_t> clocks = {};      ///< the clocks of its variables, as indices of the options
         std::unique_ptr<RecordingCheck> check = {};
         RecordedSample sample = {};  ///< the values of all rows with the time of the last row
         bool decided = false;
@@ -108,6 +115,10 @@ private:
             report_.verdicts.push_back(checked.check->verdict());
             RecordingVerdict& verdict = report_.verdicts.back();
             verdict.unrecorded = checked.unrecorded;
+            for (std::size_t k = 0; k < verdict.offsets.size(); ++k) {
+                verdict.offsets[k].columns = options_.clocks[checked.clocks[k]].columns;
+                verdict.offsets[k].bound_us = options_.clocks[checked.clocks[k]].bound_us;
+            }
             if (!report_.stopped || verdict.kind != RecordingVerdict::Kind::Conforms) continue;
             verdict.kind = RecordingVerdict::Kind::Unknown;
             verdict.reason = failed() ? "an invalid line ended the check; no deviation up to this line"
@@ -120,6 +131,30 @@ private:
         for (const auto& [from, to] : options_.map)
             if (from == column) return to;
         return column;
+    }
+
+    /// Returns the index of the clock of a column in the options + 1, or 0.
+    std::size_t clock_of_column(const std::string& column) const {
+        const auto contains = [&](const RecordingClock& clock) {
+            return std::ranges::find(clock.columns, column) != clock.columns.end();
+        };
+        const auto found = std::ranges::find_if(options_.clocks, contains);
+        return found == options_.clocks.end() ? 0 : static_cast<std::size_t>(found - options_.clocks.begin()) + 1;
+    }
+
+    /// Adds the clocks of the columns of `checked` to the settings of its check.
+    void add_clocks(CheckedChart& checked, RecordingSettings& settings) const {
+        settings.clock_of.resize(checked.column_of.size());
+        for (std::size_t k = 0; k < checked.column_of.size(); ++k) {
+            if (checked.column_of[k] == 0) continue;
+            const std::size_t clock = clock_of_column(reader_.columns()[checked.column_of[k] - 1].name);
+            if (clock == 0) continue;
+            const auto found = std::ranges::find(checked.clocks, clock - 1);
+            settings.clock_of[k] = static_cast<std::size_t>(found - checked.clocks.begin()) + 1;
+            if (found != checked.clocks.end()) continue;
+            checked.clocks.push_back(clock - 1);
+            settings.clocks.push_back(options_.clocks[clock - 1].bound_us);
+        }
     }
 
     /// Assigns the columns of the recording to the inputs and outputs of `chart`.
@@ -154,7 +189,10 @@ private:
         if (outputs.empty()) diagnostics_.add(messages::no_recorded_output(reader_.where(), chart.name));
         else if (!checked.unrecorded.empty())
             diagnostics_.add(messages::unrecorded_outputs(chart.name, list_of(checked.unrecorded)));
-        const RecordingSettings settings{.jitter = report_.jitter_us, .stopped = [this] { return stopped(); }};
+        RecordingSettings settings{.jitter = report_.jitter_us,
+                                   .shown_instants = options_.shown_instants,
+                                   .stopped = [this] { return stopped(); }};
+        add_clocks(checked, settings);
         checked.check = std::make_unique<RecordingCheck>(chart, outputs, settings);
         return checked;
     }
@@ -164,7 +202,8 @@ private:
         return std::ranges::any_of(charts_, [&](const CheckedChart& one) { return one.variable_of[column].valid(); });
     }
 
-    /// Checks the entries of `--map`. Ignores the columns that belong to no variable, and reports their names.
+    /// Checks the entries of `--map` and `--skew`. Ignores the columns that belong to no variable, and reports their
+    /// names.
     void check_names() {
         std::vector<std::string> columns, variables, ignored;
         Span first_ignored;
@@ -184,6 +223,17 @@ private:
             if (std::ranges::find(variables, to) == variables.end())
                 diagnostics_.add(messages::no_such_choice("input or output", to, variables, nearest_of(to, variables)));
         }
+        std::vector<std::string> with_clock;
+        for (const RecordingClock& clock : options_.clocks)
+            for (const std::string& column : clock.columns) {
+                if (std::ranges::find(columns, column) == columns.end())
+                    diagnostics_.add(messages::no_such_choice("column", column, columns, nearest_of(column, columns)));
+                if (std::ranges::find(with_clock, column) != with_clock.end())
+                    diagnostics_.add(messages::bad_log(
+                        {},
+                        fmt::format("`--skew` names the column `{}` twice; remove one", messages::clipped(column))));
+                with_clock.push_back(column);
+            }
         if (!ignored.empty()) diagnostics_.add(messages::ignored_columns(first_ignored, list_of(ignored)));
     }
 
@@ -264,6 +314,25 @@ bool can_be_recorded(const Model& model, Id<Chart> chart, std::optional<Executio
                     model.charts[chart].name),
         "pass `--mode stability-search`"));
     return false;
+}
+
+std::optional<RecordingClock> recording_clock(const std::string& text, Diagnostics& diagnostics) {
+    const std::size_t sign = std::min(text.rfind('='), text.size());
+    RecordingClock clock;
+    for (std::size_t begin = 0; begin <= sign;) {
+        const std::size_t end = std::min(text.find(',', begin), sign);
+        clock.columns.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    const auto bound = sign == text.size() ? std::nullopt : log_time(text.substr(sign + 1));
+    if (!bound || std::ranges::any_of(clock.columns, &std::string::empty)) {
+        diagnostics.add(messages::bad_log(
+            {}, fmt::format("invalid value `{}` of `--skew`; use COLUMN[,COLUMN...]=TIME, such as `PUMP,HORN=500ms`",
+                            messages::clipped(text))));
+        return {};
+    }
+    clock.bound_us = *bound;
+    return clock;
 }
 
 RecordingMonitor::RecordingMonitor(const Model& model, std::vector<Id<Chart>> charts, const std::string& name,

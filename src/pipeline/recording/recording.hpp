@@ -15,8 +15,15 @@
 
 namespace grafverif {
 
+/// Columns whose recorded times are those of another clock.
+struct RecordingClock {
+    std::vector<std::string> columns = {};
+    std::int64_t bound_us = 0;  ///< maximum absolute value of the offset of the clock
+};
+
 struct RecordingOptions {
     std::int64_t jitter_ms = 20;
+    std::vector<RecordingClock> clocks = {};
     /// Pairs of the name of a column and the name of an input or output. A column without a pair records the input or
     /// output with the name of the column.
     std::vector<std::pair<std::string, std::string>> map = {};
@@ -24,8 +31,12 @@ struct RecordingOptions {
     /// samples before an invalid line. False: read the log until each chart has a verdict, and report the errors of all
     /// lines.
     bool stop_early = false;
+    std::uint64_t shown_instants = 16;  ///< minimum number of instants in the runs of the report
     Limits limits = {};
 };
+
+/// Parses a value of `--skew`, such as `PUMP,HORN=500ms`. Returns an empty result after an error.
+std::optional<RecordingClock> recording_clock(const std::string& text, Diagnostics& diagnostics);
 
 /// True if recordings can be checked against the chart: it has equations, and its mode is stability search. Otherwise,
 /// an error is added.

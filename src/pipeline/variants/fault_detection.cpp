@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/variants/fault_detection.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
+#include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 #include "compose/observe.hpp"
 #include "ir/network_run.hpp"
@@ -19,20 +23,18 @@ constexpr std::size_t most_tried = 6;
 /// Duration of the observer that measures a time, in time units. The engine needs states only for the times that occur.
 constexpr std::int64_t longest_units = 1'000'000;
 
-/// True if the pair of literals k and l is considered: they belong to different signals, and l follows k. Literal 2i is
-/// signal i, and literal 2i + 1 is its complement.
-bool is_pair(std::size_t k, std::size_t l) { return k / 2 < l / 2; }
-
+/// Literal 2i is signal i, and literal 2i + 1 is its complement.
 Id<Expr> literal(Network& network, std::size_t k) {
     const Id<Network::Variable> variable = controller_signals(network, true)[k / 2].variable;
     const Id<Expr> positive = network.exprs.leaf(Op::Variable, variable.index);
     return k % 2 == 0 ? positive : network.exprs.negation(positive);
 }
 
-/// Returns the term that is true if both literals of the pair are true. `literals` is the number of literals.
+/// Returns the term that is true if both literals of the pair are true; for the pair (k, k), the literal k. `literals`
+/// is the number of literals.
 Id<Expr> conjunction(Network& network, std::size_t pair, std::size_t literals) {
     const Id<Expr> first = literal(network, pair / literals), second = literal(network, pair % literals);
-    return network.exprs.conjunction(first, second);
+    return first == second ? first : network.exprs.conjunction(first, second);
 }
 
 /// The term that is true when the fault of the process `instance` occurs.
@@ -75,10 +77,12 @@ Id<Expr> any_of_signals(Network& network, const std::vector<std::string>& names)
     return network.exprs.disjunction(terms);
 }
 
-FaultDetection::FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states, bool observers)
-    : network_(network), limits_(limits), max_states_(max_states), signals_(controller_signals(network, true)) {
-    if (observers) normal_ = pairs_in(network);
-}
+FaultDetection::FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states)
+    : network_(network),
+      limits_(limits),
+      max_states_(max_states),
+      signals_(controller_signals(network, true)),
+      normal_(pairs_in(network)) {}
 
 FaultDetection::Detected FaultDetection::detected(Network faulty, const std::string& instance,
                                                   const std::vector<std::string>& names, const Decide& decide) const {
@@ -127,26 +131,40 @@ std::optional<std::vector<std::uint32_t>> FaultDetection::pairs_in(Network netwo
         for (std::size_t k = 0; k < now.size(); ++k)
             now[k] = 2 * k + (state.variables[signals[k].variable.index] != 0 ? 0U : 1U);
         for (std::size_t k = 0; k < now.size(); ++k)
-            for (std::size_t l = k + 1; l < now.size(); ++l) ++counts[now[k] * literals + now[l]];
+            for (std::size_t l = k; l < now.size(); ++l) ++counts[now[k] * literals + now[l]];
     };
     if (!check_timed(network, options).complete) return {};
     return counts;
 }
 
-std::optional<FaultAnalysis::Observer> FaultDetection::observer(const std::string& fault, const Network& faulty,
-                                                                const std::string& instance,
-                                                                const Decide& decide_normal,
-                                                                const Decide& decide_faulty) const {
-    const auto counts = normal_ ? pairs_in(faulty) : std::nullopt;
-    if (!counts) return {};
+std::vector<std::size_t> FaultDetection::candidates(const std::vector<std::uint32_t>& with_fault) const {
     const std::size_t literals = 2 * signals_.size();
-    std::vector<std::size_t> candidates;  // k * literals + l
+    const auto never = [&](std::size_t k, std::size_t l) { return (*normal_)[k * literals + l] == 0; };
+    std::vector<std::size_t> found;
     for (std::size_t k = 0; k < literals; ++k)
-        for (std::size_t l = k + 1; l < literals; ++l)
-            if (is_pair(k, l) && (*normal_)[k * literals + l] == 0 && (*counts)[k * literals + l] != 0)
-                candidates.push_back(k * literals + l);
-    std::ranges::stable_sort(candidates, std::greater<>(), [&](std::size_t pair) { return (*counts)[pair]; });
-    if (candidates.size() > most_tried) candidates.resize(most_tried);
+        for (std::size_t l = k; l < literals; ++l) {
+            if (!never(k, l) || with_fault[k * literals + l] == 0) continue;
+            // A literal that is never true without faults needs no second literal.
+            if (k == l || (!never(k, k) && !never(l, l))) found.push_back(k * literals + l);
+        }
+    std::ranges::stable_sort(found, std::greater<>(), [&](std::size_t pair) { return with_fault[pair]; });
+    return found;
+}
+
+FaultDetection::Proposal FaultDetection::observer(const std::string& name, const Network& faulty,
+                                                  const std::string& instance, const Decide& decide_normal,
+                                                  const Decide& decide_faulty) const {
+    const auto counts = normal_ ? pairs_in(faulty) : std::nullopt;
+    if (!counts && is_over(limits_.deadline, limits_.stop)) return {{}, "the search for an observer was stopped"};
+    if (!counts) return {{}, fmt::format("the search for an observer ended at {} states", max_states_)};
+    const std::size_t literals = 2 * signals_.size();
+    std::vector<std::size_t> candidates = this->candidates(*counts);
+    Proposal proposal;
+    if (candidates.size() > most_tried) {
+        proposal.limit =
+            fmt::format("the search for an observer tried {} of {} conditions", most_tried, candidates.size());
+        candidates.resize(most_tried);
+    }
     if (candidates.empty()) return {};
 
     Network after = faulty;
@@ -170,16 +188,18 @@ std::optional<FaultAnalysis::Observer> FaultDetection::observer(const std::strin
     };
     if (outcome_of(decide_normal(with_property(network_)), "proposed") != Outcome::Holds ||
         outcome_of(decide_faulty(with_property(faulty)), "proposed") != Outcome::Violated)
-        return {};
+        return proposal;
     const auto text = [&](std::size_t k) { return (k % 2 == 0 ? "" : "!") + signals_[k / 2].name; };
-    FaultAnalysis::Observer made{"property detects_" + fault + ": never " + text(*chosen / literals) + " && " +
-                                     text(*chosen % literals) + " at stable;",
-                                 in_every_run(*chosen),
-                                 {}};
-    if (made.in_every_run == Outcome::Holds)
-        made.within_ms =
-            longest_time(std::move(after), instance, conditions[static_cast<std::size_t>(chosen - candidates.begin())]);
-    return made;
+    const std::size_t first = *chosen / literals, second = *chosen % literals;
+    proposal.observer = FaultAnalysis::Observer{fmt::format("property {}: never {}{} at stable;", name, text(first),
+                                                            first == second ? "" : " && " + text(second)),
+                                                in_every_run(*chosen),
+                                                {}};
+    if (proposal.observer->in_every_run != Outcome::Holds) return proposal;
+    proposal.limit.clear();  // no other condition would be preferred
+    proposal.observer->within_ms =
+        longest_time(std::move(after), instance, conditions[static_cast<std::size_t>(chosen - candidates.begin())]);
+    return proposal;
 }
 
 }  // namespace grafverif

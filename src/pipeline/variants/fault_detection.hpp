@@ -12,8 +12,9 @@
 // between two states is attained at integer times. If a constraint is strict, the timed engine does not decide that the
 // fault is always detected, and no time is reported.
 //
-// A proposed property is `never a && b at stable`, in which a and b are inputs, outputs or steps of the controllers, or
-// their complements. The pairs that are true in some quiescent state with the fault, but in none without faults, are
+// A proposed property is `never a at stable` or `never a && b at stable`, in which a and b are inputs, outputs or steps
+// of the controllers, or their complements. In the second form, each of a and b is true in some quiescent state without
+// faults. The literals and pairs that are true in some quiescent state with the fault, but in none without faults, are
 // found by complete searches; the engine then decides the property without faults and with the fault.
 #pragma once
 
@@ -45,9 +46,9 @@ public:
     /// Decides the properties of a network.
     using Decide = std::function<std::vector<Verdict>(const Network&)>;
 
-    /// Searches visit at most `max_states` states. `network` is the loop without faults. If `observers` is true, the
-    /// constructor searches it for the pairs of literals that `observer` requires.
-    FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states, bool observers);
+    /// Searches visit at most `max_states` states. `network` is the loop without faults. The constructor searches it
+    /// for the pairs of literals that `observer` requires.
+    FaultDetection(const Network& network, const Limits& limits, std::uint64_t max_states);
 
     /// Returns whether one of the elements `names` becomes true in every run in which the fault occurs, and the longest
     /// time. `faulty` contains the announced fault of the process `instance`.
@@ -58,17 +59,25 @@ public:
     Detected detected(Network faulty, const std::string& instance, const std::vector<std::string>& names,
                       const Decide& decide) const;
 
-    /// Returns a property that reveals the fault, or nothing if no property of the considered form does. If several
-    /// properties do, a property that is violated in every run with the fault is preferred. `decide` must be a check of
-    /// the loop without faults or of the loop with the announced fault.
-    std::optional<FaultAnalysis::Observer> observer(const std::string& fault, const Network& faulty,
-                                                    const std::string& instance, const Decide& decide_normal,
-                                                    const Decide& decide_faulty) const;
+    /// A property that reveals a fault, or nothing if none was found, and the limit that the search has reached.
+    struct Proposal {
+        std::optional<FaultAnalysis::Observer> observer = {};
+        std::string limit = {};
+    };
+    /// Returns a property of the considered form with the name `name` that reveals the fault. If several properties do,
+    /// a property that is violated in every run with the fault is preferred. `decide` must be a check of the loop
+    /// without faults or of the loop with the announced fault.
+    Proposal observer(const std::string& name, const Network& faulty, const std::string& instance,
+                      const Decide& decide_normal, const Decide& decide_faulty) const;
 
 private:
     std::optional<std::int64_t> longest_time(Network network, const std::string& instance, Id<Expr> condition) const;
     /// Returns the number of quiescent states in which each pair of literals is true; empty if a limit ends the search.
+    /// The pair (k, k) is the literal k.
     std::optional<std::vector<std::uint32_t>> pairs_in(Network network) const;
+    /// Returns the literals and pairs, k * literals + l, that are true only with the fault. Those that are true in most
+    /// states are first.
+    std::vector<std::size_t> candidates(const std::vector<std::uint32_t>& with_fault) const;
 
     const Network& network_;
     Limits limits_;

@@ -18,10 +18,20 @@
 #include "pipeline/variants/fault_model.hpp"
 #include "pipeline/variants/fault_passes.hpp"
 #include "pipeline/variants/in_parallel.hpp"
+#include "support/unique_names.hpp"
 
 namespace grafverif {
 
 namespace {
+
+/// Returns the preferred name of the property that is proposed for a fault: `detects_F_1` for the fault `F[1]`, because
+/// only copies have names with indices.
+std::string observer_name(const std::string& fault) {
+    std::string name = "detects_";
+    for (const char letter : fault)
+        if (letter != ']') name += letter == '[' ? '_' : letter;
+    return name;
+}
 
 using Indices = std::vector<std::size_t>;
 
@@ -354,12 +364,17 @@ private:
     void find_visible(const Network& network) {
         if (stopped()) return;
         const Reached normal = reached(model_, network, request_.jobs);
-        const FaultDetection detection(network, request_.limits, request_.first_states, request_.observers);
+        const FaultDetection detection(network, request_.limits, request_.first_states);
+        UniqueNames taken;
+        for (const Property& property : model_.loops[loop_].properties) taken.take(property.name);
+        std::vector<std::string> names;
+        for (const FaultAnalysis::Fault& fault : analysis_.faults)
+            names.push_back(taken.fresh(observer_name(fault.name)));
         in_parallel(
             analysis_.faults.size(), request_.jobs, [this] { return stopped(); },
             [&](std::size_t k) {
                 analysis_.faults[k].visible = visible(k, normal);
-                if (analysis_.faults[k].visible.decided) detect(k, detection);
+                if (analysis_.faults[k].visible.decided) detect(k, names[k], detection);
             });
     }
 
@@ -392,8 +407,8 @@ private:
     }
 
     /// Decides if the elements that the fault makes true show the fault in every run, and within which time. If they do
-    /// not, looks for a property that does.
-    void detect(std::size_t k, const FaultDetection& detection) {
+    /// not, looks for a property that does, and that is to be called `name`.
+    void detect(std::size_t k, const std::string& name, const FaultDetection& detection) {
         FaultAnalysis::Fault& fault = analysis_.faults[k];
         Diagnostics found;
         const Model model = with_faults(model_, loop_, {{.fault = {static_cast<std::uint32_t>(k)}, .announced = true}});
@@ -415,9 +430,10 @@ private:
             visible.detected = shown.in_every_run;
             visible.within_ms = shown.within_ms;
         }
-        if (visible.detected == Outcome::Holds || !request_.observers || stopped()) return;
-        visible.observer =
-            detection.observer(fault.name, *faulty, fault.instance, decided_by(model_), decided_by(model));
+        if (visible.detected == Outcome::Holds || stopped()) return;
+        auto proposed = detection.observer(name, *faulty, fault.instance, decided_by(model_), decided_by(model));
+        visible.observer = std::move(proposed.observer);
+        visible.observer_limit = std::move(proposed.limit);
     }
 
     const Model& model_;

@@ -35,8 +35,7 @@ constexpr std::uint64_t most_faults = 8;
 struct FaultsRequest {
     std::size_t order = 1;                     ///< maximum number of faults of a combination: 1..most_faults
     std::vector<std::string> properties = {};  ///< names of properties; all if empty
-    bool visible = true;                       ///< also determine which steps and outputs each fault affects
-    bool observers = true;                     ///< also propose properties that reveal a fault; requires `visible`
+    bool visible = true;  ///< also determine how steps, outputs and proposed properties show each fault
     ModelOptions how = {};
     Limits limits = {};
     /// Maximum number of states of the first search for a combination. Verdicts that no limit prevents do not depend on

@@ -186,6 +186,7 @@ Json fault_json(const FaultAnalysis& analysis, std::size_t index, const Sources&
         made["observer"] = {{"property", visible.observer->property},
                             {"in_every_run", truth_or_null(visible.observer->in_every_run)},
                             {"within", seconds_or_null(visible.observer->within_ms)}};
+    made["observer_limit"] = text_or_null(visible.observer_limit);
     made["decided"] = fault.visible.decided;
     return made;
 }
@@ -286,6 +287,7 @@ FaultEffects effects_of(const FaultAnalysis& analysis, std::size_t index) {
     if (visible.observer)
         effects.visible.push_back("proposed observer, violated " + runs_text(*visible.observer) + ": " +
                                   visible.observer->property);
+    if (!visible.observer_limit.empty()) effects.visible.push_back(visible.observer_limit);
     return effects;
 }
 

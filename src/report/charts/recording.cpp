@@ -17,23 +17,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string time_text(std::int64_t us) {
-    std::string text = fmt::format("{}.{:06}", us / 1'000'000, us % 1'000'000);
-    text.resize(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text + " s";
-}
-
 /// Returns the length of the final interval of the recording in which a deviation may remain undetected: four times the
-/// jitter. An instant reads an input within one jitter. The output of this instant is recorded within two further
-/// jitters. In addition, the recording must be known for one jitter after the next instant.
+/// jitter and twice the maximum offset of a clock. An instant reads an input within one jitter. The output of this
+/// instant is recorded within two further jitters. In addition, the recording must be known for one jitter after the
+/// next instant. A clock with a negative offset records a change earlier, and the recording is known up to a time when
+/// all clocks have passed this time.
 std::int64_t undecided_us(const RecordingReport& report) {
-    return std::min(4 * report.jitter_us, report.last_us - report.first_us);
+    return std::min(4 * report.jitter_us + 2 * report.skew_us, report.last_us - report.first_us);
 }
 
-std::string jitter_text(const RecordingReport& report) {
-    return report.jitter_us % 1000 == 0 ? fmt::format("{} ms", report.jitter_us / 1000)
-                                        : fmt::format("{} us", report.jitter_us);
+std::string short_time_text(std::int64_t us) {
+    return us % 1000 == 0 ? fmt::format("{} ms", us / 1000) : fmt::format("{} us", us);
 }
 
 std::string verdict_text(RecordingVerdict::Kind kind, Colour colour) {
@@ -43,41 +37,72 @@ std::string verdict_text(RecordingVerdict::Kind kind, Colour colour) {
     return coloured(word(kind), shown, colour);
 }
 
-void print_deviation(const Deviation& deviation, const RecordingReport& report, std::ostream& out) {
-    out << fmt::format("  {}:{}: ", printable(report.log), deviation.line);
-    if (deviation.missing_change)
-        out << fmt::format("`{}` is {}, but the chart sets it to {} at {}\n", printable(deviation.output),
-                           deviation.recorded, deviation.allowed, time_text(deviation.time_us));
-    else
-        out << fmt::format("`{}` changes to {} at {}, but the chart requires {}\n", printable(deviation.output),
-                           deviation.recorded, time_text(deviation.time_us), deviation.allowed);
+void print_deviation(const RecordingVerdict& verdict, const RecordingReport& report, std::ostream& out) {
+    const Deviation& deviation = *verdict.deviation;
+    out << fmt::format("  {}:{}: {}\n", printable(report.log), deviation.line, printable(deviation_text(deviation)));
     out << fmt::format("  active steps: {}\n", printable(deviation.situation));
-    out << "  No admissible timing explains the recording. The timing that explains most of it"
-        << (deviation.run_is_complete ? ":\n" : " ends with:\n");
-    print_trace(deviation.run, out);
+    out << "  " << no_timing_text(report) << " The timing that explains most of it"
+        << (verdict.run_is_complete ? ":\n" : " ends with:\n");
+    print_trace(verdict.run, out);
 }
 
 }  // namespace
+
+std::string recording_time_text(std::int64_t us) {
+    if (us < 0) return "-" + recording_time_text(-us);
+    std::string text = fmt::format("{}.{:06}", us / 1'000'000, us % 1'000'000);
+    text.resize(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text + " s";
+}
+
+std::string deviation_text(const Deviation& deviation) {
+    const std::string time = recording_time_text(deviation.time_us);
+    if (deviation.missing_change)
+        return fmt::format("`{}` is {}, but the chart sets it to {} at {}", deviation.output, deviation.recorded,
+                           deviation.allowed, time);
+    return fmt::format("`{}` changes to {} at {}, but the chart requires {}", deviation.output, deviation.recorded,
+                       time, deviation.allowed);
+}
+
+std::string no_timing_text(const RecordingReport& report) {
+    return fmt::format("No admissible timing explains the recording{}.",
+                       report.skew_us != 0 ? " with any clock offset within the bounds" : "");
+}
+
+std::string offset_text(const ClockOffset& offset) {
+    std::string columns;
+    for (const std::string& column : offset.columns) columns += (columns.empty() ? "`" : ", `") + column + "`";
+    return fmt::format("clock offset of {}: {} to {} (--skew {})", columns, recording_time_text(offset.low_us),
+                       recording_time_text(offset.high_us), short_time_text(offset.bound_us));
+}
+
+std::string summary_text(const RecordingReport& report) {
+    std::string text = fmt::format("{} sample{} of {} from {} to {}, jitter {}", report.samples,
+                                   report.samples == 1 ? "" : "s", report.log, recording_time_text(report.first_us),
+                                   recording_time_text(report.last_us), short_time_text(report.jitter_us));
+    if (report.skew_us != 0) text += ", skew " + short_time_text(report.skew_us);
+    const auto conforms = [](const RecordingVerdict& one) { return one.kind == RecordingVerdict::Kind::Conforms; };
+    if (undecided_us(report) != 0 && std::ranges::any_of(report.verdicts, conforms))
+        text +=
+            fmt::format("; the last {} of the recording are inconclusive", recording_time_text(undecided_us(report)));
+    return text;
+}
 
 void print_recording(const RecordingReport& report, Colour colour, std::ostream& out) {
     for (const RecordingVerdict& verdict : report.verdicts) {
         out << fmt::format("{}: {}\n", printable(verdict.chart), verdict_text(verdict.kind, colour));
         if (!verdict.reason.empty()) out << "  " << printable(verdict.reason) << '\n';
-        if (verdict.deviation) print_deviation(*verdict.deviation, report, out);
+        if (verdict.deviation) print_deviation(verdict, report, out);
+        for (const ClockOffset& offset : verdict.offsets) out << "  " << printable(offset_text(offset)) << '\n';
     }
     for (const RecordedProperty& property : report.properties)
         if (property.violated)
             out << fmt::format("property {}: violated\n  {}:{}: the values from {} on violate it\n",
                                printable(property.name), printable(report.log), property.line,
-                               time_text(property.time_us));
+                               recording_time_text(property.time_us));
         else out << fmt::format("property {}: not violated by these samples\n", printable(property.name));
-    out << fmt::format("{} sample{} of {} from {} to {}, jitter {}", report.samples, report.samples == 1 ? "" : "s",
-                       printable(report.log), time_text(report.first_us), time_text(report.last_us),
-                       jitter_text(report));
-    const auto conforms = [](const RecordingVerdict& one) { return one.kind == RecordingVerdict::Kind::Conforms; };
-    if (report.jitter_us != 0 && std::ranges::any_of(report.verdicts, conforms))
-        out << fmt::format("; the last {} of the recording are inconclusive", time_text(undecided_us(report)));
-    out << '\n';
+    out << printable(summary_text(report)) << '\n';
 }
 
 std::string recording_json(const RecordingReport& report) {
@@ -86,17 +111,20 @@ std::string recording_json(const RecordingReport& report) {
     for (const RecordingVerdict& verdict : report.verdicts) {
         Json deviation = nullptr;
         if (verdict.deviation)
-            deviation = {{"time", seconds(verdict.deviation->time_us)},
-                         {"line", verdict.deviation->line},
-                         {"output", verdict.deviation->output},
-                         {"recorded", verdict.deviation->recorded},
-                         {"allowed", verdict.deviation->allowed},
-                         {"situation", verdict.deviation->situation},
-                         {"complete", verdict.deviation->run_is_complete},
-                         {"trace", trace_json(verdict.deviation->run)}};
+            deviation = {{"time", seconds(verdict.deviation->time_us)}, {"line", verdict.deviation->line},
+                         {"output", verdict.deviation->output},         {"recorded", verdict.deviation->recorded},
+                         {"allowed", verdict.deviation->allowed},       {"situation", verdict.deviation->situation},
+                         {"complete", verdict.run_is_complete},         {"trace", trace_json(verdict.run)}};
+        Json offsets = Json::array();
+        for (const ClockOffset& offset : verdict.offsets)
+            offsets.push_back({{"columns", offset.columns},
+                               {"bound", seconds(offset.bound_us)},
+                               {"low", seconds(offset.low_us)},
+                               {"high", seconds(offset.high_us)}});
         verdicts.push_back({{"chart", verdict.chart},
                             {"verdict", word(verdict.kind)},
                             {"reason", text_or_null(verdict.reason)},
+                            {"offsets", offsets},
                             {"unrecorded", verdict.unrecorded},
                             {"deviation", deviation}});
     }
@@ -109,6 +137,7 @@ std::string recording_json(const RecordingReport& report) {
     }
     return json_text({{"log", report.log},
                       {"jitter", seconds(report.jitter_us)},
+                      {"skew", seconds(report.skew_us)},
                       {"samples", report.samples},
                       {"from", seconds(report.first_us)},
                       {"to", seconds(report.last_us)},

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "run/recording/recording_check.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cassert>
 #include <span>
 #include <unordered_map>
 
-#include "run/project.hpp"
 #include "run/scanner.hpp"
 
 namespace grafverif {
 
 namespace {
 
-constexpr std::size_t last = 1;                      ///< variable of the last instant in the zone of a hypothesis
 constexpr std::uint64_t most_reactions = 1'000'000;  ///< maximum number of reactions for one sample
 constexpr std::size_t most_successors = 40'000;      ///< maximum number of successors of an instant
 constexpr std::uint64_t poll_interval = 1'024;       ///< reactions between two calls of `stopped`
-constexpr std::uint64_t instants_shown = 16;         ///< minimum number of stored instants of a long timing
 
 }  // namespace
 
@@ -33,9 +29,10 @@ public:
     /// Returns Waits if the next instant may be later than `known_`, so that more samples are needed, and Ends if no
     /// successor exists.
     Result run() {
-        Zone zone = from_.zone;
-        now_ = zone.add();
-        if (!zone.constrain(last, now_, -1) || !add_deadlines(zone)) return Result::Ends;
+        std::optional<Zone> next = check_.zone_of_next(from_);
+        if (!next) return Result::Ends;
+        Zone& zone = *next;
+        now_ = zone.size() - 1;
         if (zone.upper(now_) > check_.known_) return Result::Waits;
         collect_running();
         rise_over_.resize(check_.elements_.size());
@@ -54,24 +51,6 @@ private:
     };
 
     Ticks ticks(std::int64_t milliseconds) const { return milliseconds * check_.settings_.ticks_per_ms; }
-
-    /// Adds the latest time of the next instant. Returns false if this time is before the last instant.
-    bool add_deadlines(Zone& zone) const {
-        if (!from_.history && !zone.constrain(now_, 0, check_.begin_ + jitter_)) return false;
-        for (std::size_t k = 0; k < check_.signals_.size(); ++k) {
-            const Change* const next = check_.signals_[k].at(from_.used[k]);
-            if (next != nullptr && !zone.constrain(now_, 0, next->time + jitter_)) return false;
-            if (from_.hidden[k] != 0 && !zone.constrain(now_, from_.hidden[k], 2 * jitter_)) return false;
-        }
-        for (std::size_t k = 0; k < check_.elements_.size(); ++k) {
-            const TimedElement& element = check_.elements_[k];
-            if (from_.rise[k] != 0 && !zone.constrain(now_, from_.rise[k], ticks(element.rise_ms) + jitter_))
-                return false;
-            if (from_.fall[k] != 0 && !zone.constrain(now_, from_.fall[k], ticks(element.fall_ms) + jitter_))
-                return false;
-        }
-        return true;
-    }
 
     void collect_running() {
         for (std::size_t k = 0; k < check_.elements_.size(); ++k) {
@@ -109,7 +88,7 @@ private:
         if (!signal.input) return;
         Zone seen = zone;
         for (const Change* change = signal.at(used_[k]); change != nullptr; change = signal.at(used_[k])) {
-            if (!seen.constrain(0, now_, jitter_ - change->time)) break;
+            if (!seen.constrain(change->clock, now_, jitter_ - change->time)) break;
             ++used_[k];
             choose_inputs(k + 1, seen, true);
         }
@@ -144,7 +123,7 @@ private:
         for (std::size_t k = 0; k < check_.signals_.size(); ++k)
             if (const Change* const unseen = check_.signals_[k].at(used_[k]);
                 check_.signals_[k].input && unseen != nullptr)
-                if (!zone.constrain(now_, 0, unseen->time + jitter_ - 1)) return;
+                if (!zone.constrain(now_, unseen->clock, unseen->time + jitter_ - 1)) return;
         check_.problem_ = problem;
         check_.problem_time_ = time_of_instant(zone);
     }
@@ -169,8 +148,9 @@ private:
         }
         Hypothesis hidden = next;
         hidden.hidden[k] = first;
-        if (hidden.zone.constrain(first, 0, recorded->time - jitter_ - 1)) write_outputs(k + 1, std::move(hidden));
-        if (!next.zone.constrain(0, first, jitter_ - recorded->time)) return;
+        if (hidden.zone.constrain(first, recorded->clock, recorded->time - jitter_ - 1))
+            write_outputs(k + 1, std::move(hidden));
+        if (!next.zone.constrain(recorded->clock, first, jitter_ - recorded->time)) return;
         next.hidden[k] = 0;
         next.visible[k] = value;
         ++next.used[k];
@@ -180,6 +160,7 @@ private:
     /// Keeps only the instants to which the hypothesis still refers, in a canonical order.
     void finish(Hypothesis next) {
         std::vector<std::size_t> kept = {0, now_};
+        for (std::size_t k = 0; k < check_.settings_.clocks.size(); ++k) kept.push_back(first_clock + k);
         for (std::vector<std::size_t>* const list : {&next.rise, &next.fall, &next.hidden})
             for (std::size_t& variable : *list) {
                 if (variable == 0) continue;
@@ -205,27 +186,32 @@ private:
         made->inputs = next.inputs;
         made->number = from_.history ? from_.history->number + 1 : 0;
         made->time = time_of_instant(next.zone);
-        if (made->number % instants_shown == 0) {
+        const std::uint64_t stored = check_.settings_.shown_instants;
+        if (made->number % stored == 0) {
             Instant* oldest = made.get();
-            for (std::uint64_t k = 0; k < instants_shown && oldest != nullptr; ++k) oldest = oldest->previous.get();
+            for (std::uint64_t k = 0; k < stored && oldest != nullptr; ++k) oldest = oldest->previous.get();
             if (oldest != nullptr) oldest->previous.reset();
         }
         return made;
     }
 
     Ticks time_of_instant(const Zone& zone) const {
-        return std::clamp(cause_time(), zone.lower(now_), zone.upper(now_));
+        return std::clamp(cause_time(zone), zone.lower(now_), zone.upper(now_));
     }
 
     /// Returns the time of the latest event that the instant observes, which is the time of the instant if the
     /// controller reacts immediately.
-    Ticks cause_time() const {
+    Ticks cause_time(const Zone& zone) const {
         Ticks time = from_.history ? from_.typical[last] : check_.begin_;
         for (const Running& running : running_)
             if ((running.is_fall ? fall_over_ : rise_over_)[running.element])
                 time = std::max(time, from_.typical[running.start] + running.duration);
         for (std::size_t k = 0; k < used_.size(); ++k)
-            if (used_[k] != from_.used[k]) time = std::max(time, check_.signals_[k].at(used_[k] - 1)->time);
+            if (used_[k] != from_.used[k]) {
+                const Change& change = *check_.signals_[k].at(used_[k] - 1);
+                const Ticks earlier = std::clamp(Ticks{0}, zone.lower(change.clock), zone.upper(change.clock));
+                time = std::max(time, change.time + earlier);
+            }
         return time;
     }
 
@@ -251,7 +237,13 @@ RecordingCheck::RecordingCheck(const Chart& chart, const std::vector<Id<Chart::V
         signals_.push_back({.variable = id, .input = true});
     for (const Id<Chart::Variable> id : outputs)
         signals_.push_back({.variable = id, .last = chart.variables[id].initial});
-    for (std::size_t k = 0; k < signals_.size(); ++k) signal_of_[signals_[k].variable.index] = k + 1;
+    for (std::size_t k = 0; k < signals_.size(); ++k) {
+        const std::size_t variable = signals_[k].variable.index;
+        signal_of_[variable] = k + 1;
+        const std::size_t clock = settings_.clocks.empty() ? 0 : settings_.clock_of[variable];
+        if (clock != 0) signals_[k].clock = first_clock + clock - 1;
+    }
+    for (const Ticks bound : settings_.clocks) largest_offset_ = std::max(largest_offset_, bound);
 }
 
 bool RecordingCheck::add(const RecordedSample& sample) {
@@ -263,7 +255,7 @@ bool RecordingCheck::add(const RecordedSample& sample) {
 
 bool RecordingCheck::pass(Ticks time) {
     now_ = time;
-    known_ = now_ - settings_.jitter - 1;
+    known_ = now_ - settings_.jitter - largest_offset_ - 1;
     if (!hypotheses_.empty()) advance();
     return !hypotheses_.empty();
 }
@@ -284,6 +276,13 @@ void RecordingCheck::begin(const RecordedSample& sample) {
     power_on.fall.resize(elements_.size());
     power_on.zone.assign(power_on.zone.add(), begin_ - settings_.jitter - 1);
     power_on.typical = {0, begin_};
+    for (const Ticks bound : settings_.clocks) {
+        const std::size_t clock = power_on.zone.add();
+        [[maybe_unused]] const bool possible =
+            power_on.zone.constrain(clock, 0, bound) && power_on.zone.constrain(0, clock, bound);
+        assert(possible);
+        power_on.typical.push_back(0);
+    }
     hypotheses_ = {std::move(power_on)};
 }
 
@@ -292,8 +291,9 @@ void RecordingCheck::record(const RecordedSample& sample) {
     for (const auto& [variable, value, line] : sample.values) {
         const std::size_t place = signal_of_[variable.index];
         if (place == 0 || signals_[place - 1].last == value) continue;
-        signals_[place - 1].last = value;
-        signals_[place - 1].changes.push_back({sample.time, value, line});
+        Signal& signal = signals_[place - 1];
+        signal.last = value;
+        signal.changes.push_back({sample.time, value, line, sample.time == begin_ ? 0 : signal.clock});
     }
 }
 
@@ -332,6 +332,9 @@ void RecordingCheck::advance() {
 /// hypotheses so far.
 void RecordingCheck::end(const Hypothesis& hypothesis) {
     const Ticks jitter = settings_.jitter;
+    const auto latest = [&](const Change& change) {
+        return change.time + hypothesis.zone.upper(change.clock) + jitter;
+    };
     Ticks other =
         Zone::unbounded;  // deadline of an event that another hypothesis observes together with an earlier event
     for (std::size_t k = 0; k < elements_.size(); ++k) {
@@ -346,17 +349,38 @@ void RecordingCheck::end(const Hypothesis& hypothesis) {
     for (std::size_t k = 0; k < signals_.size(); ++k) {
         const Change* const next = signals_[k].at(hypothesis.used[k]);
         if (signals_[k].input) {
-            if (next != nullptr) other = std::min(other, next->time + jitter);
+            if (next != nullptr) other = std::min(other, latest(*next));
             continue;
         }
         const std::size_t hidden = hypothesis.hidden[k];
         if (hidden != 0 && hypothesis.zone.upper(hidden) + 2 * jitter < end.deadline)
             end = {hypothesis.zone.upper(hidden) + 2 * jitter, k, true, {}, {}};
-        if (next != nullptr && next->time + jitter < end.deadline) end = {next->time + jitter, k, false, {}, *next};
+        if (next != nullptr && latest(*next) < end.deadline) end = {latest(*next), k, false, {}, *next};
     }
     if (end.deadline == Zone::unbounded || (end_ && (other < end.deadline || end.deadline <= end_->deadline))) return;
     end.hypothesis = hypothesis;
     end_ = std::move(end);
+}
+
+std::optional<Zone> RecordingCheck::zone_of_next(const Hypothesis& from) const {
+    const Ticks jitter = settings_.jitter;
+    Zone zone = from.zone;
+    const std::size_t now = zone.add();
+    if (!zone.constrain(last, now, -1) || (!from.history && !zone.constrain(now, 0, begin_ + jitter))) return {};
+    for (std::size_t k = 0; k < signals_.size(); ++k) {
+        if (const Change* const next = signals_[k].at(from.used[k]); next != nullptr) {
+            if (!zone.constrain(now, next->clock, next->time + jitter)) return {};
+            if (next->clock != 0 && !zone.constrain(0, next->clock, next->time - begin_ - 1)) return {};
+        }
+        if (from.hidden[k] != 0 && !zone.constrain(now, from.hidden[k], 2 * jitter)) return {};
+    }
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+        const auto latest = [&](std::size_t start, std::int64_t milliseconds) {
+            return start == 0 || zone.constrain(now, start, milliseconds * settings_.ticks_per_ms + jitter);
+        };
+        if (!latest(from.rise[k], elements_[k].rise_ms) || !latest(from.fall[k], elements_[k].fall_ms)) return {};
+    }
+    return zone;
 }
 
 /// Removes the bounds of the last instant if they do not restrict the next instant.
@@ -364,9 +388,13 @@ void RecordingCheck::relax(Hypothesis& hypothesis) const {
     for (const auto* const list : {&hypothesis.rise, &hypothesis.fall, &hypothesis.hidden})
         if (std::ranges::find(*list, last) != list->end()) return;
     Ticks next = now_;
-    for (std::size_t k = 0; k < signals_.size(); ++k)
-        if (const Change* const change = signals_[k].at(hypothesis.used[k]); signals_[k].input && change != nullptr)
-            next = std::min(next, change->time);
+    for (std::size_t k = 0; k < signals_.size(); ++k) {
+        if (!signals_[k].input) continue;
+        const Change* const change = signals_[k].at(hypothesis.used[k]);
+        const Ticks recorded = change != nullptr ? change->time : now_;
+        const std::size_t clock = change != nullptr ? change->clock : signals_[k].clock;
+        next = std::min(next, recorded + hypothesis.zone.lower(clock));
+    }
     next -= settings_.jitter;
     // The next instant either observes a change of an input, and is then not before `next`, or it observes that a time
     // has elapsed after the last instant.
@@ -377,12 +405,33 @@ void RecordingCheck::poll() {
     if (settings_.stopped && settings_.stopped()) limit_ = Limit::Stopped;
 }
 
+/// Adds to `hypothesis` the timings of all hypotheses at the places `same` of `list` for which the union is a zone.
+/// Removes their places, and returns the number of these hypotheses, whose `state` is then empty. The history of
+/// `hypothesis` does not change; it is a run of the chart to the same state with the same changes.
+std::size_t RecordingCheck::join(Hypothesis& hypothesis, std::vector<std::size_t>& same,
+                                 std::vector<Hypothesis>& list) {
+    const std::size_t before = same.size();
+    for (std::size_t k = 0; k < same.size();) {
+        auto zone = list[same[k]].zone.joined(hypothesis.zone);
+        if (!zone) {
+            ++k;
+            continue;
+        }
+        hypothesis.zone = std::move(*zone);
+        list[same[k]].state.reset();
+        same.erase(same.begin() + static_cast<std::ptrdiff_t>(k));
+        k = 0;
+    }
+    return before - same.size();
+}
+
 /// Removes each hypothesis whose timings are included in the timings of another hypothesis. Ends early if too many
 /// hypotheses remain.
 void RecordingCheck::reduce(std::vector<Hypothesis>& hypotheses) {
     if (hypotheses.size() < 2) return;
     std::unordered_map<std::string, std::vector<std::size_t>> kept;
     std::vector<Hypothesis> result;
+    std::size_t joined = 0;  // number of elements of `result` that were joined with a later element
     for (Hypothesis& hypothesis : hypotheses) {
         if (hypothesis.history) relax(hypothesis);
         std::string key;
@@ -393,18 +442,20 @@ void RecordingCheck::reduce(std::vector<Hypothesis>& hypotheses) {
         std::vector<std::size_t>& same = kept[key];
         const auto is_known = [&](std::size_t other) { return result[other].zone.includes(hypothesis.zone); };
         if (std::ranges::any_of(same, is_known)) continue;
+        if (!settings_.clocks.empty()) joined += join(hypothesis, same, result);
         same.push_back(result.size());
         result.push_back(std::move(hypothesis));
-        if (result.size() > settings_.most_hypotheses) break;
+        if (result.size() - joined > settings_.most_hypotheses) break;
         if (result.size() % poll_interval == 0) poll();
         if (limit_ != Limit::None) break;
     }
+    std::erase_if(result, [](const Hypothesis& hypothesis) { return hypothesis.state == nullptr; });
     hypotheses = std::move(result);
 }
 
 void RecordingCheck::drop_used_changes() {
     if (hypotheses_.empty()) return;
-    while (lines_.size() > 1 && lines_[1].first < known_ - 4 * settings_.jitter) lines_.pop_front();
+    while (lines_.size() > 1 && lines_[1].first < known_ - 4 * settings_.jitter - largest_offset_) lines_.pop_front();
     for (std::size_t k = 0; k < signals_.size(); ++k) {
         Signal& signal = signals_[k];
         if (signal.changes.empty()) continue;
@@ -412,72 +463,6 @@ void RecordingCheck::drop_used_changes() {
         for (const Hypothesis& hypothesis : hypotheses_) used = std::min(used, hypothesis.used[k]);
         for (; signal.first < used; ++signal.first) signal.changes.pop_front();
     }
-}
-
-/// Returns the line of the last sample that is not after `time`.
-std::uint64_t RecordingCheck::line_at(Ticks time) const {
-    std::uint64_t line = lines_.front().second;
-    for (const auto& [begin, number] : lines_)
-        if (begin <= time) line = number;
-    return line;
-}
-
-Deviation RecordingCheck::deviation() const {
-    const Hypothesis& hypothesis = end_->hypothesis;
-    const Signal& signal = signals_[end_->signal];
-    const Ticks unit = settings_.ticks_per_ms;
-    const auto us = [&](Ticks time) { return time / unit * 1000 + time % unit * 1000 / unit; };
-    Deviation result;
-    result.output = source_.variables[signal.variable].name;
-    result.allowed = hypothesis.state->outputs[signal.variable.index];
-    result.missing_change = end_->missing_change;
-    if (end_->missing_change) {
-        const std::size_t hidden = hypothesis.hidden[end_->signal];
-        result.time_us = us(hypothesis.typical[hidden]);
-        result.line = line_at(hypothesis.zone.upper(hidden) + settings_.jitter);
-        result.recorded = hypothesis.visible[end_->signal];
-        for (const Instant* instant = hypothesis.history.get(); instant != nullptr; instant = instant->previous.get())
-            if (instant->time >= hypothesis.typical[hidden])
-                result.allowed = instant->reaction->after->outputs[signal.variable.index];
-    } else {
-        result.time_us = us(end_->change.time);
-        result.line = end_->change.line;
-        result.recorded = end_->change.value;
-    }
-    result.situation = situation_text(source_, hypothesis.state->situation);
-    std::vector<const Instant*> instants;
-    for (const Instant* instant = hypothesis.history.get(); instant != nullptr; instant = instant->previous.get())
-        instants.insert(instants.begin(), instant);
-    result.run = project(source_, ExecutionMode::StabilitySearch);
-    for (const Instant* const instant : instants)
-        append_instant(
-            result.run, instant->number == 0 ? "power-on" : "cycle", instant->reaction->fired,
-            project(source_, *instant->reaction->after, instant->inputs, instant->time / settings_.ticks_per_ms));
-    result.run_is_complete = instants.empty() || instants.front()->number == 0;
-    return result;
-}
-
-RecordingVerdict RecordingCheck::verdict() const {
-    using Kind = RecordingVerdict::Kind;
-    RecordingVerdict result{.chart = source_.name};
-    if (!begun_ || !hypotheses_.empty()) return result;
-    if (limit_ != Limit::None) {
-        result.kind = Kind::Unknown;
-        result.reason = limit_ == Limit::Orders      ? "too many orders of events are possible; reduce the jitter"
-                        : limit_ == Limit::Reactions ? "too many possible sequences of instants between two "
-                                                       "samples; record more samples or reduce the jitter"
-                                                     : "stopped before the end of the log; no deviation up to this "
-                                                       "sample";
-    } else if (!problem_.empty() || !end_) {
-        result.kind = Kind::Unknown;
-        result.reason = fmt::format(
-            "an admissible timing has a model error at {} ms, and no other timing explains the recording: {}",
-            problem_time_ / settings_.ticks_per_ms, problem_);
-    } else {
-        result.kind = Kind::Deviates;
-    }
-    if (end_ && limit_ == Limit::None) result.deviation = deviation();
-    return result;
 }
 
 }  // namespace grafverif

@@ -20,11 +20,19 @@
 // of an input, or that a time has elapsed. The recording deviates if it has no admissible timing, independently of its
 // continuation after the last sample.
 //
+// The recorded times of some variables can be those of other clocks. Each of these clocks has a constant offset, which
+// is unknown, but has a bound. A change that is recorded at the time t of such a clock occurred at the time t - offset,
+// which is after the first sample. The first sample contains the values of all variables at its time. Instants and
+// elapsed times are those of the controller. A timing is admissible if it satisfies the conditions for some offsets
+// within the bounds.
+//
 // Method: a hypothesis is a state of the chart with a zone of the instants that matter for its future. All hypotheses
 // together represent all admissible timings up to the current time. Each hypothesis is expanded as soon as the
-// recording is known up to J after the next instant of the hypothesis. A change of an output is assigned to the next
-// recorded change of this output if possible. This rule excludes no admissible timing, because later changes can
-// replace the earlier one.
+// recording is known up to J after the next instant of the hypothesis. The zone also contains the negated offset of
+// each clock. Thus the conditions for recorded times remain bounds of differences, and the check has the same
+// precision for unknown offsets. To limit the number of hypotheses, hypotheses that differ only in their zones are
+// joined if the union of the zones is a zone. A change of an output is assigned to the next recorded change of this
+// output if possible. This rule excludes no admissible timing, because later changes can replace the earlier one.
 #pragma once
 
 #include <cstddef>
@@ -47,8 +55,11 @@ struct RecordingSettings {
     Ticks jitter = 20'000;
     Ticks ticks_per_ms = 1'000;
     std::size_t most_hypotheses = 10'000;
+    std::uint64_t shown_instants = 16;                 ///< minimum number of stored instants of a long timing
     std::size_t table_bytes = std::size_t{64} << 20U;  ///< approximate size of the tables of reactions
     std::function<bool()> stopped = {};                ///< returns true if the check must end; may be empty
+    std::vector<Ticks> clocks = {};                    ///< for each further clock: maximum absolute value of its offset
+    std::vector<std::size_t> clock_of = {};  ///< for each variable: index in `clocks` + 1, or 0; empty without clocks
 };
 
 struct RecordedValue {
@@ -80,16 +91,21 @@ public:
     RecordingVerdict verdict() const;
 
 private:
+    static constexpr std::size_t last = 1;         ///< variable of zones: the last instant
+    static constexpr std::size_t first_clock = 2;  ///< variable of zones: the negated offset of the first clock
+
     struct Change {
         Ticks time = 0;
         std::int64_t value = 0;
         std::uint64_t line = 0;
+        std::size_t clock = 0;  ///< variable of the zone whose value plus `time` is the time of the change
     };
     /// The recorded changes of a variable that at least one hypothesis has not used. Position 0 is the first change of
     /// the recording.
     struct Signal {
         Id<Chart::Variable> variable = {};
         bool input = false;
+        std::size_t clock = 0;    ///< variable of the zone: the negated offset of the clock, or 0
         std::int64_t last = 0;    ///< value of the last sample
         std::uint64_t first = 0;  ///< position of the first stored change
         std::deque<Change> changes = {};
@@ -111,7 +127,7 @@ private:
         std::vector<std::int64_t> inputs = {};   ///< for each variable: last value of an input that was read
         std::vector<std::uint64_t> used = {};    ///< for each signal: number of observed or explained changes
         std::vector<std::int64_t> visible = {};  ///< for each output signal: the recorded value after the used changes
-        Zone zone = {};                          ///< variable 1 is the last instant
+        Zone zone = {};                          ///< its variables begin with `last` and the clocks
         /// For each timed element: zone variable of the instant at which t1 (t2) started, or 0 if it is not running.
         std::vector<std::size_t> rise = {}, fall = {};
         /// For each output signal: zone variable of the first instant whose change of the output is not recorded yet,
@@ -137,15 +153,22 @@ private:
     void record(const RecordedSample& sample);
     void advance();
     void end(const Hypothesis& hypothesis);
+    /// Returns the zone with the next instant as its last variable, or nothing if the hypothesis has no successor.
+    std::optional<Zone> zone_of_next(const Hypothesis& from) const;
     void relax(Hypothesis& hypothesis) const;
     void reduce(std::vector<Hypothesis>& hypotheses);
+    static std::size_t join(Hypothesis& hypothesis, std::vector<std::size_t>& same, std::vector<Hypothesis>& list);
     void drop_used_changes();
     void poll();
     std::uint64_t line_at(Ticks time) const;
+    std::int64_t microseconds(Ticks time) const;
     Deviation deviation() const;
+    void add_run(const Hypothesis& hypothesis, RecordingVerdict& verdict) const;
+    std::vector<ClockOffset> offsets() const;
 
     const Chart& source_;
     RecordingSettings settings_;
+    Ticks largest_offset_ = 0;  ///< maximum absolute value of an offset
     Reactions reactions_;
     std::vector<TimedElement> elements_;
     std::vector<Signal> signals_ = {};

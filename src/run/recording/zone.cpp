@@ -55,4 +55,17 @@ bool Zone::includes(const Zone& other) const {
     return std::ranges::equal(other.bounds_, bounds_, [](Ticks theirs, Ticks own) { return theirs <= own; });
 }
 
+std::optional<Zone> Zone::joined(const Zone& other) const {
+    Zone hull = *this;  // the smallest zone that includes both
+    for (std::size_t k = 0; k < bounds_.size(); ++k) hull.bounds_[k] = std::max(bounds_[k], other.bounds_[k]);
+    // The hull is the union if `other` includes each element of the hull that violates a bound of this zone.
+    for (std::size_t x = 0; x < size_; ++x)
+        for (std::size_t y = 0; y < size_; ++y) {
+            if (at(x, y) == hull.at(x, y)) continue;
+            Zone rest = hull;
+            if (rest.constrain(y, x, -at(x, y) - 1) && !other.includes(rest)) return {};
+        }
+    return hull;
+}
+
 }  // namespace grafverif

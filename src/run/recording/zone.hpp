@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,7 @@ public:
     /// Removes all bounds of `x`, and then sets `x` to `value`.
     void assign(std::size_t x, Ticks value);
 
+    std::size_t size() const { return size_; }
     Ticks lower(std::size_t x) const { return -bounds_[x]; }
     Ticks upper(std::size_t x) const { return bounds_[x * size_]; }
 
@@ -34,9 +36,13 @@ public:
     Zone projection(std::span<const std::size_t> variables) const;
     /// True if each element of `other` is an element of this zone. Requires that both zones have the same variables.
     bool includes(const Zone& other) const;
+    /// Returns the union with `other`; empty if no zone is equal to this union. Requires that both zones have the same
+    /// variables. O(size^4).
+    std::optional<Zone> joined(const Zone& other) const;
 
 private:
     Ticks& at(std::size_t x, std::size_t y) { return bounds_[x * size_ + y]; }
+    Ticks at(std::size_t x, std::size_t y) const { return bounds_[x * size_ + y]; }
 
     std::size_t size_ = 1;
     std::vector<Ticks> bounds_ = {0};  ///< at x, y: upper bound of x - y

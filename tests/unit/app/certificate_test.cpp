@@ -55,10 +55,44 @@ TEST(Certificate, ProvesTheVerdictsOfTheTestingStation) {
     const Result result = grafverif({"check", station, "--certificate", folder.file("station")});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_NE(result.out.find("certificate: 4 of 4 verdicts; check it with `grafverif-certify "), std::string::npos);
+    EXPECT_NE(result.out.find("\n  set of states: P14, P15, no_deadlock, no_timelock\n"), std::string::npos)
+        << result.out;
     const Certified certified = certify(folder.file("station"));
     EXPECT_EQ(certified.code, 0) << certified.out;
     for (const char* property : {"P14", "P15", "no_deadlock", "no_timelock"})
         EXPECT_NE(certified.out.find(std::string(property) + ": holds, proved by the states\n"), std::string::npos);
+}
+
+TEST(Certificate, TheReportStatesTheKindForEachVerdict) {
+    const Folder folder;
+    const std::string text =
+        "grafcet lamp { input ON; output LAMP; initial step 0; step 1 { LAMP; } transition on: 0 -> 1 when ON; }\n"
+        "closed_loop room { controller lamp; environment a = free(OUT = ON); property dark: never LAMP;\n"
+        "property lit: reachable LAMP; property one: exactly one of {X0, X1}; }\n";
+    const Result result = grafverif({"check", folder.write("room.grafcet", text), "--certificate", folder.file("room"),
+                                     "--report", folder.file("room.html")});
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_NE(result.out.find("\n  set of states: one, no_timelock\n  run: dark, lit\n"), std::string::npos)
+        << result.out;
+    const std::string page = folder.read("room.html");
+    for (const char* const outcome :
+         {"violated (certificate: run)", "holds (certificate: run)", "holds (certificate: set of states)"})
+        EXPECT_NE(page.find(std::string("<span class=\"outcome\">") + outcome + "</span>"), std::string::npos)
+            << outcome;
+    EXPECT_NE(page.find("Certificate: run in " + folder.file("room") + "."), std::string::npos);
+    EXPECT_NE(page.find("data-run=\"dark\""), std::string::npos);
+    const Result limited = grafverif({"check", folder.file("room.grafcet"), "--certificate", folder.file("few"),
+                                      "--max-states", "2", "--property", "one", "--report", folder.file("few.html")});
+    EXPECT_EQ(limited.code, ExitCode::Unknown) << limited.out;
+    const std::string unknown = folder.read("few.html");
+    EXPECT_NE(unknown.find("unknown (certificate: none)"), std::string::npos);
+    EXPECT_NE(unknown.find("Certificate: none: the verdict is unknown."), std::string::npos);
+    // Without a certificate, the report is that of `report`.
+    ASSERT_EQ(grafverif({"check", folder.file("room.grafcet"), "--report", folder.file("plain.html")}).code,
+              ExitCode::Verdict);
+    ASSERT_EQ(grafverif({"report", folder.file("room.grafcet"), "-o", folder.file("report.html")}).code,
+              ExitCode::Verdict);
+    EXPECT_EQ(folder.read("plain.html"), folder.read("report.html"));
 }
 
 TEST(Certificate, StatesTheReasonForAVerdictWithoutCertificate) {

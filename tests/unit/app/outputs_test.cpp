@@ -337,6 +337,8 @@ TEST(Outputs, RejectNamesOfFormatsThatAreNotWrittenWithRemedy) {
         {{"report", file, "-o", x + ".svg"}, ".svg` would contain HTML, not SVG; write `" + x + ".html` ["},
         {{"faults", file, "--report", x + ".svg"}, ".svg` would contain HTML, not SVG; write `" + x + ".html` ["},
         {{"tune", file, "--report", x + ".pdf"}, ".pdf` would contain HTML, not PDF; write `"},
+        {{"check", file, "--report", x + ".pdf"}, ".pdf` would contain HTML, not PDF; write `"},
+        {{"replay", file, "--log", file, "--report", x + ".svg"}, ".svg` would contain HTML, not SVG; write `"},
         {{"equations", file, "-o", x + ".pdf"}, ".pdf` would contain text, not PDF; choose another name"}};
     for (const auto& [arguments, message] : cases) {
         SCOPED_TRACE(arguments.back());

@@ -226,6 +226,76 @@ TEST(Replay, MapsColumnsToNames) {
     EXPECT_NE(replayed(log, {"--map", "START"}).err.find("use COLUMN=NAME"), std::string::npos);
 }
 
+// The columns of the outputs have the times of a clock that is 300 ms ahead.
+const std::string skewed = head +
+                           "1,1,,,,\n1.310,,,1,,4\n2,0,,,,\n4.305,,,0,1,\n6,,1,,,\n6.3,,,,0,\n7,,0,,,\n"
+                           "8,1,,,,\n8.29,,,1,,\n8.5,0,,,,\n9,,1,,,\n9.312,,,0,,\n10,,,,,\n12,,,,,\n";
+
+TEST(Replay, FindsTheOffsetOfAClock) {
+    EXPECT_TRUE(deviates(replayed(skewed), "`PUMP` is 0, but the chart sets it to 1 at 1 s"));
+    const Result found = replayed(skewed, {"--skew", "PUMP,HORN,LEVEL=500ms"});
+    EXPECT_TRUE(conforms(found));
+    // Each of the changes is recorded at most 40 ms before or after the change of the input and the offset.
+    EXPECT_NE(found.out.find("  clock offset of `PUMP`, `HORN`, `LEVEL`: 0.272 s to 0.33 s (--skew 500 ms)\n"),
+              std::string::npos)
+        << found.out;
+    EXPECT_NE(found.out.find("15 samples of <standard input> from 0 s to 12 s, jitter 20 ms, skew 500 ms; the last "
+                             "1.08 s of the recording are inconclusive\n"),
+              std::string::npos)
+        << found.out;
+    const Result inputs = replayed(skewed, {"--skew", "START,STOP=500ms"});
+    EXPECT_TRUE(conforms(inputs));
+    EXPECT_NE(inputs.out.find("  clock offset of `START`, `STOP`: -0.33 s to -0.272 s (--skew 500 ms)\n"),
+              std::string::npos)
+        << inputs.out;
+    const Result small = replayed(skewed, {"--skew", "PUMP,HORN,LEVEL=100ms"});
+    EXPECT_TRUE(deviates(small,
+                         "  No admissible timing explains the recording with any clock offset within the bounds."
+                         " The timing that explains most of it:\n"));
+    EXPECT_NE(small.out.find("  clock offset of `PUMP`, `HORN`, `LEVEL`: "), std::string::npos) << small.out;
+}
+
+TEST(Replay, RejectsAnOffsetThatChanges) {
+    // The first change is recorded 300 ms late, the second one 100 ms late.
+    const std::string log = head + "1,1,,,,\n1.3,,,1,,4\n2,0,1,,,\n2.1,,,0,,\n9,,,,,\n";
+    const Result result = replayed(log, {"--skew", "PUMP,HORN,LEVEL=500ms"});
+    EXPECT_TRUE(deviates(result, "`PUMP` changes to 0 at 2.1 s, but the chart requires 1\n"));
+    EXPECT_NE(result.out.find("  clock offset of `PUMP`, `HORN`, `LEVEL`: 0.26 s to 0.34 s (--skew 500 ms)\n"),
+              std::string::npos)
+        << result.out;
+    EXPECT_TRUE(conforms(replayed(log, {"--skew", "PUMP,HORN,LEVEL=500ms", "--jitter", "60ms"})));
+}
+
+TEST(Replay, FindsTheOffsetsOfSeveralClocks) {
+    const std::string log = head + "0.8,,,1,,4\n1,1,,,,\n2,0,,,,\n3.8,,,0,,\n4.4,,,,1,\n6,,1,,,\n6.4,,,,0,\n9,,,,,\n";
+    EXPECT_EQ(replayed(log, {"--skew", "PUMP,HORN,LEVEL=500ms"}).code, ExitCode::Verdict);
+    const Result found = replayed(log, {"--skew", "PUMP,LEVEL=250ms", "--skew", "HORN=0.5", "--format", "json"});
+    EXPECT_EQ(found.code, ExitCode::Done) << found.out << found.err;
+    const auto json = nlohmann::json::parse(found.out);
+    EXPECT_EQ(json["skew"], 0.5);
+    const auto& offsets = json["charts"][0]["offsets"];
+    ASSERT_EQ(offsets.size(), 2U);
+    EXPECT_EQ(offsets[0]["columns"], nlohmann::json({"PUMP", "LEVEL"}));
+    EXPECT_EQ(offsets[0]["bound"], 0.25);
+    EXPECT_LE(offsets[0]["low"], -0.2);
+    EXPECT_GE(offsets[0]["high"], -0.2);
+    EXPECT_LE(offsets[1]["low"], 0.4);
+    EXPECT_GE(offsets[1]["high"], 0.4);
+}
+
+TEST(Replay, RejectsInvalidClocks) {
+    for (const char* const text : {"PUMP", "=1s", "PUMP=", "PUMP=1h", "PUMP,=1s", "PUMP=-1s"}) {
+        const Result result = replayed(skewed, {"--skew", text});
+        EXPECT_EQ(result.code, ExitCode::Input) << text;
+        EXPECT_NE(result.err.find("use COLUMN[,COLUMN...]=TIME, such as `PUMP,HORN=500ms`"), std::string::npos)
+            << result.err;
+    }
+    EXPECT_NE(replayed(skewed, {"--skew", "PUMPE=1s"}).err.find("did you mean `PUMP`?"), std::string::npos);
+    EXPECT_NE(replayed(skewed, {"--skew", "PUMP,HORN=1s", "--skew", "PUMP=1s"})
+                  .err.find("`--skew` names the column `PUMP` twice; remove one"),
+              std::string::npos);
+}
+
 TEST(Replay, ReportsMissingColumns) {
     const Result inputs = replayed("time,PUMP\n0,0\n");
     EXPECT_EQ(inputs.code, ExitCode::Input);
@@ -283,6 +353,56 @@ TEST(Replay, ReportsDeviationsAsJson) {
     EXPECT_EQ(deviation["trace"]["steps"].size(), 2U);
 }
 
+TEST(Replay, WritesAReportWithTheRun) {
+    const Folder folder;
+    const std::string file =
+        folder.write("pump.grafcet",
+                     std::string(pump) +
+                         "closed_loop l { controller pump; environment A = push_button(OUT = START); environment B "
+                         "= push_button(OUT = STOP);\nproperty P1: never PUMP && START; property P2: never HORN; }\n");
+    const auto page = [&](const std::string& log, ExitCode code) {
+        const Result result =
+            grafverif({"replay", file, "--log", folder.write("log.csv", log), "--report", folder.file("page.html")});
+        EXPECT_EQ(result.code, code) << result.out << result.err;
+        EXPECT_NE(result.out.find("samples of "), std::string::npos);
+        return folder.read("page.html");
+    };
+    const auto contains = [](const std::string& text, const std::string& part) {
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    };
+    // The last row of the run is the last instant before the deviation. The values from 1 s on violate P1.
+    const std::string late = page(head + "1,1,,1,,4\n2,0,,,,\n3,,,0,,\n9,,,,,\n", ExitCode::Verdict);
+    contains(late, "<strong>The recording deviates from 1 chart, the recording violates 1 property.</strong>");
+    contains(late, "log.csv:5: <code>PUMP</code> changes to 0 at 3 s, but the chart requires 1.");
+    contains(late,
+             "<button type=\"button\" class=\"play\" data-run=\"pump\">▶ Play the run up to the deviation</button>");
+    contains(late, "id=\"property-l.P1\"");
+    contains(late, "<a href=\"#pump/1\">Show 1 s in the run of pump</a>");
+    contains(late, "not violated by these samples");
+    const auto json = [](const std::string& text) {
+        const std::string begin = "<script type=\"application/json\" id=\"data\">";
+        const std::size_t from = text.find(begin) + begin.size();
+        return nlohmann::json::parse(text.substr(from, text.find("</script>", from) - from));
+    };
+    const auto run = json(late)["runs"][0];
+    EXPECT_EQ(run["kind"], "recording");
+    EXPECT_EQ(run["rows"].size(), 3U);
+    EXPECT_EQ(run["rows"][1]["cleared"], "t1");
+    EXPECT_NE(run["end"].get<std::string>().find("log.csv:5: `PUMP` changes to 0"), std::string::npos);
+    EXPECT_EQ(json(late)["charts"][0]["name"], "pump");
+    // The run of a recording that conforms has all instants, also if there are more than `replay` prints.
+    std::string log = head;
+    for (int k = 1; k <= 40; ++k) {
+        const std::string second = std::to_string(10 * k);
+        log += second + ",1,,1,," + (k == 1 ? "4" : "") + "\n" + second + ".2,0,,,,\n" + second + ".5,,1,0,,\n" +
+               second + ".7,,0,,,\n";
+    }
+    const std::string conforming = page(log + "500,,,,,\n", ExitCode::Verdict);
+    contains(conforming, "Play the recording");
+    EXPECT_EQ(json(conforming)["runs"][0]["rows"].size(), 161U);
+    EXPECT_EQ(conforming.find("earlier instants are omitted"), std::string::npos);
+}
+
 TEST(Replay, ChecksAllChartsOfAFile) {
     const std::string two = std::string(pump) +
                             "grafcet lamp { input PUMP; output LAMP; initial step 1; step 2 { LAMP; }\n"
@@ -316,6 +436,22 @@ TEST(Replay, ChecksStatePropertiesOfRecordedVariables) {
         << failed.out;
 }
 
+TEST(Replay, ToleratesTheOffsetsOfClocksInProperties) {
+    const std::string loop =
+        std::string(pump) +
+        "closed_loop l { controller pump; environment A = push_button(OUT = START); environment B = push_button(OUT = "
+        "STOP);\nproperty P1: never PUMP && STOP; property P2: never PUMP && LEVEL == 4; property P3: never START && "
+        "PUMP; "
+        "}\n";
+    // For 300 ms, PUMP and STOP are both true, because their clocks differ. START and PUMP are both true for 700 ms.
+    const std::string log = head + "1,1,,,,\n1.3,,,1,,4\n2,0,1,,,\n2.3,,,0,,\n9,,,,,\n";
+    const Result skew = replayed(log, {"--skew", "PUMP,LEVEL=300ms"}, loop);
+    EXPECT_NE(skew.out.find("property P1: not violated"), std::string::npos) << skew.out;
+    EXPECT_NE(skew.out.find("property P3: violated"), std::string::npos) << skew.out;
+    // PUMP and LEVEL have the same clock.
+    EXPECT_NE(skew.out.find("property P2: violated"), std::string::npos) << skew.out;
+}
+
 TEST(Replay, ReportsModelErrorsAsUnknown) {
     const std::string unstable =
         "grafcet pump { input GO; output L; initial step 1; step 2 { L; }\n"
@@ -343,6 +479,7 @@ TEST(Monitor, EndsAtTheFirstDeviation) {
     const std::string file = folder.write("pump.grafcet", pump);
     const Result result = grafverif({"monitor", file}, head + "1,1,,1,,4\n2,,,0,,\n3,,,,,\nnot read\n");
     EXPECT_TRUE(deviates(result, "`PUMP` changes to 0 at 2 s"));
+    EXPECT_TRUE(conforms(grafverif({"monitor", file, "--skew", "PUMP,HORN,LEVEL=500ms"}, skewed)));
     const Result bad = grafverif({"monitor", file}, head + "1,1,,1,,4\nbad\nworse\n2,7,,,,\n");
     EXPECT_EQ(bad.code, ExitCode::Input);
     EXPECT_NE(bad.err.find(":4:1: error: `bad` is not a time"), std::string::npos) << bad.err;

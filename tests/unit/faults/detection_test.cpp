@@ -134,7 +134,7 @@ Outcome warned_within(const ParseResult& read, std::uint32_t fault, std::int64_t
 TEST(FaultDetection, ReportsTheLongestTimeToTheWarning) {
     for (const char* const watch : {"6s", "8s", "11s"}) {
         SCOPED_TRACE(watch);
-        const Analysed found = analysed(driveway("", watch), {.observers = false});
+        const Analysed found = analysed(driveway("", watch));
         const FaultAnalysis::Visible& visible = found.analysis.faults[1].visible;
         EXPECT_EQ(visible.newly_true, (std::vector<std::string>{"WARNING", "X3"}));
         EXPECT_EQ(visible.detected, Outcome::Holds);
@@ -147,7 +147,7 @@ TEST(FaultDetection, ReportsTheLongestTimeToTheWarning) {
 
 /// If the motor fails while the gate is open, the sensors report an open gate forever.
 TEST(FaultDetection, IsViolatedIfSomeRunDoesNotShowTheFault) {
-    const Analysed found = analysed(driveway(""), {.observers = false});
+    const Analysed found = analysed(driveway(""));
     const FaultAnalysis::Visible& dead = found.analysis.faults[0].visible;
     EXPECT_EQ(dead.newly_true, (std::vector<std::string>{"WARNING", "X3"}));
     EXPECT_EQ(dead.detected, Outcome::Violated);
@@ -167,6 +167,53 @@ TEST(FaultDetection, ProposesAPropertyThatRevealsAHiddenFault) {
     ASSERT_NE(row, pasted.analysis.rows.end());
     EXPECT_EQ(row->without_faults, Outcome::Holds);
     EXPECT_TRUE(std::ranges::any_of(row->minimal, [](const auto& cut) { return cut.faults == FaultSet{2}; }));
+}
+
+/// With BLOCKED, the gate is never opened. Only the fault makes BLOCKED true; a second literal would be superfluous.
+TEST(FaultDetection, ProposesOneLiteralIfItIsTrueOnlyWithTheFault) {
+    std::string text = driveway(
+        "    plant Guard = unused(OUT = BLOCKED);\n    fault Guard_1 of Guard: stuck(VALUE = true);\n"
+        "    property detects_Guard_1: never GREEN && BLOCKED;\n");
+    text.replace(text.find("REMOTE, S1"), 6, "BLOCKED, REMOTE");
+    text.replace(text.find("when REMOTE"), 11, "when REMOTE && !BLOCKED");
+    text.insert(text.find("component stuck"), "component unused(output OUT: bool) { initial location unused; }\n");
+    const Analysed found = analysed(text);
+    const auto blocked = std::ranges::find(found.analysis.faults, "Guard_1", &FaultAnalysis::Fault::name);
+    ASSERT_NE(blocked, found.analysis.faults.end());
+    EXPECT_TRUE(blocked->visible.newly_true.empty());
+    ASSERT_TRUE(blocked->visible.observer.has_value());
+    // The loop already has a property `detects_Guard_1`.
+    EXPECT_EQ(blocked->visible.observer->property, "property detects_Guard_1_2: never BLOCKED at stable;");
+    EXPECT_EQ(blocked->visible.observer->in_every_run, Outcome::Holds);
+    EXPECT_EQ(blocked->visible.observer_limit, "");
+    const auto pasted = text.replace(text.find("    property safe"), 0, "    " + blocked->visible.observer->property);
+    EXPECT_TRUE(read_string(pasted, "driveway.grafcet").model.has_value());
+}
+
+TEST(FaultDetection, NamesPropertiesForIndexedFaults) {
+    const Analysed found = analysed(driveway("    for i in 1..2 { fault Again[i] of First: stuck(VALUE = true); }\n"));
+    for (const FaultAnalysis::Fault& fault : found.analysis.faults) {
+        if (!fault.name.starts_with("Again[")) continue;
+        ASSERT_TRUE(fault.visible.observer.has_value());
+        EXPECT_EQ(fault.visible.observer->property,
+                  fmt::format("property detects_Again_{}: never S1 && !S2 at stable;", fault.name[6]));
+    }
+    EXPECT_EQ(found.analysis.faults.size(), 5U);
+}
+
+TEST(FaultDetection, StatesTheLimitOfTheSearchForAProperty) {
+    const Analysed found = analysed(driveway(""));
+    // No condition is true in every run in which the motor fails, and more conditions than those tried are candidates.
+    const FaultAnalysis::Visible& dead = found.analysis.faults[0].visible;
+    ASSERT_TRUE(dead.observer.has_value());
+    EXPECT_EQ(dead.observer->in_every_run, Outcome::Violated);
+    EXPECT_TRUE(dead.observer_limit.starts_with("the search for an observer tried 6 of ")) << dead.observer_limit;
+    FaultsRequest request;
+    request.first_states = 50;
+    const Analysed limited = analysed(driveway(""), request);
+    const FaultAnalysis::Visible& hidden = limited.analysis.faults[2].visible;
+    EXPECT_TRUE(hidden.decided);
+    EXPECT_EQ(hidden.observer_limit, "the search for an observer ended at 50 states");
 }
 
 TEST(FaultDetection, IsUnknownAtALimit) {
