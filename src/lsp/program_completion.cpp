@@ -23,7 +23,12 @@ constexpr std::array<std::string_view, 10> standard_functions = {"ABS", "LIMIT",
 class ProgramProposer {
 public:
     ProgramProposer(const Names& names, const Parsed& file, std::size_t cursor)
-        : names_(names), file_(file), unit_(unit_at(cursor)) {
+        : names_(names), file_(file), unit_(unit_at(cursor)), elements_(names.parts(nullptr)) {
+        // Closed loops and other programs can use the same names, which a program does not contain.
+        std::erase_if(elements_, [&](const Declaration* element) {
+            const bool standard = element->file->path.starts_with('<');
+            return element->file->language != TextLanguage::StructuredText || (element->file != &file && !standard);
+        });
         const std::string_view text = std::string_view(file.text->bytes()).substr(0, cursor);
         for (const Word& word : words_of(text, file.language)) {
             const std::string_view bytes = text.substr(word.begin, word.end - word.begin);
@@ -37,7 +42,7 @@ public:
     std::vector<Proposal> all() {
         if (in_text_) return {};
         if (last() == ".") members();
-        else if (last() == ":" && in_declaration()) types();
+        else if ((last() == ":" || (same_name(file_, last(), "OF") && last(1) == "]")) && in_declaration()) types();
         else {
             parameters();
             terms();
@@ -71,7 +76,10 @@ private:
 
     /// Returns the element `name` of `owner`; null if there is no such element.
     const Declaration* part(const Declaration* owner, std::string_view name) const {
-        for (const Declaration* const element : names_.parts(owner))
+        return owner == nullptr ? nullptr : named(names_.parts(owner), name);
+    }
+    const Declaration* named(const std::vector<const Declaration*>& elements, std::string_view name) const {
+        for (const Declaration* const element : elements)
             if (same_name(file_, element->name, name)) return element;
         return nullptr;
     }
@@ -100,7 +108,7 @@ private:
             return owner == nullptr ? nullptr : part(type_of(owner), name);
         }
         const Declaration* const own = unit_ == nullptr ? nullptr : part(unit_, name);
-        return own != nullptr ? own : part(nullptr, name);
+        return own != nullptr ? own : named(elements_, name);
     }
 
     static bool is_visible(const Declaration& element) {
@@ -136,7 +144,7 @@ private:
 
     void types() {
         for (const std::string_view type : elementary_types) add(type, ProposalKind::Keyword);
-        for (const Declaration* const element : names_.parts(nullptr)) {
+        for (const Declaration* const element : elements_) {
             const bool block =
                 element->kind == DeclarationKind::Unit && declaration_text(*element).starts_with("FUNCTION_BLOCK");
             if (block || element->kind == DeclarationKind::DataType) add(*element);
@@ -165,7 +173,7 @@ private:
 
     void terms() {
         for (const Declaration* const element : unit_ == nullptr ? none_ : names_.parts(unit_)) add(*element);
-        for (const Declaration* const element : names_.parts(nullptr)) {
+        for (const Declaration* const element : elements_) {
             if (element->kind == DeclarationKind::DataType)
                 for (const Declaration* const value : names_.parts(element))
                     if (value->kind == DeclarationKind::EnumerationValue) add(*value);
@@ -180,7 +188,8 @@ private:
 
     const Names& names_;
     const Parsed& file_;
-    const Declaration* unit_;  ///< the unit that contains the cursor; may be null
+    const Declaration* unit_;                   ///< the unit that contains the cursor; may be null
+    std::vector<const Declaration*> elements_;  ///< declarations of the file and of the standard function blocks
     std::vector<std::string_view> words_ = {};
     bool in_text_ = false;
     const std::vector<const Declaration*> none_ = {};

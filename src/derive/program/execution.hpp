@@ -90,6 +90,7 @@ private:
     const Program::Statement* loop_ = nullptr;  ///< the outermost loop that is being executed
     bool failed_ = false;
     std::vector<Scan::Execution>* executions_ = nullptr;
+    std::size_t calls_ = 0;  ///< number of functions that are being executed
 };
 
 }  // namespace grafverif

@@ -6,6 +6,7 @@
 
 #include "derive/program/execution.hpp"
 #include "ir/literal.hpp"
+#include "support/messages_program.hpp"
 
 namespace grafverif {
 
@@ -268,6 +269,11 @@ void SymbolicExecution::initial_terms(Id<Program::Type> of, std::int64_t initial
 }
 
 Id<Expr> SymbolicExecution::call(const Program::Node& node, std::uint32_t frame) {
+    constexpr std::size_t most_calls = 1000;
+    if (calls_ == most_calls) fail(messages::program_too_large(node.origin, "nested calls", most_calls));
+    const bool boolean = program_.types[node.type].kind == Program::Type::Kind::Boolean;
+    if (failed_) return boolean ? exprs_.constant(false) : exprs_.integer(0);
+    ++calls_;
     std::vector<Id<Expr>> values;
     for (const Id<Program::Node> operand : node.operands) values.push_back(value(operand, frame));
     const Program::Unit& unit = program_.units[node.unit];
@@ -282,6 +288,7 @@ Id<Expr> SymbolicExecution::call(const Program::Node& node, std::uint32_t frame)
     write(exited_, exited);
     const Id<Expr> result = memory_[own + *unit.result];
     memory_.resize(own);
+    --calls_;
     return result;
 }
 

@@ -2,6 +2,7 @@
 #include "ir/program/interface.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <utility>
 
@@ -28,6 +29,28 @@ StepName step_name(const std::string& cell) {
     return {path.substr(0, dot), path.substr(dot + 1)};
 }
 
+std::vector<Span> declarations_in(const Program& program, std::string_view path) {
+    const auto capital = [](unsigned char letter) { return std::toupper(letter); };
+    std::vector<Span> found;
+    std::vector<Id<Program::Unit>> scopes = {program.main, program.globals};
+    while (!path.empty()) {
+        const std::string_view part = path.substr(0, path.find('.'));
+        const std::string_view name = part.substr(0, part.find('['));
+        path.remove_prefix(std::min(path.size(), part.size() + 1));
+        const Program::Variable* variable = nullptr;
+        for (const Id<Program::Unit> scope : scopes)
+            for (const Program::Variable& each : program.units[scope].variables)
+                if (variable == nullptr && std::ranges::equal(each.name, name, {}, capital, capital)) variable = &each;
+        if (variable == nullptr) break;
+        found.push_back(variable->origin);
+        Id<Program::Type> type = variable->type;
+        while (program.types[type].kind == Program::Type::Kind::Array) type = program.types[type].element;
+        if (program.types[type].kind != Program::Type::Kind::Block) break;
+        scopes = {program.types[type].unit};
+    }
+    return found;
+}
+
 Chart interface_of(ProgramReference program, std::string name, Span origin) {
     Chart chart;
     chart.name = std::move(name);
@@ -48,7 +71,11 @@ Chart interface_of(ProgramReference program, std::string name, Span origin) {
         Id<Chart::PartialChart> partial;
         for (const Id<Chart::PartialChart> id : chart.partial_charts.ids())
             if (chart.partial_charts[id].name == step.partial) partial = id;
-        if (!partial.valid()) partial = chart.partial_charts.add({.name = step.partial, .origin = cell.origin});
+        if (!partial.valid()) {
+            const std::vector<Span> owners = declarations_in(*program, step.partial);
+            partial = chart.partial_charts.add(
+                {.name = step.partial, .origin = owners.empty() ? cell.origin : owners.back()});
+        }
         chart.steps.add({.name = step.step, .initial = cell.initial != 0, .chart = partial, .origin = cell.origin});
     }
     chart.program = std::move(program);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grafverif/ir/chart.hpp"
@@ -21,6 +22,10 @@ std::vector<std::size_t> step_cells(const ProgramLayout& layout);
 /// Returns the name of the step that the cell `cell` represents. For the cell `Filling.X`, this is step `Filling`; for
 /// the cell `Tank.Filling.X`, this is step `Filling` of the partial chart `Tank`.
 StepName step_name(const std::string& cell);
+
+/// Returns the declarations of the variables in a path such as `Line.T1.Q`, in order, up to the first name that is
+/// unknown. Names are compared case-insensitively; indices of array elements are ignored.
+std::vector<Span> declarations_in(const Program& program, std::string_view path);
 
 /// Returns the chart of `program`. `variable_cells` and `step_cells` return the cells that correspond to the variables
 /// and steps of the chart.

@@ -98,8 +98,9 @@ Type type_of_cell(const Program& program, const ProgramLayout& layout, std::size
     const Program::Type& from = program.types[layout.cells[cell].type];
     if (from.kind == Program::Type::Kind::Boolean) return {};
     Type type = integer_type(from.low, from.high);
-    for (const ProgramTimer& timer : layout.timers)
-        if (timer.elapsed == cell) type.high = timer.longest;
+    // The timers are ordered by address.
+    const auto timer = std::ranges::lower_bound(layout.timers, cell, {}, &ProgramTimer::elapsed);
+    if (timer != layout.timers.end() && timer->elapsed == cell) type.high = timer->longest;
     return type;
 }
 

@@ -190,8 +190,15 @@ void Reader::check_transitions(const st::Network& network, const Chart& chart, c
     const auto names = [](const std::vector<st::Name>& list, Id<st::Word> step) {
         return std::ranges::find(list, step, &st::Name::word) != list.end();
     };
+    constexpr std::size_t most_pairs = 200'000;
+    std::size_t pairs = 0;
     for (std::size_t i = 0; i < network.transitions.size(); ++i) {
         if (!chart.checked[i]) continue;
+        if (pairs > most_pairs) {
+            diagnostics->add(messages::program_too_large(
+                network.transitions[i].where, "pairs of transitions that activate the same step", most_pairs));
+            return;
+        }
         const st::Transition& transition = network.transitions[i];
         const auto cleared = [&](std::size_t of) { return read(chart.cleared[of], bool_, transition.where); };
         std::vector<Id<Node>> faults;
@@ -200,7 +207,10 @@ void Reader::check_transitions(const st::Network& network, const Chart& chart, c
             if (!names(transition.to, step)) continue;
             if (!names(transition.from, step)) faults.push_back(read(steps[k], bool_, transition.where));
             for (std::size_t j = 0; j < network.transitions.size(); ++j)
-                if (j != i && names(network.transitions[j].to, step)) faults.push_back(cleared(j));
+                if (j != i && names(network.transitions[j].to, step)) {
+                    faults.push_back(cleared(j));
+                    ++pairs;
+                }
         }
         const Id<Node> any = all(Op::Or, std::move(faults), transition.where);
         check(all(Op::And, {cleared(i), any}, transition.where), transition.where, body);

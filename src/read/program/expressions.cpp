@@ -159,6 +159,12 @@ Reader::MaybeTyped Reader::leaf(Id<st::Expr> id) {
             const auto type = types_.find(file_->intern(written.substr(0, hash)).index);
             if (known != values_.end() && type != types_.end() && type->second == known->second.type) {
                 record_.refer(last_name(from.where, written.substr(hash + 1)), known->second.origin);
+                if (const auto declared = type_declarations_.find(file_->intern(written.substr(0, hash)).index);
+                    declared != type_declarations_.end())
+                    record_.refer(last_name({from.where.source, from.where.begin,
+                                             from.where.end - static_cast<std::uint32_t>(written.size() - hash)},
+                                            written.substr(0, hash)),
+                                  file_->types[declared->second].name.where);
                 return Typed{number(known->second.value, type->second, from.where), false};
             }
         }

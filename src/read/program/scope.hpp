@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -259,6 +260,8 @@ private:
     bool action_ = false;                             ///< true within the body of an action
     std::optional<std::int64_t> compared_time_ = {};  ///< duration with which the current operand is compared
     Id<Type> bool_ = {}, int_ = {}, dint_ = {}, time_ = {};
+    std::map<std::tuple<std::uint32_t, std::int64_t, std::int64_t>, Id<Type>> arrays_ =
+        {};  ///< type of the elements, first and last index -> type of the array
 };
 
 }  // namespace grafverif::program

@@ -15,6 +15,12 @@ namespace grafverif::program {
 
 namespace {
 
+constexpr std::size_t most_types = 200;  ///< maximum number of types that contain each other
+
+}  // namespace
+
+namespace {
+
 constexpr std::int64_t most_elements = 100'000;
 
 }  // namespace
@@ -76,7 +82,6 @@ std::optional<Id<Type>> Reader::enumeration(std::string_view name, const st::Typ
 }
 
 std::optional<Id<Type>> Reader::type_of(const st::Type& type, Span where) {
-    constexpr std::size_t most_types = 200;
     struct Level {
         std::size_t& depth;
         explicit Level(std::size_t& of) : depth(++of) {}
@@ -148,6 +153,9 @@ void Reader::declare_structure(const st::TypeDeclaration& declaration) {
 }
 
 std::optional<Id<Type>> Reader::array(const st::Type& type, Span where) {
+    if (type.dimensions.size() > most_types)
+        return reject(where, fmt::format("an array with more than {} dimensions", most_types), "use fewer dimensions"),
+               std::nullopt;
     st::Type inner = type;
     inner.dimensions.clear();
     inner.composite = false;
@@ -171,10 +179,9 @@ std::optional<Id<Type>> Reader::array(const st::Type& type, Span where) {
         Type made{Type::Kind::Array, {}, bounds[0], bounds[1], {}, {}, *element};
         made.name = "ARRAY[" + std::to_string(made.low) + ".." + std::to_string(made.high) + "] OF " +
                     program.types[*element].name;
-        std::optional<Id<Type>> same;
-        for (const Id<Type> id : program.types.ids())
-            if (program.types[id] == made) same = id;
-        element = same ? *same : program.types.add(std::move(made));
+        const auto [known, fresh] = arrays_.try_emplace({element->index, made.low, made.high});
+        if (fresh) known->second = program.types.add(std::move(made));
+        element = known->second;
     }
     return element;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Resolves names in the properties of a closed loop: shared variables, internal variables and steps of its controllers,
 // locations of its instances.
+#include <algorithm>
 #include <optional>
 
+#include "ir/program/interface.hpp"
 #include "support/messages.hpp"
 #include "support/messages_notation.hpp"
 #include "support/messages_program.hpp"
@@ -283,6 +285,21 @@ std::string cell_path(const LoopScope& scope, const tree::Expr& node) {
     return owner.empty() ? "" : owner + '.' + std::string(scope.file.text(node.word));
 }
 
+/// Records the owners in the path `node`, which denotes the cell `cell` of a program: instances and structures, preceded
+/// by the controller if the path begins with its name.
+void record_owners(const LoopScope& scope, const Chart& chart, const tree::Expr& node, std::string_view cell) {
+    std::vector<const tree::Expr*> owners;
+    for (const tree::Expr* each = &node; each->op == tree::Op::Member; owners.push_back(each))
+        each = &scope.file.exprs[each->first];
+    std::vector<Span> declarations = declarations_in(*chart.program, cell);
+    const std::size_t inside = static_cast<std::size_t>(std::ranges::count(cell, '.'));
+    if (owners.size() > inside) declarations.insert(declarations.begin(), chart.origin);
+    for (std::size_t k = 0; k < owners.size() && k < declarations.size(); ++k) {
+        const tree::Expr& owner = *owners[owners.size() - 1 - k];
+        scope.record.refer(last_name(owner.where, scope.file.text(owner.word)), declarations[k]);
+    }
+}
+
 /// Resolves a member of a block or a structure of a program, `T1.Q` or `drive.T1.Q`; empty if no program has it.
 std::optional<Term> cell_term(LoopScope& scope, const tree::Expr& node) {
     const std::string path = cell_path(scope, node);
@@ -296,7 +313,9 @@ std::optional<Term> cell_term(LoopScope& scope, const tree::Expr& node) {
             const auto cell = internal_named(scope, controller, name);
             if (!cell) continue;
             if (report_step_or_variable(scope, controller, name, node.where)) return Term{};
-            scope.record.refer(node.where, scope.chart(controller).variables[*cell].origin);
+            const std::string_view member = scope.file.text(node.word);
+            scope.record.refer(last_name(node.where, member), scope.chart(controller).variables[*cell].origin);
+            record_owners(scope, scope.chart(controller), node, name);
             term = internal_term(scope, controller, *cell);
             break;
         }

@@ -151,6 +151,75 @@ TEST(LspPrograms, VariablesAreRenamedInAllFiles) {
                    "Count.Total"));
 }
 
+TEST(LspPrograms, OwnersInPathsAreNames) {
+    Editor editor;
+    const std::string paths = with(loop, "never Move;",
+                                   "never Move && Count.Sum > 2 && press.COUNT.Sum > 1 && press.Delay.Q;\n"
+                                   "    property edge: never Count.Edge.Q && Delay.Q;");
+    editor.open("loop.grafcet", paths);
+    Json edit = editor.at("textDocument/rename", "press.st", with(press, "Count : Counter", "Co@unt : Counter"),
+                          {{"newName", "Cycles"}});
+    std::string renamed = paths;
+    for (const char* const path : {"Count.Sum", "COUNT.Sum", "Count.Edge"})
+        renamed = with(renamed, path, "Cycles" + std::string(path).substr(5));
+    EXPECT_EQ(edited(paths, edit["changes"][editor.folder.uri("loop.grafcet")]), renamed);
+    edit = editor.at("textDocument/rename", "press.st", with(press, "Edge : R_TRIG", "Ed@ge : R_TRIG"),
+                     {{"newName", "Rise"}});
+    EXPECT_EQ(edited(paths, edit["changes"][editor.folder.uri("loop.grafcet")]),
+              with(paths, "Count.Edge", "Count.Rise"));
+    EXPECT_EQ(editor.definition("loop.grafcet", with(paths, "&& Delay.Q", "&& De@lay.Q")), "press.st:17");
+    EXPECT_EQ(editor.obstacle("loop.grafcet", with(paths, "&& Delay.Q", "&& Delay.@Q"), "Done"),
+              "`Delay.Q` belongs to the library and cannot be renamed");
+}
+
+TEST(LspPrograms, TypeAndValueOfAnEnumerationLiteralAreNames) {
+    Editor editor;
+    const std::string literals =
+        with(with(press, "Mode := Off", "Mode := MODE#Off"), "State = Off", "State = Mode#OFF");
+    const auto renamed = [&](const std::string& what, const std::string& cursor, const char* name) {
+        const Json edit =
+            editor.at("textDocument/rename", "press.st", with(literals, what, cursor), {{"newName", name}});
+        return edited(literals, edit["changes"][editor.folder.uri("press.st")]);
+    };
+    const std::string state = with(
+        with(with(with(literals, "TYPE Mode", "TYPE Speed"), "State : Mode", "State : Speed"), "MODE#Off", "Speed#Off"),
+        "Mode#OFF", "Speed#OFF");
+    EXPECT_EQ(renamed("TYPE Mode", "TYPE Mo@de", "Speed"), state);
+    EXPECT_EQ(renamed("Mode#OFF", "Mo@de#OFF", "Speed"), state);
+    EXPECT_EQ(renamed("Mode#OFF", "Mode#O@FF", "Halt"),
+              with(with(with(literals, "(Off,", "(Halt,"), "MODE#Off", "MODE#Halt"), "Mode#OFF", "Mode#Halt"));
+}
+
+TEST(LspPrograms, InstanceIsTheOwnerOfItsSteps) {
+    const std::string feeder =
+        "FUNCTION_BLOCK Feeder\n"
+        "VAR_INPUT Go : BOOL; END_VAR\n"
+        "VAR_OUTPUT Run : BOOL; END_VAR\n"
+        "INITIAL_STEP Idle: END_STEP\n"
+        "STEP Turning: Run(N); END_STEP\n"
+        "TRANSITION FROM Idle TO Turning := Go; END_TRANSITION\n"
+        "TRANSITION FROM Turning TO Idle := NOT Go; END_TRANSITION\n"
+        "END_FUNCTION_BLOCK\n"
+        "PROGRAM Feed\n"
+        "VAR_INPUT Go : BOOL; END_VAR\n"
+        "VAR_OUTPUT Run : BOOL; END_VAR\n"
+        "VAR Left : Feeder; END_VAR\n"
+        "Left(Go := Go, Run => Run);\n"
+        "END_PROGRAM\n";
+    const std::string feed =
+        "program feed = \"feed.st\";\n"
+        "closed_loop machine {\n"
+        "    controller feed every 10ms;\n"
+        "    environment Go = free(OUT = Go);\n"
+        "    property turns: never Left.XTurning && feed.Left.XIdle;\n"
+        "}\n";
+    TextEditor editor({{"feed.st", feeder}, {"feed.grafcet", feed}});
+    const Json edit = editor.at("textDocument/rename", "feed.st", with(feeder, "Left : Feeder", "Le@ft : Feeder"),
+                                {{"newName", "Right"}});
+    EXPECT_EQ(edited(feed, edit["changes"][editor.folder.uri("feed.grafcet")]),
+              with(with(feed, "Left.XTurning", "Right.XTurning"), "Left.XIdle", "Right.XIdle"));
+}
+
 TEST(LspPrograms, NamesAreNotRenamedIfTheMeaningWouldChange) {
     Editor editor;
     const auto obstacle = [&](const std::string& text, const char* name) {
@@ -210,12 +279,32 @@ TEST(LspPrograms, CompletionProposesNamesInScope) {
     const auto types = labels("Delay : TON", "Delay : @");
     for (const char* const name : {"TON", "Counter", "Mode", "BOOL"}) EXPECT_TRUE(holds(types, name)) << name;
     EXPECT_FALSE(holds(types, "Start"));
+    for (const char* const array : {"Delay : ARRAY[1..3] OF @", "Delay : ARRAY [1..2] of ARRAY[0..1] of T@"}) {
+        const auto elements = labels("Delay : TON", array);
+        for (const char* const name : {"TON", "Counter", "Mode", "BOOL"}) EXPECT_TRUE(holds(elements, name)) << name;
+        EXPECT_FALSE(holds(elements, "Start"));
+    }
+    EXPECT_TRUE(holds(labels("Move := Delay.Q", "CASE Count.Sum OF @"), "Start"));
     const auto parameters = labels("Count(Up := Start)", "Count(@)");
     ASSERT_FALSE(parameters.empty());
     EXPECT_TRUE(holds(parameters, "Up"));
     EXPECT_EQ(labels("(* Counts edges. *)", "(* Counts @"), std::vector<std::string>());
     const auto step = editor.labels("chart.st", with(chart, "Turning.T > T#1s", "Turning.@"));
     EXPECT_EQ(step, (std::vector<std::string>{"X", "T"}));
+}
+
+TEST(LspPrograms, CompletionProposesNoNamesOfLoopsAndOtherPrograms) {
+    Editor editor;
+    editor.open("loop.grafcet",
+                "program spindle = \"chart.st\";\n" +
+                    with(loop, "environment",
+                         "controller spindle every 10ms;\n    environment Go = free(OUT = Go);\n    environment"));
+    const auto terms = editor.labels("press.st", with(press, "Move := Delay.Q", "Move := @"));
+    EXPECT_TRUE(holds(terms, "Start"));
+    for (const char* const name : {"machine", "press", "spindle", "free"}) EXPECT_FALSE(holds(terms, name)) << name;
+    const auto types = editor.labels("press.st", with(press, "Delay : TON", "Delay : @"));
+    EXPECT_TRUE(holds(types, "Counter"));
+    EXPECT_FALSE(holds(types, "spindle"));
 }
 
 TEST(LspPrograms, DeclarationsAreKnownInAnIncompleteText) {
