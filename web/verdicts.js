@@ -27,15 +27,17 @@ function propertyElement(property, report) {
         report && property.has_trace && property.verdict === "violated" ? make("p", {}, make("a", {href: `${report}#${encodeURIComponent(property.name)}`, target: "_blank", rel: "noopener"}, "Show the counterexample")) : "");
 }
 
+const titles = {loop: (name) => `Closed loop ${name}`, chart: (name) => `Chart ${name}: steps that can be reached`, program: (name) => `Program ${name}`};
+
 const progress = {waiting: "Waiting.", refused: "This model cannot be checked."};
 
-const reportAddress = (model) => `/report?token=${token}&${model.kind}=${encodeURIComponent(model.name)}`;
+const reportAddress = (model) => `/report?token=${token}&${model.kind === "loop" ? "loop" : "chart"}=${encodeURIComponent(model.name)}`;
 
 // If `report` is true, the element of a model contains a link to its report.
 function modelElement(model, report) {
     const running = model.state === "running" ? `Being checked${model.progress ? `: ${model.progress}` : ""} \u2026` : progress[model.state] ?? "";
     return make("div", {class: `model ${model.state}`},
-        make("h3", {}, model.kind === "loop" ? `Closed loop ${model.name}` : `Chart ${model.name}: steps that can be reached`),
+        make("h3", {}, titles[model.kind](model.name)),
         running ? make("p", {class: "remark"}, running) : "",
         report && model.state === "done" ? make("p", {}, make("a", {href: reportAddress(model), target: "_blank", rel: "noopener"}, "Complete report with trace player")) : "",
         ...model.errors.map((error) => make("p", {class: "problem"}, `\u2717 ${error.message} [${error.code}]`)),

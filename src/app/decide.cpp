@@ -17,6 +17,7 @@
 #include "report/profile.hpp"
 #include "report/report.hpp"
 #include "report/settings_text.hpp"
+#include "report/why.hpp"
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
 #include "support/messages_program.hpp"
@@ -152,17 +153,6 @@ void add_certificate(const Model& model, const CommandContext& job, const CheckO
     failures.insert(failures.end(), decided.certificate->failures.begin(), decided.certificate->failures.end());
 }
 
-/// Reports each controller that is a PLC program: `--why` removes transitions, actions and terms, which only charts
-/// have. Returns false after an error.
-bool consists_of_charts(const Model& model, Id<ClosedLoop> loop, CommandContext& job) {
-    for (const ClosedLoop::Controller& controller : model.loops[loop].controllers)
-        if (model.charts[controller.chart].program)
-            job.diagnostics.add(messages::only_for_charts(controller.origin, controller.name,
-                                                          "`--why` examines transitions and actions of charts",
-                                                          "omit `--why`"));
-    return !job.diagnostics.has_errors();
-}
-
 }  // namespace
 
 std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceLimits& bounds, bool witnesses,
@@ -205,7 +195,6 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options, decided.certificate);
     } else if (const auto loop = chosen_loop(model, job)) {
-        if (job.options.why && !consists_of_charts(model, *loop, job)) return {};
         decided.loop = *loop;
         decided.timed = !job.options.check_untimed;
         found = decided.timed ? timed_report(model, *loop, job, of_check)
@@ -224,6 +213,7 @@ std::optional<Decided> decide(const Model& model, CommandContext& job, ResourceL
     options.limits.deadline = deadline;
     if (job.options.why && decided.timed)
         decided.why = why_it_holds(model, decided.loop, model_options(job.options), options, decided.report);
+    if (decided.why) name_places(*decided.why, job.sources);
     if (job.options.certificate && decided.timed) add_certificate(model, job, options, decided);
     name_places(decided.report, job.sources);
     add_stop_cause(decided.report, bounds.interrupted(), job.options);
@@ -243,10 +233,12 @@ std::optional<std::pair<Model, Decided>> decide_program(CommandContext& job, Res
     if (!properties) return {};
     CheckOptions options{requested.properties, witnesses, requested.verbose, bounds.limits()};
     options.jobs = requested.jobs;
-    auto checked = check_program(*program, *properties, job.sources, options, job.diagnostics);
+    auto checked = check_program(*program, *properties, job.sources, options, job.diagnostics, requested.why);
     if (!checked) return {};
     Decided decided;
     decided.report = std::move(checked->report);
+    decided.why = std::move(checked->why);
+    if (decided.why) name_places(*decided.why, job.sources);
     decided.chart = {0};
     name_places(decided.report, job.sources);
     return std::pair(std::move(checked->model), std::move(decided));

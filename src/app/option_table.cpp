@@ -333,7 +333,7 @@ std::vector<Option> options_for_checks() {
         text(OptionGroup::Verdicts, "report", "FILE", &Options::page,
              "write an HTML report to FILE, as `report` does, with the kind of the certificate of each verdict"),
         toggle(OptionGroup::Verdicts, "why", &Options::why,
-               "print the elements that each proof depends on (timed engine)"),
+               "print the elements that each proof depends on (timed engine, and PLC programs with `--properties`)"),
         text(OptionGroup::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
         text(OptionGroup::Search, "sarif", "FILE", &Options::sarif,
              "write unexpected verdicts as SARIF to FILE, for code scanning"),

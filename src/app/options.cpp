@@ -57,12 +57,11 @@ std::string validate_engine(bool modelled, const po::variables_map& values, Opti
         options.engine = Engine::Hwmcc;
     }
     options.check_untimed = options.check_untimed || modelled || options.untimed.fairness;
-    if (options.property_file &&
-        (options.check_untimed || options.engine != Engine::Embedded || options.loop || options.chart || options.all ||
-         options.list || options.stats || options.why || options.sequence))
+    if (options.property_file && (options.check_untimed || options.engine != Engine::Embedded || options.loop ||
+                                  options.chart || options.all || options.list || options.stats || options.sequence))
         return "`--properties` checks a PLC program with the embedded engines; remove the options that select an "
                "engine, "
-               "a model, a loop or a chart, and `--list`, `--stats`, `--why` and `--sequence`";
+               "a model, a loop or a chart, and `--list`, `--stats` and `--sequence`";
     const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
     if (timed && options.check_untimed)
         return fmt::format(

@@ -5,6 +5,7 @@
 //   a step                has no effect: its continuous and stored actions and its forcing orders are removed
 //   a term                one operand of an `and` or `or` is removed; a condition that is neither an `and` nor an `or`
 //                         is removed completely
+//   a statement           of a PLC program is not executed: an assignment, a call, EXIT or RETURN
 //   an edge               of one instance is never taken; the instance may stay in its source location forever
 //   a guard               of one edge of an instance is ignored: the edge may or may not be taken, within its
 //                         clock constraint
@@ -18,10 +19,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/network.hpp"
+#include "ir/program/program.hpp"
 
 namespace grafverif {
 
@@ -50,6 +53,19 @@ struct TermPlace {
 std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);
 void remove_term(Chart& chart, const TermPlace& place);
+
+/// A statement of a program, or a transition of a Sequential Function Chart.
+struct ProgramElement {
+    bool transition = false;
+    std::string name = {};  ///< the text of the statement, or the name of the transition, such as `Idle -> Run`
+    Span origin = {};
+    std::vector<Id<Program::Statement>> statements = {};  ///< several only for a copy of an array or structure
+};
+/// Returns the statements and transitions that the source of the program contains, in the order of the units. Branches
+/// and loops are not elements, but the statements in them are. Standard function blocks have no elements.
+std::vector<ProgramElement> elements_of(const Program& program);
+/// Removes a statement, or makes the condition of a transition false.
+void drop_element(Program& program, const ProgramElement& element);
 
 /// True if removing the edge may add behaviour: the edge is forced, or its source location must be left.
 bool is_forced(const Component& component, Id<Component::Edge> edge);

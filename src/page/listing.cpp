@@ -108,7 +108,7 @@ private:
         switch (statement.kind) {
         case StatementKind::Assign: {
             std::string target = name(statement.place);
-            begin(statement.origin, target + " := " + text(statement.value) + ";");
+            begin(statement.origin, statement_text(program_, unit_, statement) + ";");
             add_reads(statement.place);
             add_reads(statement.value);
             listing_.of_statements[id.index] = item(Role::Result, std::move(target), statement.type);
@@ -117,7 +117,7 @@ private:
         case StatementKind::Invoke:
         case StatementKind::Exit:
         case StatementKind::Return:
-            begin(statement.origin, called(statement));
+            begin(statement.origin, statement_text(program_, unit_, statement) + ";");
             listing_.of_statements[id.index] = item(Role::Executed, "", {});
             return;
         case StatementKind::If:
@@ -136,15 +136,6 @@ private:
             names += (names.empty() ? "" : ", ") + active.substr(0, active.rfind('.'));
         }
         return cells.size() == 1 ? names : "(" + names + ")";
-    }
-
-    std::string called(const Program::Statement& statement) const {
-        if (statement.kind == StatementKind::Exit) return "EXIT;";
-        if (statement.kind == StatementKind::Return) return "RETURN;";
-        const Program::Unit& unit = program_.units[statement.unit];
-        if (!unit.owner.valid()) return instance_text(program_, unit_, statement.place, statement.unit) + "();";
-        if (unit.owner == unit_) return unit.name + "();";
-        return instance_text(program_, unit_, statement.place, unit.owner) + "." + unit.name + "();";
     }
 
     void add_branches(const Program::Statement& statement) {

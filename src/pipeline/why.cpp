@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -89,6 +90,24 @@ std::string edge_name(const Component& component, Id<Component::Edge> id) {
     return endpoints + (guard.empty() ? "" : " when " + guard);
 }
 
+}  // namespace
+
+ProofExplanation::ModelElement model_element(const ProgramElement& element) {
+    const auto kind = element.transition ? ProofExplanation::Kind::Transition : ProofExplanation::Kind::Statement;
+    return {.kind = kind, .name = element.name, .origin = element.origin};
+}
+
+void order_elements(ProofExplanation& why) {
+    std::ranges::stable_sort(why.things, {}, &ProofExplanation::ModelElement::kind);
+    std::map<std::tuple<ProofExplanation::Kind, std::string, std::string, std::uint32_t>, std::size_t> seen;
+    for (ProofExplanation::ModelElement& element : why.things) {
+        const bool statement = element.kind == ProofExplanation::Kind::Statement;
+        element.nth = ++seen[{element.kind, element.of, element.name, statement ? element.origin.begin : 0}];
+    }
+}
+
+namespace {
+
 class ProofCoreSearch {
 public:
     ProofCoreSearch(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
@@ -111,6 +130,7 @@ public:
         collect_parts(expand(*network));
         collect_actions();
         collect_terms();
+        collect_statements();
         const std::size_t of_charts = trials_.size();
         const std::size_t passes = search_.efforts().size();
         for (std::size_t pass = 0; pass < passes; ++pass) {
@@ -190,7 +210,7 @@ private:
             why_.things.push_back(std::move(trial.element));
         }
         conclude_parts();
-        number_namesakes();
+        order_elements(why_);
         why_.searches = search_.searches();
     }
 
@@ -302,6 +322,22 @@ private:
         });
     }
 
+    /// Adds trials for the statements of PLC programs and for the transitions of their Sequential Function Charts.
+    void collect_statements() {
+        for_each_chart([&](Id<Chart> id, const std::string& prefix) {
+            if (!model_.charts[id].program) return;
+            for (ProgramElement& element : elements_of(*model_.charts[id].program)) {
+                ModelElement made = model_element(element);
+                if (element.transition) made.name = prefix + made.name;
+                add(std::move(made), all(), [id, element = std::move(element)](Model& without) {
+                    Program changed = *without.charts[id].program;
+                    drop_element(changed, element);
+                    without.charts[id].program = {std::make_shared<const Program>(std::move(changed))};
+                });
+            }
+        });
+    }
+
     void for_each_edge(
         const std::function<void(Id<ClosedLoop::Instance>, Id<Component::Edge>, ModelElement)>& visit) const {
         const ClosedLoop& loop = model_.loops[loop_];
@@ -342,11 +378,6 @@ private:
                 element, names_of([&](const ProofCore& ground) { return forced || !ground.about_states; }),
                 [this, id, edge](Model& without) { drop_edge(without, loop_, id, edge); }, &original);
         });
-    }
-
-    void number_namesakes() {
-        std::map<std::tuple<ProofExplanation::Kind, std::string, std::string>, std::size_t> seen;
-        for (ModelElement& element : why_.things) element.nth = ++seen[{element.kind, element.of, element.name}];
     }
 
     // -- the plant and the timers ------------------------------------------------------------------------------------

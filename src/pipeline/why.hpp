@@ -3,6 +3,7 @@
 // checked again without this element.
 #pragma once
 
+#include "explain/ablation.hpp"
 #include "grafverif/grafverif.hpp"
 #include "grafverif/ir/why.hpp"
 #include "pipeline/variants/variant_search.hpp"
@@ -15,5 +16,12 @@ namespace grafverif {
 /// undecided.
 ProofExplanation why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
                               const CheckOptions& options, const Report& report, const VariantBounds& bounds = {});
+
+/// Returns the element of the explanation for an element of a program.
+ProofExplanation::ModelElement model_element(const ProgramElement& element);
+
+/// Sorts the elements by kind, and numbers elements with equal names. Names of statements at different positions are not
+/// equal.
+void order_elements(ProofExplanation& why);
 
 }  // namespace grafverif

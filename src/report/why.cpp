@@ -7,6 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,8 +24,8 @@ using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
 constexpr std::array kinds = {ProofExplanation::Kind::Transition, ProofExplanation::Kind::Step,
-                              ProofExplanation::Kind::Term, ProofExplanation::Kind::Guard,
-                              ProofExplanation::Kind::Edge};
+                              ProofExplanation::Kind::Term,       ProofExplanation::Kind::Statement,
+                              ProofExplanation::Kind::Guard,      ProofExplanation::Kind::Edge};
 
 /// Without `--verbose`, at most this number of undecided elements of one type are listed by name; otherwise, only their
 /// number is printed.
@@ -50,7 +51,7 @@ std::string nth_of(const ProofExplanation::ModelElement& element) {
 /// Returns the name of an element within a list of elements of the same type. The name of an edge or guard does not
 /// contain the name of its instance, because by_instance groups these elements by instance.
 std::string name_of(const ProofExplanation::ModelElement& element) {
-    if (element.kind == ProofExplanation::Kind::Term)
+    if (element.kind == ProofExplanation::Kind::Term || element.kind == ProofExplanation::Kind::Statement)
         return fmt::format("`{}`{} of {}", element.name, nth_of(element), element.of);
     return element.name + nth_of(element);
 }
@@ -88,7 +89,8 @@ std::string without(ProofExplanation::Kind kind, const Names& names) {
     switch (kind) {
     case ProofExplanation::Kind::Transition: return fmt::format("if {} is never cleared", list);
     case ProofExplanation::Kind::Step: return fmt::format("if step {} has no effect", list);
-    case ProofExplanation::Kind::Term: return "without " + list;
+    case ProofExplanation::Kind::Term:
+    case ProofExplanation::Kind::Statement: return "without " + list;
     case ProofExplanation::Kind::Guard: return "without the guard of " + list;
     case ProofExplanation::Kind::Edge: return fmt::format("if {} is never taken", list);
     }
@@ -143,6 +145,7 @@ std::string plural(ProofExplanation::Kind kind) {
     case ProofExplanation::Kind::Transition: return "transitions";
     case ProofExplanation::Kind::Step: return "steps with actions";
     case ProofExplanation::Kind::Term: return "terms of conditions";
+    case ProofExplanation::Kind::Statement: return "statements";
     case ProofExplanation::Kind::Guard: return "guards of the plant";
     case ProofExplanation::Kind::Edge: return "edges of the plant";
     }
@@ -178,7 +181,10 @@ std::string proof_core_text(const ProofExplanation& why, const ProofExplanation:
     OfCharts charts = of_charts(why, ground, most);
     Names sentences;
     if (!charts.fails.empty()) sentences.push_back("fails " + listed(charts.fails, ", or "));
-    else if (charts.open.empty()) sentences.emplace_back("no single transition, step or term of the charts is needed");
+    else if (charts.open.empty())
+        sentences.emplace_back(of_kind(why, ProofExplanation::Kind::Statement).empty()
+                                   ? "no single transition, step or term of the charts is needed"
+                                   : "no single transition or statement is needed");
     if (ground.about_states && ground.open.empty()) sentences.push_back(parts_text(ground));
     if (!ground.open.empty() && !ground.parts.empty())
         sentences.push_back("of the plant and the timers, it depends on " + listed(ground.parts) +
@@ -204,6 +210,21 @@ void print_proof_cores(const ProofExplanation& why, bool verbose, std::ostream& 
 }
 
 }  // namespace
+
+void name_places(ProofExplanation& why, const Sources& sources) {
+    const auto is_statement = [](const ProofExplanation::ModelElement& element) {
+        return element.kind == ProofExplanation::Kind::Statement && element.origin.source.valid();
+    };
+    std::set<std::uint32_t> files;
+    for (const ProofExplanation::ModelElement& element : why.things)
+        if (is_statement(element)) files.insert(element.origin.source.index);
+    for (ProofExplanation::ModelElement& element : why.things)
+        if (is_statement(element) && sources.contains(element.origin.source))
+            element.of =
+                files.size() > 1
+                    ? file_and_line(sources, element.origin)
+                    : fmt::format("line {}", place(sources[element.origin.source].text, element.origin.begin).line);
+}
 
 void print_why(const ProofExplanation& why, bool verbose, std::ostream& out) {
     if (why.grounds.empty()) {

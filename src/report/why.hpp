@@ -6,8 +6,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "grafverif/ir/why.hpp"
+#include "grafverif/support/source.hpp"
 
 namespace grafverif {
+
+/// Sets the owner of each statement to its line, such as `line 7`, or `press.st:7` if the statements belong to several
+/// files.
+void name_places(ProofExplanation& why, const Sources& sources);
 
 /// Prints the proof cores. If `verbose` is true, edges of the plant that no property needs are listed; otherwise only
 /// the number of these edges is printed.

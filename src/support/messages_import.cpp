@@ -111,8 +111,9 @@ Diagnostic nothing_to_import(Span where, std::string_view what) {
 Diagnostic program_is_no_chart(Span where, std::string_view name) {
     return error(
         "nothing-to-import", where,
-        fmt::format("`{}` is a program without a Sequential Function Chart, so it has no steps to import; use the "
-                    "chart from which it was written, and test the controller against it with `grafverif test`",
+        fmt::format("`{0}` is a program without a Sequential Function Chart, so it has no steps to import; "
+                    "check it with `grafverif check FILE --properties PROPERTIES`, also `report` and `serve`, or use "
+                    "it in a closed loop: `program {0} = \"FILE\";`",
                     name));
 }
 

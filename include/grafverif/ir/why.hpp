@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "grafverif/support/source.hpp"
+
 namespace grafverif {
 
 struct ProofExplanation {
@@ -25,15 +27,17 @@ struct ProofExplanation {
         bool operator==(const ProofCore&) const = default;
     };
 
-    enum class Kind { Transition, Step, Term, Guard, Edge };
+    enum class Kind { Transition, Step, Term, Statement, Guard, Edge };
     /// A model element, and the result of removing only this element (explain/ablation.hpp).
     struct ModelElement {
         Kind kind = Kind::Transition;
-        std::string name = {};  ///< text of the element, such as `t3`, `5`, `!a` or `shut -> opening`
-        std::string of = {};    ///< the owner of a term, or the instance of an edge
-        std::size_t nth = 1;    ///< number of this element among the elements with the same name, counted from 1
+        std::string name = {};  ///< text of the element, such as `t3`, `5`, `!a`, `A := B` or `shut -> opening`
+        /// The owner of a term, the instance of an edge, or the line of a statement (see name_places).
+        std::string of = {};
+        std::size_t nth = 1;  ///< number of this element among the elements with the same name, counted from 1
         std::vector<std::string> needed_by = {};  ///< properties that fail without the element
         std::vector<std::string> open = {};       ///< properties for which the result is unknown
+        Span origin = {};                         ///< position of a statement
         bool operator==(const ModelElement&) const = default;
     };
 
@@ -47,12 +51,13 @@ struct ProofExplanation {
     bool operator==(const ProofExplanation&) const = default;
 };
 
-/// Returns `transition`, `step`, `term`, `guard` or `edge`.
+/// Returns `transition`, `step`, `term`, `statement`, `guard` or `edge`.
 constexpr std::string_view word(ProofExplanation::Kind kind) {
     switch (kind) {
     case ProofExplanation::Kind::Transition: return "transition";
     case ProofExplanation::Kind::Step: return "step";
     case ProofExplanation::Kind::Term: return "term";
+    case ProofExplanation::Kind::Statement: return "statement";
     case ProofExplanation::Kind::Guard: return "guard";
     case ProofExplanation::Kind::Edge: return "edge";
     }

@@ -242,7 +242,7 @@ CliCommand check_usage() {
         "\n"
         "With --properties FILE, each FILE operand is a PLC program (IEC 61131-3) in Structured Text or PLCopen XML.\n"
         "The properties are decided for all input sequences of the program, and counterexamples are replayed on an\n"
-        "interpreter of the program.\n"
+        "interpreter of the program. With --why, the statements that each property needs are printed.\n"
         "\n"
         "With --certificate DIR, the files in DIR prove the verdicts of a closed loop to the independent program\n"
         "`grafverif-certify DIR` (docs/how-to/certificates.md). With --untimed --engine pdr, the files are witness "

@@ -101,15 +101,20 @@ public:
 private:
     /// The check of one model, with the verdicts that are known so far.
     struct Proof {
-        bool is_loop = false;
+        bool is_loop = false, is_program = false;
         std::uint32_t place = 0;  ///< index of the loop or chart in the model
         std::string name = {}, state = "waiting", progress = {};
         Json properties = Json::array(), error_traces = Json::array();
 
         Json json() const {
-            return {
-                {"kind", is_loop ? "loop" : "chart"}, {"name", name},          {"state", state}, {"progress", progress},
-                {"properties", properties},           {"errors", error_traces}};
+            return {{"kind", is_loop      ? "loop"
+                             : is_program ? "program"
+                                          : "chart"},
+                    {"name", name},
+                    {"state", state},
+                    {"progress", progress},
+                    {"properties", properties},
+                    {"errors", error_traces}};
         }
     };
 
@@ -242,7 +247,8 @@ private:
                               .state = begun(piece.networks[loop.index].has_value())});
         for (const Id<Chart> chart : model.charts.ids())
             if (!is_in_a_loop(model, chart))
-                proofs.push_back({.place = chart.index,
+                proofs.push_back({.is_program = static_cast<bool>(model.charts[chart].program),
+                                  .place = chart.index,
                                   .name = model.charts[chart].name,
                                   .state = begun(piece.runs[chart.index] || with_properties)});
         return proofs;

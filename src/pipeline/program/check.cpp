@@ -14,6 +14,7 @@
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/program/replay.hpp"
+#include "pipeline/why.hpp"
 
 namespace grafverif {
 
@@ -180,6 +181,49 @@ Model model_of(const Program& program) {
     return model;
 }
 
+/// Checks the properties of `report` that hold again, without each element of the program.
+ProofExplanation why_it_holds(const Program& program, const std::vector<ProgramProperty>& properties,
+                              const Report& report, const CheckOptions& options) {
+    ProofExplanation why;
+    CheckOptions variant = options;
+    variant.witnesses = false;
+    variant.properties.clear();
+    for (const PropertyResult& answer : report.answers)
+        if (answer.verdict.outcome == Outcome::Holds) {
+            why.grounds.push_back({.property = answer.verdict.property});
+            variant.properties.push_back(answer.verdict.property);
+        }
+    const auto over = [&] { return is_over(options.limits.deadline, options.limits.stop); };
+    const std::vector<ProgramElement> elements =
+        why.grounds.empty() ? std::vector<ProgramElement>{} : elements_of(program);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        ProofExplanation::ModelElement element = model_element(elements[k]);
+        element.open = variant.properties;
+        Program changed = program;
+        drop_element(changed, elements[k]);
+        Diagnostics diagnostics;  // for example, a loop without this statement has no constant bound
+        auto scan = over() ? std::nullopt : scan_of(changed, diagnostics);
+        std::optional<Check> check;
+        if (scan) check.emplace(changed, std::move(*scan), properties);
+        if (check && check->prepare(variant.properties, diagnostics)) {
+            // The remaining elements have equal shares of the remaining time; a check may use eight shares.
+            variant.limits.deadline = share_of(options.limits.deadline, (elements.size() - k) / 8 + 1);
+            ++why.searches;
+            for (const PropertyResult& answer : check->report(variant).answers) {
+                const Verdict& verdict = answer.verdict;
+                const bool fails = verdict.outcome == Outcome::Violated || verdict.obstacle == UnknownReason::Faulty;
+                if (fails) element.needed_by.push_back(verdict.property);
+                if (fails || verdict.outcome == Outcome::Holds) std::erase(element.open, verdict.property);
+            }
+        }
+        if (!element.open.empty() && over())
+            why.ended = is_over(options.limits.deadline) ? "time limit reached" : "stopped";
+        why.things.push_back(std::move(element));
+    }
+    order_elements(why);
+    return why;
+}
+
 }  // namespace
 
 std::optional<Model> read_program_model(Id<Source> source, Id<Source> property_source, Sources& sources,
@@ -192,7 +236,7 @@ std::optional<Model> read_program_model(Id<Source> source, Id<Source> property_s
 }
 
 std::optional<CheckedProgram> check_program(Id<Source> source, Id<Source> property_source, Sources& sources,
-                                            const CheckOptions& options, Diagnostics& diagnostics) {
+                                            const CheckOptions& options, Diagnostics& diagnostics, bool explains) {
     auto text = read_program(source, sources, diagnostics);
     if (!text) return {};
     const auto properties = read_properties(property_source, sources, *text, diagnostics);
@@ -200,7 +244,11 @@ std::optional<CheckedProgram> check_program(Id<Source> source, Id<Source> proper
     if (!properties || !scan) return {};
     Check check(text->program(), std::move(*scan), *properties);
     if (!check.prepare(options.properties, diagnostics)) return {};
-    return CheckedProgram{model_of(text->program()), check.report(options)};
+    CheckOptions first = options;
+    if (explains) first.limits.deadline = share_of(options.limits.deadline, 2);
+    CheckedProgram checked{model_of(text->program()), check.report(first), {}};
+    if (explains) checked.why = why_it_holds(text->program(), *properties, checked.report, options);
+    return checked;
 }
 
 }  // namespace grafverif

@@ -7,14 +7,17 @@
 #include <string>
 
 #include "grafverif/grafverif.hpp"
+#include "grafverif/ir/why.hpp"
 #include "ir/program/program.hpp"
 
 namespace grafverif {
 
-/// A model whose only chart represents a PLC program (see interface_of), and the verdicts on the program.
+/// A model whose only chart represents a PLC program (see interface_of), the verdicts on the program and, if requested,
+/// the statements and transitions on which the proofs depend.
 struct CheckedProgram {
     Model model = {};
     Report report = {};
+    std::optional<ProofExplanation> why = {};
 };
 
 /// Reads a program and a property file. Returns the model of the program, or nothing after an error.
@@ -22,8 +25,10 @@ std::optional<Model> read_program_model(Id<Source> program, Id<Source> propertie
                                         Diagnostics& diagnostics);
 
 /// `program` is Structured Text or PLCopen XML; `properties` is a property file (docs/reference/programs.md). The
-/// result is empty after an error.
+/// result is empty after an error. If `explains` is true, the properties that hold are checked again without each
+/// statement and without each transition of a Sequential Function Chart.
 std::optional<CheckedProgram> check_program(Id<Source> program, Id<Source> properties, Sources& sources,
-                                            const CheckOptions& options, Diagnostics& diagnostics);
+                                            const CheckOptions& options, Diagnostics& diagnostics,
+                                            bool explains = false);
 
 }  // namespace grafverif

@@ -149,4 +149,15 @@ std::string term_text(const Program& program, Id<Program::Unit> unit, Id<Program
     return ProgramPrinter(program, unit).term(term);
 }
 
+std::string statement_text(const Program& program, Id<Program::Unit> unit, const Program::Statement& statement) {
+    using Kind = Program::Statement::Kind;
+    if (statement.kind == Kind::Assign)
+        return place_text(program, unit, statement.place) + " := " + term_text(program, unit, statement.value);
+    if (statement.kind != Kind::Invoke) return statement.kind == Kind::Exit ? "EXIT" : "RETURN";
+    const Program::Unit& called = program.units[statement.unit];
+    if (!called.owner.valid()) return instance_text(program, unit, statement.place, statement.unit) + "()";
+    if (called.owner == unit) return called.name + "()";
+    return instance_text(program, unit, statement.place, called.owner) + "." + called.name + "()";
+}
+
 }  // namespace grafverif

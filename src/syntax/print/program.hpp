@@ -19,4 +19,7 @@ std::string instance_text(const Program& program, Id<Program::Unit> unit, const 
 /// Returns an expression in `unit`.
 std::string term_text(const Program& program, Id<Program::Unit> unit, Id<Program::Node> term);
 
+/// Returns an assignment, a call without its arguments, EXIT or RETURN in `unit`, without a semicolon.
+std::string statement_text(const Program& program, Id<Program::Unit> unit, const Program::Statement& statement);
+
 }  // namespace grafverif

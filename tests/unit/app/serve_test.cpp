@@ -133,7 +133,7 @@ TEST(ServeFileChecker, ProgramWithPropertiesIsCheckedAfterAChangeOfEitherFile) {
     Bystander watcher(file, {}, yaml);
     Json state = watcher.wait_for_verdicts();
     EXPECT_EQ(state["charts"][0], (Json{{"name", "spindle"}, {"runs", false}, {"steps", 2}}));
-    EXPECT_EQ(state["models"][0]["kind"], "chart");
+    EXPECT_EQ(state["models"][0]["kind"], "program");
     EXPECT_EQ(state["models"][0]["properties"][0]["verdict"], "violated");
     EXPECT_EQ(state["models"][0]["properties"][0]["has_trace"], true);
     EXPECT_NE(watcher.drawings()["drawings"][0].get<std::string>().find("Turning"), std::string::npos);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Ablation of elements of PLC programs.
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "explain/ablation.hpp"
+#include "syntax/print/program.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Statement = Program::Statement;
+
+constexpr std::size_t longest_name = 60;  ///< maximum number of bytes of the text of a statement in its name
+
+class Elements {
+public:
+    explicit Elements(const Program& program) : program_(program) {}
+
+    std::vector<ProgramElement> all() && {
+        for (const Program::Unit& unit : program_.units)
+            for (const Program::Sequence& sequence : unit.sequences)
+                for (const Program::Sequence::Transition& transition : sequence.transitions)
+                    transitions_.emplace(transition.test, &transition);
+        const Id<Source> source = program_.units[program_.main].origin.source;
+        for (const Id<Program::Unit> id : program_.units.ids()) {
+            const Program::Unit& unit = program_.units[id];
+            if (unit.origin.source != source) continue;  // a standard function block
+            unit_ = unit.owner.valid() ? unit.owner : id;
+            add(unit.body);
+        }
+        return std::move(found_);
+    }
+
+private:
+    std::string steps(const std::vector<std::uint32_t>& cells) const {
+        std::string names;
+        for (const std::uint32_t cell : cells) {
+            const std::string active = place_text(program_, unit_, {false, cell, {}});
+            names += (names.empty() ? "" : ", ") + active.substr(0, active.rfind('.'));
+        }
+        return cells.size() == 1 ? names : "(" + names + ")";
+    }
+
+    void add(const Program::Body& body) {
+        bool follows = false;  // the last element is the preceding statement of this body
+        for (const Id<Statement> id : body) {
+            const Statement& statement = program_.statements[id];
+            if (const auto test = transitions_.find(id); test != transitions_.end()) {
+                const auto& [name, from, to, tested] = *test->second;
+                found_.push_back({true,
+                                  name.empty() ? steps(from) + " -> " + steps(to) : name,
+                                  program_.nodes[statement.value].origin,
+                                  {id}});
+                follows = false;
+                continue;
+            }
+            for (const Program::Arm& arm : statement.arms) add(arm.body);
+            const bool simple = statement.kind == Statement::Kind::Assign ||
+                                statement.kind == Statement::Kind::Invoke || statement.kind == Statement::Kind::Exit ||
+                                statement.kind == Statement::Kind::Return;
+            if (!simple || statement.generated) {
+                follows = false;
+                continue;
+            }
+            const Span last = follows ? found_.back().origin : Span{};
+            if (follows && last.begin == statement.origin.begin && last.end == statement.origin.end) {
+                found_.back().statements.push_back(id);
+                continue;
+            }
+            std::string text = statement_text(program_, unit_, statement);
+            if (text.size() > longest_name) text = text.substr(0, longest_name) + "...";
+            found_.push_back({false, std::move(text), statement.origin, {id}});
+            follows = true;
+        }
+    }
+
+    const Program& program_;
+    Id<Program::Unit> unit_ = {};
+    std::map<Id<Statement>, const Program::Sequence::Transition*> transitions_ = {};
+    std::vector<ProgramElement> found_ = {};
+};
+
+}  // namespace
+
+std::vector<ProgramElement> elements_of(const Program& program) { return Elements(program).all(); }
+
+void drop_element(Program& program, const ProgramElement& element) {
+    if (element.transition) {
+        Statement& test = program.statements[element.statements.front()];
+        test.value = program.nodes.add({.op = Program::Op::Constant, .type = test.type, .origin = element.origin});
+        return;
+    }
+    const auto drop = [&](Program::Body& body) {
+        std::erase_if(body, [&](Id<Statement> id) {
+            return std::ranges::find(element.statements, id) != element.statements.end();
+        });
+    };
+    for (Program::Unit& unit : program.units) drop(unit.body);
+    for (Statement& statement : program.statements)
+        for (Program::Arm& arm : statement.arms) drop(arm.body);
+}
+
+}  // namespace grafverif
