@@ -292,18 +292,16 @@ public:
         });
     }
     std::unique_ptr<Samples> recording(const std::vector<std::string>& charts, const How& how, std::int64_t jitter_ms,
-                                       const std::vector<std::pair<std::vector<std::string>, std::int64_t>>& skew_us,
-                                       const std::map<std::string, std::string>& map, bool stop_early) const {
+                                       const Recording::Skew& skew_us, const std::map<std::string, std::string>& map,
+                                       bool stop_early) const {
         if (jitter_ms < 0) throw py::value_error("jitter is in seconds, 0 or more");
-        RecordingOptions options{.jitter_ms = jitter_ms, .map = {map.begin(), map.end()}, .stop_early = stop_early};
-        for (const auto& [columns, bound_us] : skew_us) {
+        for (const auto& [columns, bound_us] : skew_us)
             if (bound_us < 0 || columns.empty()) throw py::value_error("skew maps names to seconds, 0 or more");
-            options.clocks.push_back({columns, bound_us});
-        }
         std::vector<Id<Chart>> ids;
         for (const std::string& chart : charts) ids.push_back(chart_of(chart));
-        auto made = std::make_unique<Samples>(
-            std::make_unique<Recording>(reading_, ids, mode_of(how.mode), std::move(options)));
+        auto made = std::make_unique<Samples>(std::make_unique<Recording>(
+            reading_, ids, mode_of(how.mode), jitter_ms, skew_us,
+            std::vector<std::pair<std::string, std::string>>(map.begin(), map.end()), stop_early));
         made->report_diagnostics();
         return made;
     }

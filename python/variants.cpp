@@ -6,6 +6,7 @@
 #include "check/shares.hpp"
 #include "pipeline/certificate/certificate.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/recording/recording.hpp"
 #include "pipeline/variants/faults.hpp"
 #include "pipeline/variants/tune.hpp"
 #include "pipeline/variants/tune_ranges.hpp"
@@ -88,12 +89,15 @@ struct Recording::State {
 };
 
 Recording::Recording(std::shared_ptr<const ParseResult> reading, const std::vector<Id<Chart>>& charts,
-                     std::optional<ExecutionMode> mode, RecordingOptions options)
+                     std::optional<ExecutionMode> mode, std::int64_t jitter_ms, const Skew& skew,
+                     std::vector<std::pair<std::string, std::string>> map, bool stop_early)
     : state_(std::make_unique<State>()) {
     state_->reading = std::move(reading);
     state_->sources = state_->reading->sources;
     for (const Id<Chart> chart : charts)
         if (!can_be_recorded(*state_->reading->model, chart, mode, state_->diagnostics)) return;
+    RecordingOptions options{.jitter_ms = jitter_ms, .map = std::move(map), .stop_early = stop_early};
+    for (const auto& [columns, bound_us] : skew) options.clocks.push_back({columns, bound_us});
     state_->monitor.emplace(*state_->reading->model, charts, "<samples>", std::move(options), state_->sources,
                             state_->diagnostics);
 }

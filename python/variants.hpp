@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "grafverif/grafverif.hpp"
-#include "pipeline/recording/recording.hpp"
 
 namespace grafverif::python {
 
@@ -48,8 +47,13 @@ std::optional<CertificateFiles> certify(const Model& model, Id<ClosedLoop> loop,
 /// A recording whose samples arrive one by one.
 class Recording {
 public:
+    /// The columns of each element of `skew` have a common clock, whose offset is at most the bound in microseconds.
+    using Skew = std::vector<std::pair<std::vector<std::string>, std::int64_t>>;
+
+    /// The check has no time limit. `map` contains pairs of the name of a column and the name of a variable.
     Recording(std::shared_ptr<const ParseResult> reading, const std::vector<Id<Chart>>& charts,
-              std::optional<ExecutionMode> mode, RecordingOptions options);
+              std::optional<ExecutionMode> mode, std::int64_t jitter_ms, const Skew& skew,
+              std::vector<std::pair<std::string, std::string>> map, bool stop_early);
     ~Recording();
 
     /// Adds a line of JSON. Returns false if the check has ended (RecordingMonitor::add).

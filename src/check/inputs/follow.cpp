@@ -28,6 +28,7 @@ struct Stage {
     /// Per instance: the sets of valuations that the samplings of the stage require. A sampling that permits all
     /// valuations has no set.
     std::vector<std::vector<Word>> goals = {};
+    std::vector<bool> moves = {};  // per instance: true if the run contains a move of the instance in the stage
 };
 
 }  // namespace
@@ -51,7 +52,8 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
         Signature now;
         for (const Id<Network::Variable> id : signature) now.push_back(variables[id.index]);
         if (!stages.empty() && stages.back().signature == now) return;
-        stages.push_back({std::move(now), std::vector<std::vector<Word>>(run.instances.size())});
+        stages.push_back({std::move(now), std::vector<std::vector<Word>>(run.instances.size()),
+                          std::vector<bool>(run.instances.size())});
     };
     std::vector<std::int64_t> initial;
     for (const Network::Variable& variable : run.network.variables) initial.push_back(variable.initial);
@@ -67,6 +69,9 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
     auto next = all.begin();
     for (std::size_t at = 0; at < run.path.size(); ++at) {
         if (next != all.end() && next->at == at) require(*next++);
+        if (const auto* const fire = std::get_if<Fire>(&run.path[at].move))
+            for (std::size_t i = 0; i < run.instances.size(); ++i)
+                if (run.instances[i].process == fire->process) stages.back().moves[i] = true;
         begin(run.path[at].state.variables);
     }
     return stages;
@@ -83,7 +88,8 @@ public:
           questions_(network, machine_, watch_),
           signature_(signature_variables(run.network)),
           stages_(stages_of(run, signature_)),
-          instance_of_(network.processes.size(), none) {
+          instance_of_(network.processes.size(), none),
+          open_(stages_.size()) {
         questions_.add_query({}, property);
         for (std::size_t i = 0; i < run.instances.size(); ++i) instance_of_[run.instances[i].process.index] = i;
     }
@@ -91,11 +97,11 @@ public:
     ConcreteRun search() {
         if (!layout_.fits()) return {};
         add(timed::packed_initial(network_, layout_).data(), 0, 0, Delay{0});
-        for (std::size_t polls = 0; !shown_ && !open_.empty() && states_.size() < limits_.states; ++polls) {
+        for (std::size_t polls = 0; !shown_ && states_.size() < limits_.states; ++polls) {
             if (polls % search_poll_interval == 0 && is_over(limits_.deadline, limits_.stop)) break;
-            const std::size_t node = open_.top().node;
-            open_.pop();
-            expand(node);
+            const std::optional<std::size_t> node = next();
+            if (!node) break;
+            expand(*node);
         }
         ConcreteRun result;
         if (shown_) result.run = states_.run_to(*shown_);
@@ -107,9 +113,28 @@ private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
     struct Open {
-        std::size_t stages_left = 0, distance = 0, node = 0;
+        std::size_t distance = 0, node = 0;
         auto operator<=>(const Open&) const = default;
     };
+
+    /// Removes the next state to expand; returns nullopt if there is none. Every second state belongs to the last stage
+    /// with open states, and the others belong to all stages in turn. Otherwise states of the last stage could use up
+    /// the limit although a run to a violation reaches this stage from other states of an earlier stage.
+    std::optional<std::size_t> next() {
+        std::size_t stage = is_turn_of_last_ ? stages_.size() - 1 : turn_;
+        is_turn_of_last_ = !is_turn_of_last_;
+        for (std::size_t tried = 0; tried < stages_.size(); ++tried) {
+            if (!open_[stage].empty()) {
+                const std::size_t node = open_[stage].top().node;
+                open_[stage].pop();
+                if (is_turn_of_last_) turn_ = stage == 0 ? stages_.size() - 1 : stage - 1;
+                return node;
+            }
+            stage = stage == 0 ? stages_.size() - 1 : stage - 1;
+        }
+        return {};
+    }
+
     /// Returns the number of variables of the signature that differ from those of a stage.
     std::size_t distance(const Word* words, std::size_t stage) const {
         std::size_t differing = 0;
@@ -130,8 +155,8 @@ private:
         const std::size_t stage = stage_of(at, from_stage);
         const std::optional<std::size_t> node = states_.add(at, parent, stage, move);
         if (!node) return;
-        const std::size_t next = std::min(stage + 1, stages_.size() - 1);
-        open_.push({stages_.size() - stage, distance(at, next), *node});
+        const std::size_t later = std::min(stage + 1, stages_.size() - 1);
+        open_[stage].push({distance(at, later), *node});
         last_stage_ = std::max(last_stage_, stage);
         if (!shown_ && watch_.needs(machine_, at, registers_)) {
             watch_.look(machine_, static_cast<std::uint32_t>(*node), at, registers_);
@@ -140,12 +165,13 @@ private:
     }
 
     /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not in all goals of the
-    /// stage; all other processes move freely.
+    /// stage. Other autonomous instances move only if they move in the stage, unless `limits_.free` is true. All other
+    /// processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
-        if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
+        if (i == none || !run_.instances[i].autonomous) return true;
+        if (run_.levels[i] != InputLevel::Chosen) return limits_.free || stages_[stage].moves[i];
         const AbstractableProcess& instance = run_.instances[i];
-        if (!instance.autonomous) return true;
         std::vector<std::int64_t> values;
         for (const Id<Network::Variable> output : instance.outputs)
             values.push_back(layout_.variables[output.index].get(at));
@@ -192,7 +218,10 @@ private:
     std::vector<Stage> stages_;
     std::vector<std::size_t> instance_of_;  // instance of each process, or none
     FoundStates states_ = FoundStates(layout_);
-    std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
+    // Per stage: the states that are not expanded.
+    std::vector<std::priority_queue<Open, std::vector<Open>, std::greater<>>> open_;
+    std::size_t turn_ = 0;  // stage that is next in turn
+    bool is_turn_of_last_ = true;
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};
     std::vector<Word> now_ = {};  // the state that is expanded

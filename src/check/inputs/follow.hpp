@@ -3,10 +3,11 @@
 // the abstract run.
 //
 // The abstract run is divided into stages; a new stage begins whenever a step or an internal variable of a controller
-// changes. The search is best-first. It prefers states whose run has reached the latest stage. Among these states, it
-// prefers states with the fewest variables that differ from the next stage. Among states with equal priority, the
-// search is breadth-first. An autonomous Chosen instance moves only if its outputs differ from the valuations that some
-// sampling of the stage requires. All moves are moves of the complete network; therefore each run that is
+// changes. The search is best-first. Every second expanded state belongs to the latest stage that is reached, the others
+// belong to all reached stages in turn. Within a stage, the search prefers states with the fewest variables that differ
+// from the next stage. Among states with equal priority, the search is breadth-first. An autonomous Chosen instance moves only if its outputs differ from the valuations that some
+// sampling of the stage requires. Other autonomous instances move freely, or only in stages in which they move in the
+// abstract run (FollowLimits::free). All moves are moves of the complete network; therefore each run that is
 // found is a real run. The search finds a run quickly if the complete network can perform the abstract run with longer
 // delays. If the search finds no run, the property may still have a run in the complete network.
 #pragma once
@@ -30,6 +31,7 @@ struct FollowLimits {
     std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory limit; `follow` ignores it
     Deadline deadline = {};
     const std::atomic<bool>* stop = nullptr;
+    bool free = true;  ///< for `follow`: autonomous instances that are not Chosen may move in each stage
 };
 
 /// Returns the steps and internal variables of all controllers.

@@ -389,16 +389,17 @@ std::optional<Run> InputAbstractionCheck::in_units(const Network& network, Run r
     return run;
 }
 
-/// Searches for a run of the complete loop along the abstract run.
+/// Searches for a run of the complete loop along the abstract run. The first search is limited to a longer time unit and
+/// to the moves of the abstract run.
 ConcreteRun InputAbstractionCheck::followed(std::size_t k, const AbstractRun& abstract, bool coarse) const {
     const std::size_t states =
         coarse ? std::clamp<std::size_t>(4 * round_, limits_.followed_coarse, limits_.followed) : limits_.followed;
     ConcreteRun found;
     for (const Network* const network : {&stricter_, &complete_}) {
-        if (network == &stricter_ && stricter_.time_unit_ms == complete_.time_unit_ms) continue;
-        found = follow(*network, single(k), abstract, {.states = states, .deadline = deadline_, .stop = options_.stop});
+        found = follow(*network, single(k), abstract,
+                       {.states = states, .deadline = deadline_, .stop = options_.stop, .free = network == &complete_});
         if (found.run) found.run = in_units(*network, std::move(*found.run));
-        if (found.run) return found;
+        if (found.run) break;
     }
     return found;
 }
