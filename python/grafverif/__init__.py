@@ -610,7 +610,7 @@ class RecordingReport:
 
 
 class Recording:
-    """Checks samples of the inputs and outputs of a real controller against charts while they arrive, as `grafverif
+    """Checks samples of the inputs and outputs of a real controller against charts as they arrive, as `grafverif
     monitor` does."""
 
     def __init__(self, core: _core.Samples):

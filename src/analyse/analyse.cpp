@@ -79,7 +79,7 @@ public:
     void run() {
         for (auto slice = options_.first_slice; questions_.any_open() && continue_searches(slice); slice *= 4)
             if (slice >= most_for_paths * options_.first_slice && questions_.only_traps_open()) {
-                obstacle_ = "the search for absorbing regions exceeds its budget";
+                obstacle_ = "the search for traps exceeded its limit of work";
                 break;
             }
         result_.questions = questions_.all().size();
@@ -311,8 +311,8 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
                                   : "each cycle samples the inputs and executes one evolution");
     if (!equations.timers.empty() && !options.instability_only)
         result.notes.emplace_back(
-            "a path back may require an order of timer expiries that the durations exclude; absorbing regions caused "
-            "only by durations are not detected");
+            "a path back may require an order of timer expiries that the durations exclude; traps caused only by "
+            "durations are not detected");
     if (std::ranges::any_of(result.findings, is_break, &Finding::code))
         result.notes.emplace_back(
             "the exploration stops at races, contradictory orders and out-of-range values; elements reported as dead "

@@ -26,7 +26,7 @@ public:
     Transitions outgoing(const tree::Name& name) const { return with(name, End::From); }
     /// Returns the declared step with this name in the list, or null.
     const tree::Step* step(const tree::Name& name) const;
-    /// Returns the reason why links of `name` cannot be edited, or an empty string: a declaration in `for` uses `name`.
+    /// Returns why links of `name` cannot be edited (a declaration in `for` uses it); empty if they can be edited.
     std::string obstacle(const tree::Name& name) const;
 
     /// Returns the edits that replace `name` at an end of a transition by `names`, without duplicates. An empty list

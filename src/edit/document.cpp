@@ -56,7 +56,7 @@ Change Document::perform(const Operation& operation, bool trial) {
     if (has_errors(reading())) {
         const lsp::LspDiagnostic* const error = first_error(*current_);
         if (error == nullptr) return {"the text cannot be read", {}, {}};
-        return {fmt::format("correct the errors of the text first: line {}: {}", error->where.range.start.line + 1,
+        return {fmt::format("correct the errors in the text first (line {}: {})", error->where.range.start.line + 1,
                             error->message),
                 {},
                 {}};
@@ -150,7 +150,7 @@ Change Document::accept(Plan plan, bool trial) {
 }
 
 Copy Document::copied(const std::vector<std::uint32_t>& at) {
-    if (has_errors(reading())) return {"correct the errors of the text first", {}};
+    if (has_errors(reading())) return {"correct the errors in the text first", {}};
     return edit::copied(text(), parsed_->tree, Elements(parsed_->tree), at);
 }
 

@@ -67,8 +67,7 @@ struct Tuning {
     bool model_error = false;     ///< true if a model error occurs at some point
     std::vector<std::string> failures = {};  ///< internal errors
 
-    /// Returns the index of the value of each constant at a point. From one point to the next, the index of the last
-    /// constant changes first.
+    /// Returns the index of the value of each constant at a point. The index of the last constant varies fastest.
     std::vector<std::size_t> indices(std::size_t point) const {
         std::vector<std::size_t> all(constants.size());
         for (std::size_t k = constants.size(); k-- > 0; point /= constants[k].size())
@@ -87,8 +86,7 @@ struct GridBox {
     std::vector<std::size_t> first = {}, last = {};
 };
 
-/// Calls `visit` with the indices of each point of a box. From one call to the next, the index of the last constant
-/// changes first.
+/// Calls `visit` with the indices of each point of a box. The index of the last constant varies fastest.
 template <class Visit>
 void for_each_point(const GridBox& box, const Visit& visit) {
     std::vector<std::size_t> at = box.first;

@@ -25,7 +25,7 @@ std::string ScanReplay::act(const ChartRun::Act& act, const ChartRun::State& bef
     if (!act.begins && !act.samples && !act.evolves) return {};
     if (is_over_ || must_write_) return "an evolution outside the scans of the task cycle";
     if (!act.samples || controller_.mode == ExecutionMode::EveryCycle) return {};
-    if (act.inputs != inputs_) return "an evolution reads other inputs than those at the start of its scan";
+    if (act.inputs != inputs_) return "an evolution reads input values that differ from those at the start of its scan";
     return timers_fault(act);
 }
 

@@ -319,7 +319,7 @@ Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Outpu
     Id<Expr> value = cycle.total(cycle.now(output.value), exprs.constant(false), found);
     for (const Id<Expr> fault : found) faults.conditions.push_back(exprs.conjunction(stable, fault));
     if (!is_constant(exprs[value].op))
-        value = add_now(cycle, draft, output.variable, value, "outputs by equation (13) of Perin and Faure, 2013");
+        value = add_now(cycle, draft, output.variable, value, "outputs by equation (13) of Perin and Faure (2013)");
     return written_when_stable(cycle, draft, output.variable, stable, value);
 }
 
@@ -349,8 +349,9 @@ Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& 
         draft.set(symbol, TransitionSystem::DefineSymbol{cycle.total(value, off, seen_before)});
         return exprs.constant(true);
     }
-    const Id<Expr> now = add_now(cycle, draft, output.variable, then,
-                                 "outputs by equation (13) of Perin and Faure, 2013, of the steps after the cycle");
+    const Id<Expr> now = add_now(
+        cycle, draft, output.variable, then,
+        "outputs by equation (13) of Perin and Faure (2013), computed from the steps that are active after the cycle");
     cycle.set(symbol, initial, now);
     return exprs.apply(Op::Equal, draft.leaf(symbol), now);
 }

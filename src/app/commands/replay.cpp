@@ -173,7 +173,7 @@ CliCommand monitor_usage() {
             "FILE",
             1,
             1,
-            "check samples of a controller against its chart while they arrive",
+            "check samples of a controller against its chart as they arrive",
             "Checks samples on standard input like `replay`, and ends at the first deviation, violated property or\n"
             "invalid line. A deviation is reported when the samples cover a period of four times the jitter after the\n"
             "deviation. At the end of the samples, or if the command is interrupted, the verdict is printed.",

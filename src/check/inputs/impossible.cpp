@@ -46,8 +46,8 @@ std::vector<std::vector<std::size_t>> joint_groups(const std::vector<Abstractabl
 
 namespace {
 
-/// A group of processes of the network, represented by the set of states that the group can have if the variables of
-/// other processes have given values.
+/// A group of processes of the network, represented by the set of states that the group can have if the variables that
+/// other processes write have fixed values.
 class ProcessGroup {
 public:
     struct Member {
@@ -55,7 +55,7 @@ public:
         InputLevel level = {};
     };
 
-    /// `known` contains the variables that have given values and are written by other processes.
+    /// `known` contains the variables with fixed values that other processes write.
     ProcessGroup(const Network& complete, const std::vector<Member>& members, std::int64_t unit,
                  const std::set<Id<Network::Variable>>& known, const FollowLimits& limits)
         : network_(only(complete, members, unit, known)),

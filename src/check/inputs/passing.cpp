@@ -155,7 +155,7 @@ std::optional<bool> InputAbstractionCheck::prove_possible(std::size_t k, const F
     Verdict found;
     found.outcome = Outcome::Holds;
     found.states = std::to_string(possible_->states());
-    found.notes = {"proved by edges that can be taken for all values of the clocks"};
+    found.notes = {"proved with only those edges that can be taken for all values of the clocks"};
     conclude(k, found, possible_->levels());
     return true;
 }

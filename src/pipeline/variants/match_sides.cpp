@@ -368,7 +368,8 @@ private:
     }
 
     /// Renames the inputs and outputs of the second side to the names in the first side. Other variables that already
-    /// have one of these names get another name. The range of each input becomes the common range of both sides.
+    /// have one of these names get another name. The range of each input becomes the one that `pairs` has determined for
+    /// both sides.
     void rename() {
         for (const auto member : {&CompareSide::inputs, &CompareSide::outputs})
             for (std::size_t i = 0; i < (sides_[0].*member).size(); ++i)

@@ -54,7 +54,7 @@ tree::Component expanded(Expansion& expansion, const tree::Component& written);
 tree::ClosedLoop expanded(Expansion& expansion, const tree::ClosedLoop& written);
 
 /// Calls `resolve` with the declaration, or with its expansion if it contains replications. Does not call it if there
-/// is an error in a range or an index, unless the names beyond errors are recorded.
+/// is an error in a range or an index, unless names are also recorded in text with errors.
 template <class Written, class Resolve>
 void resolve_expanded(Expansion& expansion, const Written& written, const Resolve& resolve) {
     if (!written.replicated && expansion.instance == nullptr) return resolve(written);

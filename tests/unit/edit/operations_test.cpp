@@ -357,7 +357,7 @@ TEST(EditOperations, TextWithErrorsCanOnlyBeTyped) {
     const std::string broken = edit.document.text() + "grafcet";
     edit.document.type(broken);
     EXPECT_EQ(edit.obstacle(OperationKind::StepAfter, "step 1").substr(0, 46),
-              "correct the errors of the text first: line 19:");
+              "correct the errors in the text first (line 19:");
     EXPECT_NE(edit.document.drawn(), nullptr) << "the last text without errors remains drawn";
     edit.document.undo();
     edit.perform(OperationKind::Rename, "step 2", "20");
