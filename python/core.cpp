@@ -296,7 +296,8 @@ public:
                                        bool stop_early) const {
         if (jitter_ms < 0) throw py::value_error("jitter is in seconds, 0 or more");
         for (const auto& [columns, bound_us] : skew_us)
-            if (bound_us < 0 || columns.empty()) throw py::value_error("skew maps names to seconds, 0 or more");
+            if (bound_us < 0 || bound_us > 86'400'000'000 || columns.empty())
+                throw py::value_error("skew maps names to seconds between 0 and 86400");
         std::vector<Id<Chart>> ids;
         for (const std::string& chart : charts) ids.push_back(chart_of(chart));
         auto made = std::make_unique<Samples>(std::make_unique<Recording>(

@@ -975,8 +975,8 @@ class File:
                   map: Mapping[str, str] | None = None, stop_early: bool = False) -> Recording:
         """Begins the check of a recording against the given charts, or by default all charts of the file. The recorded
         times differ from the times in the controller by at most `jitter`. `skew` maps a name in samples, or a tuple of
-        names, to the maximum offset of their clock. `map` maps names in samples to names of inputs and outputs. With `stop_early`, the check ends at the first deviation or violated property, as
-        `grafverif monitor` does."""
+        names, to the maximum offset of their clock. `map` maps names in samples to names of inputs and outputs. With
+        `stop_early`, the check ends at the first deviation or violated property, as `grafverif monitor` does."""
         return Recording(self._core.recording(list(charts) or list(self.charts), _core.How(mode=mode),
                                               round(1000 * _seconds(jitter)),
                                               [([names] if isinstance(names, str) else list(names),

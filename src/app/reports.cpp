@@ -37,12 +37,11 @@ bool ends_in_tally(std::string_view text) {
 
 /// True if `text` is the beginning of a report of this program.
 bool is_report(std::string_view text) {
-    constexpr std::array<std::string_view, 6> beginnings = {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>",
+    constexpr std::string_view page = "<!DOCTYPE html>\n", generator = "<meta name=\"generator\" content=\"grafverif ";
+    if (text.starts_with(page)) return text.substr(0, 2048).find(generator) != std::string_view::npos;
+    constexpr std::array<std::string_view, 5> beginnings = {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>",
                                                             "{\n  \"$schema\": \"https://json.schemastore.org/sarif",
-                                                            "<!DOCTYPE html>\n",
-                                                            "$comment ",
-                                                            "<svg ",
-                                                            "{\n  \"chart\": "};
+                                                            "$comment ", "<svg ", "{\n  \"chart\": "};
     return ends_in_tally(text) ||
            std::ranges::any_of(beginnings, [&](std::string_view each) { return text.starts_with(each); });
 }

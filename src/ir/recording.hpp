@@ -51,7 +51,7 @@ struct RecordingVerdict {
     ChartRun run = {};
     bool run_is_complete = true;  ///< true if `run` begins at power-on; false if `run` contains only the last instants
     /// For each clock of `--skew` that concerns the chart: its offset. No other offset explains the recording; for
-    /// Deviates, the range is that of the timing in `deviation`.
+    /// Deviates, the range is that of the timing in `deviation`. Empty for Unknown.
     std::vector<ClockOffset> offsets = {};
     std::vector<std::string> unrecorded = {};  ///< outputs that the recording does not contain
 

@@ -42,7 +42,7 @@ void add_chart(const RecordingReport& report, const RecordingVerdict& verdict, H
     if (verdict.deviation) {
         html.open("p").prose(deviation_place_text(report, verdict) + ".").close("p");
         html.put("p", "Active steps: " + verdict.deviation->situation);
-        html.put("p", no_timing_text(report));
+        html.put("p", no_timing_text(verdict));
     }
     for (const ClockOffset& offset : verdict.offsets) html.open("p").prose(offset_text(offset)).close("p");
     if (!verdict.unrecorded.empty())
@@ -75,8 +75,15 @@ void add_property(const PageContent& content, const RecordedProperty& property, 
     if (property.violated) {
         html.put("p", fmt::format("{}:{}: the values from {} on violate the property.", report.log, property.line,
                                   recording_time_text(property.time_us)));
+        // The run of a chart with a deviation ends before the recording.
+        const auto shows = [&](const RecordingVerdict& verdict) {
+            return !verdict.deviation && can_be_played(verdict.run) &&
+                   std::ranges::any_of(content.model.loops[id].controllers, [&](const auto& controller) {
+                       return content.model.charts[controller.chart].name == verdict.chart;
+                   });
+        };
         for (const RecordingVerdict& verdict : report.verdicts)
-            if (const auto row = row_at(verdict.run, property.time_us); row && can_be_played(verdict.run))
+            if (const auto row = shows(verdict) ? row_at(verdict.run, property.time_us) : std::nullopt)
                 html.open("p")
                     .put("a",
                          fmt::format("Show {} in the run of {}", recording_time_text(property.time_us), verdict.chart),
@@ -94,20 +101,20 @@ SummaryItem summary_of(const RecordingReport& report) {
     };
     const auto violated =
         static_cast<std::size_t>(std::ranges::count(report.properties, true, &RecordedProperty::violated));
-    std::vector<std::string> words;
+    std::string text;
     if (const std::size_t deviating = count(Kind::Deviates); deviating != 0)
-        words.push_back(fmt::format("the recording deviates from {}", counted(deviating, "chart", "charts")));
+        text = fmt::format("deviates from {}", counted(deviating, "chart", "charts"));
     if (violated != 0)
-        words.push_back(fmt::format("the recording violates {}", counted(violated, "property", "properties")));
-    const bool bad = !words.empty();
-    if (const std::size_t unknown = count(Kind::Unknown); unknown != 0)
-        words.push_back(fmt::format("the verdict is unknown for {}", counted(unknown, "chart", "charts")));
-    if (words.empty())
-        words.push_back(
-            fmt::format("the recording conforms to {}", counted(report.verdicts.size(), "chart", "charts")));
-    std::string text = listed(words) + ".";
-    text.front() = 'T';
-    return {bad ? "bad" : count(Kind::Unknown) != 0 ? "unknown" : "ok", std::move(text)};
+        text += fmt::format("{}violates {}", text.empty() ? "" : " and ", counted(violated, "property", "properties"));
+    const bool bad = !text.empty();
+    const std::size_t unknown = count(Kind::Unknown);
+    if (!bad && unknown == 0) text = fmt::format("conforms to {}", counted(report.verdicts.size(), "chart", "charts"));
+    if (!text.empty()) text = "The recording " + text;
+    if (unknown != 0)
+        text += fmt::format("{} verdict is unknown for {}", text.empty() ? "The" : "; the",
+                            counted(unknown, "chart", "charts"));
+    text += '.';
+    return {bad ? "bad" : unknown != 0 ? "unknown" : "ok", std::move(text)};
 }
 
 std::vector<Playable> recording_runs(const PageContent& content) {

@@ -228,6 +228,12 @@ private:
             for (const std::string& column : clock.columns) {
                 if (std::ranges::find(columns, column) == columns.end())
                     diagnostics_.add(messages::no_such_choice("column", column, columns, nearest_of(column, columns)));
+                else if (std::ranges::find(ignored, column) != ignored.end())
+                    diagnostics_.add(messages::bad_log(
+                        {},
+                        fmt::format("`--skew` names the column `{}`, but no checked chart has this input or output; "
+                                    "remove it from `--skew`",
+                                    messages::clipped(column))));
                 if (std::ranges::find(with_clock, column) != with_clock.end())
                     diagnostics_.add(messages::bad_log(
                         {},

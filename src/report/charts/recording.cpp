@@ -41,7 +41,7 @@ void print_deviation(const RecordingVerdict& verdict, const RecordingReport& rep
     const Deviation& deviation = *verdict.deviation;
     out << fmt::format("  {}:{}: {}\n", printable(report.log), deviation.line, printable(deviation_text(deviation)));
     out << fmt::format("  active steps: {}\n", printable(deviation.situation));
-    out << "  " << no_timing_text(report) << " The timing that explains most of it"
+    out << "  " << no_timing_text(verdict) << " The timing that explains most of it"
         << (verdict.run_is_complete ? ":\n" : " ends with:\n");
     print_trace(verdict.run, out);
 }
@@ -65,9 +65,9 @@ std::string deviation_text(const Deviation& deviation) {
                        time, deviation.allowed);
 }
 
-std::string no_timing_text(const RecordingReport& report) {
+std::string no_timing_text(const RecordingVerdict& verdict) {
     return fmt::format("No admissible timing explains the recording{}.",
-                       report.skew_us != 0 ? " with any clock offset within the bounds" : "");
+                       !verdict.offsets.empty() ? " with any clock offset within the bounds" : "");
 }
 
 std::string offset_text(const ClockOffset& offset) {

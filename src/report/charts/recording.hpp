@@ -16,7 +16,7 @@ std::string recording_time_text(std::int64_t us);
 /// Returns text about the output that deviates, such as "`HORN` is 0, but the chart sets it to 1 at 5.14 s".
 std::string deviation_text(const Deviation& deviation);
 /// Returns a sentence that states that there is no admissible timing.
-std::string no_timing_text(const RecordingReport& report);
+std::string no_timing_text(const RecordingVerdict& verdict);
 /// Returns text about the offset of a clock, such as "clock offset of `PUMP`: 0.28 s to 0.32 s (--skew 500 ms)".
 std::string offset_text(const ClockOffset& offset);
 /// Returns the number of samples, the time range, the tolerances and the length of the inconclusive part.

@@ -21,7 +21,8 @@ std::uint64_t RecordingCheck::line_at(Ticks time) const {
 void RecordingCheck::add_run(const Hypothesis& hypothesis, RecordingVerdict& verdict) const {
     std::vector<const Instant*> instants;
     for (const Instant* instant = hypothesis.history.get(); instant != nullptr; instant = instant->previous.get())
-        instants.insert(instants.begin(), instant);
+        instants.push_back(instant);
+    std::ranges::reverse(instants);
     verdict.run = project(source_, ExecutionMode::StabilitySearch);
     for (const Instant* const instant : instants)
         append_instant(
@@ -59,13 +60,14 @@ Deviation RecordingCheck::deviation() const {
     return result;
 }
 
-/// For each clock: the range of its offset in the timings that are admissible so far; without such a timing, in the
-/// timing that explains most of the recording.
+/// For each clock: the range of its offset in the timings that are admissible so far. Without such a timing: in the
+/// timing that explains most of the recording, or nothing if a limit or a model error ended the check.
 std::vector<ClockOffset> RecordingCheck::offsets() const {
     std::vector<Zone> zones;
     for (const Hypothesis& hypothesis : hypotheses_)
         if (auto zone = zone_of_next(hypothesis)) zones.push_back(std::move(*zone));
-    if (hypotheses_.empty() && end_) zones.push_back(end_->hypothesis.zone);
+    if (hypotheses_.empty() && end_ && limit_ == Limit::None && problem_.empty())
+        zones.push_back(end_->hypothesis.zone);
     if (zones.empty()) return {};
     std::vector<ClockOffset> offsets;
     for (std::size_t k = 0; k < settings_.clocks.size(); ++k) {

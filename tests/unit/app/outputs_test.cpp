@@ -418,6 +418,21 @@ TEST(StandardInput, IsReadOnce) {
     EXPECT_EQ(grafverif({"simulate", file, "--script", "-"}, "wait 1s\n").code, ExitCode::Done);
 }
 
+/// A report of an earlier run is removed before a check, but other pages belong to the user.
+TEST(ReportFiles, OtherHtmlPagesRemainIfTheCommandFails) {
+    const Folder folder;
+    const std::string file = folder.write("bad.grafcet", "grafcet");
+    const std::string page = "<!DOCTYPE html>\n<p>a page of the user</p>\n";
+    const std::string own = folder.write("own.html", page);
+    EXPECT_EQ(grafverif({"check", file, "--report", own}).code, ExitCode::Input);
+    EXPECT_EQ(folder.read("own.html"), page);
+    const std::string old = folder.file("old.html");
+    EXPECT_EQ(grafverif({"check", folder.write("one.grafcet", violated), "--report", old}).code, ExitCode::Verdict);
+    EXPECT_TRUE(fs::exists(old));
+    EXPECT_EQ(grafverif({"check", file, "--report", old}).code, ExitCode::Input);
+    EXPECT_FALSE(fs::exists(old));
+}
+
 /// Returns the expected beginning of a document that the option writes. The result is empty if the beginning varies.
 std::string beginning_of(const std::string& option) {
     if (option == "junit" || option == "openpsa") return "<?xml";

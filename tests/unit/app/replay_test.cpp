@@ -186,12 +186,16 @@ TEST(Replay, LimitsTheOrdersOfEventsAndTheInstants) {
         changes += ",1,";
         changes_back += ",0,";
     }
-    const Result orders =
-        replayed(names + "\n" + values + "\n" + changes + "\n" + changes_back + "\n2" + std::string(36, ',') + "\n", {},
-                 chart + "}\n");
+    const std::string log =
+        names + "\n" + values + "\n" + changes + "\n" + changes_back + "\n2" + std::string(36, ',') + "\n";
+    const Result orders = replayed(log, {}, chart + "}\n");
     EXPECT_EQ(orders.code, ExitCode::Unknown);
     EXPECT_NE(orders.out.find("too many orders of events are possible; reduce the jitter"), std::string::npos)
         << orders.out;
+    const Result skew = replayed(log, {"--skew", "i0,i1=1ms"}, chart + "}\n");
+    EXPECT_NE(skew.out.find("too many orders of events are possible; reduce the jitter or the skew"), std::string::npos)
+        << skew.out;
+    EXPECT_EQ(skew.out.find("clock offset of"), std::string::npos) << "the check has not excluded other offsets";
     const std::string blinker =
         "grafcet blinker { output L; initial step 1; step 2; transition a: 1 -> 2 when 1ms/X1;\n"
         "transition b: 2 -> 1 when 1ms/X2; }\n";
@@ -293,6 +297,8 @@ TEST(Replay, RejectsInvalidClocks) {
     EXPECT_NE(replayed(skewed, {"--skew", "PUMPE=1s"}).err.find("did you mean `PUMP`?"), std::string::npos);
     EXPECT_NE(replayed(skewed, {"--skew", "PUMP,HORN=1s", "--skew", "PUMP=1s"})
                   .err.find("`--skew` names the column `PUMP` twice; remove one"),
+              std::string::npos);
+    EXPECT_NE(replayed("time,START,NOTE\n0,0,1\n1,0,2\n", {"--skew", "NOTE=1s"}).err.find("remove it from `--skew`"),
               std::string::npos);
 }
 
