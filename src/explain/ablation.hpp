@@ -52,6 +52,8 @@ struct TermPlace {
 /// because an event must keep an edge.
 std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);
+/// Returns the name of the element whose condition contains the term, such as `t3` or `OUT in step 5`.
+std::string owner_text(const Chart& chart, const TermPlace& place);
 void remove_term(Chart& chart, const TermPlace& place);
 
 /// A statement of a program, or a transition of a Sequential Function Chart.

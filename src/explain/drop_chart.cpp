@@ -114,4 +114,22 @@ void remove_term(Chart& chart, const TermPlace& place) {
     condition_of(chart, place) = without_term(chart.exprs, condition_of(chart, place), place.path);
 }
 
+std::string owner_text(const Chart& chart, const TermPlace& place) {
+    const auto action = [&](const auto& of, Id<Chart::Variable> variable) {
+        return chart.variables[variable].name + " in step " + name_of(chart, of.step).text();
+    };
+    switch (place.of) {
+    case TermPlace::Of::Transition: return chart.transitions[{place.index}].name;
+    case TermPlace::Of::Action: {
+        const Chart::ContinuousAction& of = chart.continuous[{place.index}];
+        return action(of, of.output);
+    }
+    case TermPlace::Of::Event: {
+        const Chart::StoredAction& of = chart.stored[{place.index}];
+        return action(of, of.target);
+    }
+    }
+    unreachable();
+}
+
 }  // namespace grafverif

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,16 @@ private:
         return cells.size() == 1 ? names : "(" + names + ")";
     }
 
+    /// Returns the text of a statement. A statement that assigns the output Q of the action control of a Boolean
+    /// action, such as `run := action run.Q`, is named by the action.
+    std::string name_of(const Statement& statement) const {
+        constexpr std::string_view control = ":= action ", output = ".Q";
+        std::string text = statement_text(program_, unit_, statement);
+        if (const std::size_t at = text.find(control); at != std::string::npos && text.ends_with(output))
+            return text.substr(at + 3, text.size() - at - 3 - output.size());
+        return text.size() > longest_name ? text.substr(0, longest_name) + "..." : text;
+    }
+
     void add(const Program::Body& body) {
         bool follows = false;  // the last element is the preceding statement of this body
         for (const Id<Statement> id : body) {
@@ -72,9 +83,7 @@ private:
                 found_.back().statements.push_back(id);
                 continue;
             }
-            std::string text = statement_text(program_, unit_, statement);
-            if (text.size() > longest_name) text = text.substr(0, longest_name) + "...";
-            found_.push_back({false, std::move(text), statement.origin, {id}});
+            found_.push_back({false, name_of(statement), statement.origin, {id}});
             follows = true;
         }
     }

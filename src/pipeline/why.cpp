@@ -16,7 +16,6 @@
 #include "ir/patterns.hpp"
 #include "pipeline/models.hpp"
 #include "support/element_of.hpp"
-#include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"
 #include "syntax/print/component.hpp"
 
@@ -58,25 +57,6 @@ Id<Expr> left_side(const Property& property, Exprs& exprs) {
         else answered = true;
     }
     return requested.empty() || !answered ? Id<Expr>{} : exprs.conjunction(requested);
-}
-
-/// Returns the name of the element whose condition contains the term, such as `t3` or `OUT in step 5`.
-std::string owner_of(const Chart& chart, const TermPlace& place) {
-    const auto action = [&](const auto& of, Id<Chart::Variable> variable) {
-        return chart.variables[variable].name + " in step " + name_of(chart, of.step).text();
-    };
-    switch (place.of) {
-    case TermPlace::Of::Transition: return chart.transitions[{place.index}].name;
-    case TermPlace::Of::Action: {
-        const Chart::ContinuousAction& of = chart.continuous[{place.index}];
-        return action(of, of.output);
-    }
-    case TermPlace::Of::Event: {
-        const Chart::StoredAction& of = chart.stored[{place.index}];
-        return action(of, of.target);
-    }
-    }
-    unreachable();
 }
 
 /// Returns the name of an edge, such as `shut -> opening`. If there are several edges between the same locations, the
@@ -317,7 +297,7 @@ private:
             for (const TermPlace& place : terms_of(chart))
                 add({.kind = ProofExplanation::Kind::Term,
                      .name = term_text(chart, term_at(chart, place)),
-                     .of = prefix + owner_of(chart, place)},
+                     .of = prefix + owner_text(chart, place)},
                     all(), [id, place](Model& without) { remove_term(without.charts[id], place); });
         });
     }

@@ -176,7 +176,8 @@ CliCommand monitor_usage() {
             "check samples of a controller against its chart as they arrive",
             "Checks samples on standard input like `replay`, and ends at the first deviation, violated property or\n"
             "invalid line. A deviation is reported when the samples cover a period of four times the jitter and twice\n"
-            "the skew after the deviation. At the end of the samples, or if the command is interrupted, the verdict is printed.",
+            "the skew after the deviation. At the end of the samples, or if the command is interrupted, the verdict is "
+            "printed.",
             {"recorder --csv | grafverif monitor press.grafcet --jitter 50ms"},
             {OptionGroup::Recording, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Format}};
 }

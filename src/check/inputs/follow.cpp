@@ -164,8 +164,8 @@ private:
         }
     }
 
-    /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not in all goals of the
-    /// stage. Other autonomous instances move only if they move in the stage, unless `limits_.free` is true. All other
+    /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not in all goals of
+    /// the stage. Other autonomous instances move only if they move in the stage, unless `limits_.free` is true. All other
     /// processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];

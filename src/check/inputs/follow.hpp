@@ -3,13 +3,15 @@
 // the abstract run.
 //
 // The abstract run is divided into stages; a new stage begins whenever a step or an internal variable of a controller
-// changes. The search is best-first. Every second expanded state belongs to the latest stage that is reached, the others
-// belong to all reached stages in turn. Within a stage, the search prefers states with the fewest variables that differ
-// from the next stage. Among states with equal priority, the search is breadth-first. An autonomous Chosen instance moves only if its outputs differ from the valuations that some
-// sampling of the stage requires. Other autonomous instances move freely, or only in stages in which they move in the
-// abstract run (FollowLimits::free). All moves are moves of the complete network; therefore each run that is
-// found is a real run. The search finds a run quickly if the complete network can perform the abstract run with longer
-// delays. If the search finds no run, the property may still have a run in the complete network.
+// changes. The search is best-first. Every second expanded state belongs to the latest stage that is reached; all
+// others belong to the reached stages in turn. Within a stage, the search prefers states with the fewest variables that differ
+// from the next stage. Among states with equal priority, the search is breadth-first.
+//
+// An autonomous Chosen instance moves only if its outputs differ from the valuations that some sampling of the stage
+// requires. Other autonomous instances move freely, or only in stages in which they move in the abstract run
+// (FollowLimits::free). All moves are moves of the complete network; therefore each run that is found is a real run.
+// The search finds a run quickly if the complete network can perform the abstract run with longer delays. If the search
+// finds no run, the property may still have a run in the complete network.
 #pragma once
 
 #include <atomic>
@@ -44,8 +46,8 @@ struct ConcreteRun {
 };
 
 /// Searches `network` for a run that decides `property`, guided by `abstract`. Requires that `network` is complete and
-/// expanded, and has the observers of the abstraction. `property` is a property of `network` about single states, or
-/// `reachable all steps` for one step.
+/// expanded, possibly in a longer time unit (in_longer_unit), and has the observers of the abstraction. `property` is a
+/// property of `network` about single states, or `reachable all steps` for one step.
 ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
                    const FollowLimits& limits);
 

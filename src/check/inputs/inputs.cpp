@@ -389,8 +389,8 @@ std::optional<Run> InputAbstractionCheck::in_units(const Network& network, Run r
     return run;
 }
 
-/// Searches for a run of the complete loop along the abstract run. The first search is limited to a longer time unit and
-/// to the moves of the abstract run.
+/// Searches for a run of the complete loop along the abstract run. The first search is limited to a longer time unit
+/// and to the moves of the abstract run.
 ConcreteRun InputAbstractionCheck::followed(std::size_t k, const AbstractRun& abstract, bool coarse) const {
     const std::size_t states =
         coarse ? std::clamp<std::size_t>(4 * round_, limits_.followed_coarse, limits_.followed) : limits_.followed;

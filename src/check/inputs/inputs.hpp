@@ -67,8 +67,8 @@ struct InputLimits {
     /// consists of many transitions. In the last round, the number of transitions is not limited.
     std::uint64_t transitions = 8;
     std::size_t followed = 200'000;  ///< maximum number of states of one guided search
-    /// The same for a run of an abstraction in which instances that read the loop are also abstracted, in the first rounds.
-    /// Later rounds permit four times as many states as one of their searches, but at most `followed`.
+    /// The same for a run of an abstraction in which instances that read the loop are also abstracted, in the first
+    /// rounds. Later rounds permit four times as many states as one of their searches, but at most `followed`.
     std::size_t followed_coarse = 20'000;
     /// Number of states of the complete loop that NoveltySearch explores before the abstractions are searched; may be
     /// 0.

@@ -79,7 +79,7 @@ TEST(Compare, RejectsAProgramInPlaceOfAnImportedChart) {
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_NE(result.err.find("`tanks` is a program without a Sequential Function Chart"), std::string::npos)
             << result.err;
-        EXPECT_NE(result.err.find("`grafverif test`"), std::string::npos);
+        EXPECT_NE(result.err.find("`grafverif check FILE --properties PROPERTIES`"), std::string::npos);
     }
 }
 

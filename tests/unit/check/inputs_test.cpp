@@ -98,6 +98,46 @@ TEST(InputAbstraction, MacroStepsMakeTheCoarseSearchOfAStationSmall) {
     EXPECT_LT(found.states, 1500U);
 }
 
+/// The operator presses START and turns the key in the same cycle.
+TEST(InputAbstraction, FollowsTheViolationOfAStationInTheFirstRound) {
+    Network loop = expand(read_sample("../bench/stations/undecided/capper.grafcet").network);
+    for (const Property& property : std::exchange(loop.properties, {}))
+        if (property.name == "belt_free") loop.properties.add(property);
+    const Observe observe = [](const Network& of) { return of; };
+    TimedOptions options{.max_states = 6, .timelock = false};
+    TimedResult result = check_timed(loop, options);
+    result.time_passes = true;
+    options.max_states = 100'000;
+    InputSearch search(loop, observe, options, result, {.explored = 0, .followed_coarse = 10'000});
+    search.run(2048, {});
+    EXPECT_EQ(result.verdicts.front().outcome, Outcome::Violated);
+    ASSERT_TRUE(result.verdicts.front().run);
+    EXPECT_TRUE(replay(loop, *result.verdicts.front().run));
+}
+
+/// The gap of the button is rounded from 300 ms to one unit of 2 s, the stroke of the cylinder. Each run with the
+/// longer unit is a run of the loop.
+TEST(InputAbstraction, RunsInALongerTimeUnitAreRunsOfTheLoop) {
+    const Network loop = expand(
+        read_loop("grafcet c { input A, AT_BACK, AT_FRONT; output G_OUT; initial step 0; step 1 { G_OUT; } step 2;\n"
+                  "transition t0: 0 -> 1 when rise(A); transition t1: 1 -> 2 when AT_FRONT && rise(A); }\n"
+                  "closed_loop l { controller c; environment EA = push_button(OUT = A, GAP = 300ms);\n"
+                  "plant P = cylinder_5_2_spring(G_OUT = G_OUT, IN = AT_BACK, OUT = AT_FRONT, STROKE_OUT = 2s,\n"
+                  "STROKE_IN = 2s);\n"
+                  "property p: reachable X2; }\n")
+            .network);
+    const Network longer = in_longer_unit(loop, abstractable_processes(loop));
+    EXPECT_EQ(longer.time_unit_ms, 2000);
+    EXPECT_LT(in_longest_unit(loop).time_unit_ms, 1000);
+    const TimedResult found = check_timed(longer, {.timelock = false});
+    ASSERT_EQ(found.verdicts.front().outcome, Outcome::Holds);
+    ASSERT_TRUE(found.verdicts.front().run);
+    Run run = *found.verdicts.front().run;
+    for (Move& move : run.moves)
+        if (Delay* const delay = std::get_if<Delay>(&move)) delay->units *= longer.time_unit_ms / loop.time_unit_ms;
+    EXPECT_TRUE(replay(loop, run));
+}
+
 /// Returns the verdict of the complete search.
 Outcome outcome_in_complete_loop(const std::string& text) {
     const Network loop = expand(read_loop(text).network);
@@ -181,8 +221,8 @@ TEST(InputAbstraction, FollowsAViolationOnTheCompleteLoop) {
     EXPECT_TRUE(found.run);
 }
 
-/// One sampling in step 1 requires J, so that the cylinder moves, and a later one requires B. All other samplings permit
-/// both values.
+/// One sampling in step 1 requires J, so that the cylinder moves, and a later one requires B. All other samplings
+/// permit both values.
 TEST(InputAbstraction, FollowsARunWithSeveralRequirementsInOneStage) {
     const Verdict found =
         decided(loop("input J, B, AT_BACK, AT_FRONT; output G_OUT;",
