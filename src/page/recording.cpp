@@ -77,7 +77,8 @@ void add_property(const PageContent& content, const RecordedProperty& property, 
                                   recording_time_text(property.time_us)));
         // The run of a chart with a deviation ends before the recording.
         const auto shows = [&](const RecordingVerdict& verdict) {
-            return !verdict.deviation && can_be_played(verdict.run) &&
+            return can_be_played(verdict.run) &&
+                   (!verdict.deviation || property.time_us <= verdict.deviation->time_us) &&
                    std::ranges::any_of(content.model.loops[id].controllers, [&](const auto& controller) {
                        return content.model.charts[controller.chart].name == verdict.chart;
                    });

@@ -378,7 +378,7 @@ TEST(Replay, WritesAReportWithTheRun) {
     };
     // The last row of the run is the last instant before the deviation. The values from 1 s on violate P1.
     const std::string late = page(head + "1,1,,1,,4\n2,0,,,,\n3,,,0,,\n9,,,,,\n", ExitCode::Verdict);
-    contains(late, "<strong>The recording deviates from 1 chart, the recording violates 1 property.</strong>");
+    contains(late, "<strong>The recording deviates from 1 chart and violates 1 property.</strong>");
     contains(late, "log.csv:5: <code>PUMP</code> changes to 0 at 3 s, but the chart requires 1.");
     contains(late,
              "<button type=\"button\" class=\"play\" data-run=\"pump\">▶ Play the run up to the deviation</button>");

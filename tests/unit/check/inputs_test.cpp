@@ -108,8 +108,8 @@ TEST(InputAbstraction, FollowsTheViolationOfAStationInTheFirstRound) {
     TimedResult result = check_timed(loop, options);
     result.time_passes = true;
     options.max_states = 100'000;
-    InputSearch search(loop, observe, options, result, {.explored = 0, .followed_coarse = 10'000});
-    search.run(2048, {});
+    InputSearch search(loop, observe, options, result, {.followed_coarse = 10'000, .explored = 0});
+    search.run(4096, {});
     EXPECT_EQ(result.verdicts.front().outcome, Outcome::Violated);
     ASSERT_TRUE(result.verdicts.front().run);
     EXPECT_TRUE(replay(loop, *result.verdicts.front().run));
@@ -132,7 +132,7 @@ TEST(InputAbstraction, RunsInALongerTimeUnitAreRunsOfTheLoop) {
     const TimedResult found = check_timed(longer, {.timelock = false});
     ASSERT_EQ(found.verdicts.front().outcome, Outcome::Holds);
     ASSERT_TRUE(found.verdicts.front().run);
-    Run run = *found.verdicts.front().run;
+    grafverif::Run run = *found.verdicts.front().run;
     for (Move& move : run.moves)
         if (Delay* const delay = std::get_if<Delay>(&move)) delay->units *= longer.time_unit_ms / loop.time_unit_ms;
     EXPECT_TRUE(replay(loop, run));
