@@ -79,11 +79,13 @@ std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Networ
 
 class Follower {
 public:
-    Follower(const Network& network, const Property& property, const AbstractRun& run, const FollowLimits& limits)
+    Follower(const Network& network, const Property& property, const AbstractRun& run, PanelMoves moves,
+             const FollowLimits& limits)
         : network_(network),
           machine_(network),
           layout_(machine_.layout()),
           run_(run),
+          panel_moves_(moves),
           limits_(limits),
           questions_(network, machine_, watch_),
           signature_(signature_variables(run.network)),
@@ -165,12 +167,12 @@ private:
     }
 
     /// True if the process may move. An autonomous Chosen instance moves only if its outputs are not in all goals of
-    /// the stage. Other autonomous instances move only if they move in the stage, unless `limits_.free` is true. All other
+    /// the stage. Other autonomous instances move only if they move in the stage, unless all moves are permitted. All other
     /// processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || !run_.instances[i].autonomous) return true;
-        if (run_.levels[i] != InputLevel::Chosen) return limits_.free || stages_[stage].moves[i];
+        if (run_.levels[i] != InputLevel::Chosen) return panel_moves_ == PanelMoves::Any || stages_[stage].moves[i];
         const AbstractableProcess& instance = run_.instances[i];
         std::vector<std::int64_t> values;
         for (const Id<Network::Variable> output : instance.outputs)
@@ -211,6 +213,7 @@ private:
     timed::Machine machine_;
     const timed::Layout& layout_;
     const AbstractRun& run_;
+    const PanelMoves panel_moves_;
     const FollowLimits& limits_;
     timed::PropertyMonitor watch_ = {};
     timed::PropertyQueries questions_;
@@ -231,9 +234,9 @@ private:
 
 }  // namespace
 
-ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
+ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract, PanelMoves moves,
                    const FollowLimits& limits) {
-    return Follower(network, property, abstract, limits).search();
+    return Follower(network, property, abstract, moves, limits).search();
 }
 
 }  // namespace grafverif

@@ -9,7 +9,7 @@
 //
 // An autonomous Chosen instance moves only if its outputs differ from the valuations that some sampling of the stage
 // requires. Other autonomous instances move freely, or only in stages in which they move in the abstract run
-// (FollowLimits::free). All moves are moves of the complete network; therefore each run that is found is a real run.
+// (PanelMoves). All moves are moves of the complete network; therefore each run that is found is a real run.
 // The search finds a run quickly if the complete network can perform the abstract run with longer delays. If the search
 // finds no run, the property may still have a run in the complete network.
 #pragma once
@@ -33,7 +33,6 @@ struct FollowLimits {
     std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  ///< memory limit; `follow` ignores it
     Deadline deadline = {};
     const std::atomic<bool>* stop = nullptr;
-    bool free = true;  ///< for `follow`: autonomous instances that are not Chosen may move in each stage
 };
 
 /// Returns the steps and internal variables of all controllers.
@@ -45,10 +44,13 @@ struct ConcreteRun {
     std::vector<std::size_t> blamed = {};
 };
 
+/// The stages in which autonomous instances that are not Chosen may move.
+enum class PanelMoves : std::uint8_t { Any, OfAbstractRun };
+
 /// Searches `network` for a run that decides `property`, guided by `abstract`. Requires that `network` is complete and
 /// expanded, possibly in a longer time unit (in_longer_unit), and has the observers of the abstraction. `property` is a
 /// property of `network` about single states, or `reachable all steps` for one step.
-ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract,
+ConcreteRun follow(const Network& network, const Property& property, const AbstractRun& abstract, PanelMoves moves,
                    const FollowLimits& limits);
 
 }  // namespace grafverif

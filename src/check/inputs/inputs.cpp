@@ -396,8 +396,9 @@ ConcreteRun InputAbstractionCheck::followed(std::size_t k, const AbstractRun& ab
         coarse ? std::clamp<std::size_t>(4 * round_, limits_.followed_coarse, limits_.followed) : limits_.followed;
     ConcreteRun found;
     for (const Network* const network : {&stricter_, &complete_}) {
-        found = follow(*network, single(k), abstract,
-                       {.states = states, .deadline = deadline_, .stop = options_.stop, .free = network == &complete_});
+        const PanelMoves moves = network == &complete_ ? PanelMoves::Any : PanelMoves::OfAbstractRun;
+        found = follow(*network, single(k), abstract, moves,
+                       {.states = states, .deadline = deadline_, .stop = options_.stop});
         if (found.run) found.run = in_units(*network, std::move(*found.run));
         if (found.run) break;
     }

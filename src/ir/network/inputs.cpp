@@ -264,6 +264,38 @@ void each_constraint(Of& network, const Visit& visit) {
     }
 }
 
+/// Implements in_longest_unit and, if `inward` is true, in_longer_unit.
+Network in_unit(Network network, const std::vector<Id<Network::Process>>& paced,
+                const std::vector<Id<Network::Process>>& rounded, bool inward) {
+    const auto is_in = [](const std::vector<Id<Network::Process>>& list, Id<Network::Process> id) {
+        return std::ranges::find(list, id) != list.end();
+    };
+    std::int64_t others = 0, not_paced = 0, all = 0;
+    each_constraint(network, [&](Id<Network::Process> id, const Network::ClockConstraint& constraint) {
+        const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
+        all = std::gcd(all, bound);
+        if (is_in(paced, id)) return;
+        not_paced = std::gcd(not_paced, bound);
+        if (!is_in(rounded, id)) others = std::gcd(others, bound);
+    });
+    const std::int64_t unit = std::max<std::int64_t>(others != 0 ? others : not_paced != 0 ? not_paced : all, 1);
+    for (const Id<Network::Process> id : paced) {
+        const Network::Process process = network.processes[id];
+        Network::Template automaton = network.templates[process.automaton];
+        pace(network, process, automaton, unit, network.exprs);
+        network.templates[process.automaton] = std::move(automaton);
+    }
+    if (unit == 1) return network;
+    each_constraint(network, [&](Id<Network::Process> id, Network::ClockConstraint& constraint) {
+        const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
+        const bool upper = constraint.relation == Op::Less || constraint.relation == Op::LessEqual;
+        assert(bound % unit == 0 || (is_in(rounded, id) && constraint.relation != Op::Equal));
+        constraint.bound = network.exprs.integer(upper == inward ? bound / unit : (bound + unit - 1) / unit);
+    });
+    network.time_unit_ms *= unit;
+    return network;
+}
+
 }  // namespace
 
 InputLevel next_level(const AbstractableProcess& process, InputLevel level) {
@@ -316,42 +348,6 @@ void pace(const Network& network, const Network::Process& process, Network::Temp
         }
     }
 }
-
-namespace {
-
-/// Implements in_longest_unit and, if `inward` is true, in_longer_unit.
-Network in_unit(Network network, const std::vector<Id<Network::Process>>& paced,
-                const std::vector<Id<Network::Process>>& rounded, bool inward) {
-    const auto is_in = [](const std::vector<Id<Network::Process>>& list, Id<Network::Process> id) {
-        return std::ranges::find(list, id) != list.end();
-    };
-    std::int64_t others = 0, not_paced = 0, all = 0;
-    each_constraint(network, [&](Id<Network::Process> id, const Network::ClockConstraint& constraint) {
-        const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
-        all = std::gcd(all, bound);
-        if (is_in(paced, id)) return;
-        not_paced = std::gcd(not_paced, bound);
-        if (!is_in(rounded, id)) others = std::gcd(others, bound);
-    });
-    const std::int64_t unit = std::max<std::int64_t>(others != 0 ? others : not_paced != 0 ? not_paced : all, 1);
-    for (const Id<Network::Process> id : paced) {
-        const Network::Process process = network.processes[id];
-        Network::Template automaton = network.templates[process.automaton];
-        pace(network, process, automaton, unit, network.exprs);
-        network.templates[process.automaton] = std::move(automaton);
-    }
-    if (unit == 1) return network;
-    each_constraint(network, [&](Id<Network::Process> id, Network::ClockConstraint& constraint) {
-        const std::int64_t bound = bound_value(network, network.processes[id], constraint.bound);
-        const bool upper = constraint.relation == Op::Less || constraint.relation == Op::LessEqual;
-        assert(bound % unit == 0 || (is_in(rounded, id) && constraint.relation != Op::Equal));
-        constraint.bound = network.exprs.integer(upper == inward ? bound / unit : (bound + unit - 1) / unit);
-    });
-    network.time_unit_ms *= unit;
-    return network;
-}
-
-}  // namespace
 
 Network in_longest_unit(Network network, const std::vector<Id<Network::Process>>& paced,
                         const std::vector<Id<Network::Process>>& rounded, const InputAblations& ablations) {
