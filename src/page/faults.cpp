@@ -100,7 +100,7 @@ void add_row(const PageContent& content, const FaultAnalysis::Row& row, Html& ht
     const PropertyLook look = look_of(row);
     begin_property(look, row.property, row.text, outcome_text(analysis, row), look.kind == std::string_view("ok"),
                    html);
-    add_formula(content, row.property, html);
+    add_formula(content, content.loop, row.property, html);
     if (!row.declared && row.without_faults != Outcome::Unknown)
         html.put("p", "The model does not declare this property, or it was not selected; it is always checked.");
     if (row.without_faults != Outcome::Holds)

@@ -60,7 +60,7 @@ void add_result(const PageContent& content, const PropertyResult& answer, Html& 
     if (content.certificate)
         outcome += fmt::format(" (certificate: {})", certificate_word(*content.certificate, verdict.property));
     begin_property(look_of(verdict), verdict.property, answer.text, outcome, folded, html);
-    add_formula(content, verdict.property, html);
+    add_formula(content, content.loop, verdict.property, html);
     if (!verdict.declared && verdict.outcome != Outcome::Unknown)
         html.put("p", "The model does not declare this property; it is always checked.");
     if (!verdict.reason.empty()) html.open("p").text("Why: ").prose(verdict.reason).close("p");
@@ -201,8 +201,8 @@ void begin_property(const PropertyLook& look, const std::string& name, std::stri
     html.put("span", outcome, {{"class", "outcome"}}).close("summary");
 }
 
-void add_formula(const PageContent& content, const std::string& property, Html& html) {
-    const std::string formula = expectation_text(content.model, content.loop, property, content.sources);
+void add_formula(const PageContent& content, Id<ClosedLoop> loop, const std::string& property, Html& html) {
+    const std::string formula = expectation_text(content.model, loop, property, content.sources);
     if (!formula.empty()) html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
 }
 

@@ -32,7 +32,7 @@ struct PropertyLook {
 void begin_property(const PropertyLook& look, const std::string& name, std::string_view text, std::string_view outcome,
                     bool folded, Html& html);
 /// Adds the formula of a property.
-void add_formula(const PageContent& content, const std::string& property, Html& html);
+void add_formula(const PageContent& content, Id<ClosedLoop> loop, const std::string& property, Html& html);
 
 /// Adds file, version, date, the summary verdict, assumptions and warnings.
 void add_head(const PageContent& content, Html& html);

@@ -9,7 +9,6 @@
 
 #include "page/data.hpp"
 #include "page/parts.hpp"
-#include "page/terms.hpp"
 #include "page/words.hpp"
 
 namespace grafverif {
@@ -69,9 +68,7 @@ void add_property(const PageContent& content, const RecordedProperty& property, 
                    property.violated ? "violated" : "not violated by these samples", !property.violated, html);
     const auto loop = std::ranges::find(content.model.loops, property.loop, &ClosedLoop::name);
     const Id<ClosedLoop> id{static_cast<std::uint32_t>(loop - content.model.loops.begin())};
-    if (const std::string formula = expectation_text(content.model, id, property.name, content.sources);
-        !formula.empty())
-        html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
+    add_formula(content, id, property.name, html);
     if (property.violated) {
         html.put("p", fmt::format("{}:{}: the values from {} on violate the property.", report.log, property.line,
                                   recording_time_text(property.time_us)));

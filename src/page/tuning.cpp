@@ -159,7 +159,7 @@ void add_row(const PageContent& content, const Row& row, const std::set<std::str
     const Tuning& tuning = *content.tuning;
     const PropertyLook look = look_of(row);
     begin_property(look, row.property, row.text, outcome_text(tuning, row), look.kind == std::string_view("ok"), html);
-    add_formula(content, row.property, html);
+    add_formula(content, content.loop, row.property, html);
     add_margins(tuning, row, html);
     const bool map = has_map(tuning);
     if (!is_uniform(row) || is_unknown(row) || !row.runs.empty()) {
