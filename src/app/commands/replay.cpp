@@ -43,11 +43,11 @@ std::vector<Id<Chart>> recorded_charts(const Model& model, CommandContext& job) 
 }
 
 /// Minimum number of instants of a long run in the HTML report.
-constexpr std::uint64_t most_played_instants = 2'000;
+constexpr std::uint64_t least_played_instants = 2'000;
 
 std::optional<RecordingOptions> recording_options(CommandContext& job, const Limits& limits) {
     RecordingOptions options{.limits = limits};
-    if (job.options.page) options.shown_instants = most_played_instants;
+    if (job.options.page) options.shown_instants = least_played_instants;
     if (job.options.jitter_ms) options.jitter_ms = static_cast<std::int64_t>(*job.options.jitter_ms);
     for (const std::string& entry : job.options.renamings) {
         const std::size_t sign = entry.rfind('=');
@@ -169,17 +169,18 @@ CliCommand replay_usage() {
 }
 
 CliCommand monitor_usage() {
-    return {"monitor",
-            "FILE",
-            1,
-            1,
-            "check samples of a controller against its chart as they arrive",
-            "Checks samples on standard input like `replay`, and ends at the first deviation, violated property or\n"
-            "invalid line. A deviation is reported when the samples cover a period of four times the jitter and twice\n"
-            "the skew after the deviation. At the end of the samples, or if the command is interrupted, the verdict is "
-            "printed.",
-            {"recorder --csv | grafverif monitor press.grafcet --jitter 50ms"},
-            {OptionGroup::Recording, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Format}};
+    return {
+        "monitor",
+        "FILE",
+        1,
+        1,
+        "check samples of a controller against its chart as they arrive",
+        "Checks samples on standard input like `replay`, and ends at the first deviation, violated property or\n"
+        "invalid line. A deviation is reported when the samples cover a period of four times the jitter and twice\n"
+        "the skew after the deviation. At the end of the samples, or if the command is interrupted, the verdict is\n"
+        "printed.",
+        {"recorder --csv | grafverif monitor press.grafcet --jitter 50ms"},
+        {OptionGroup::Recording, OptionGroup::Chart, OptionGroup::Mode, OptionGroup::Format}};
 }
 
 }  // namespace grafverif::app

@@ -101,15 +101,14 @@ public:
 private:
     /// The check of one model, with the verdicts that are known so far.
     struct Proof {
-        bool is_loop = false, is_program = false;
-        std::uint32_t place = 0;  ///< index of the loop or chart in the model
+        std::string kind = "chart";  ///< `chart`, `program` or `loop`
+        std::uint32_t place = 0;     ///< index of the loop or chart in the model
         std::string name = {}, state = "waiting", progress = {};
         Json properties = Json::array(), error_traces = Json::array();
 
+        bool is_loop() const { return kind == "loop"; }
         Json json() const {
-            return {{"kind", is_loop      ? "loop"
-                             : is_program ? "program"
-                                          : "chart"},
+            return {{"kind", kind},
                     {"name", name},
                     {"state", state},
                     {"progress", progress},
@@ -241,13 +240,13 @@ private:
         const Model& model = *piece.reading.model;
         const auto begun = [](bool accepted) { return accepted ? "waiting" : "refused"; };
         for (const Id<ClosedLoop> loop : model.loops.ids())
-            proofs.push_back({.is_loop = true,
+            proofs.push_back({.kind = "loop",
                               .place = loop.index,
                               .name = model.loops[loop].name,
                               .state = begun(piece.networks[loop.index].has_value())});
         for (const Id<Chart> chart : model.charts.ids())
             if (!is_in_a_loop(model, chart))
-                proofs.push_back({.is_program = static_cast<bool>(model.charts[chart].program),
+                proofs.push_back({.kind = model.charts[chart].program ? "program" : "chart",
                                   .place = chart.index,
                                   .name = model.charts[chart].name,
                                   .state = begun(piece.runs[chart.index] || with_properties)});
@@ -277,7 +276,7 @@ private:
 
     std::optional<Report> report_on(const Proof& proof, const CheckOptions& options) const {
         const Model& model = *checked_file_->reading.model;
-        if (proof.is_loop)
+        if (proof.is_loop())
             return check(loop_to_check(model, {proof.place}, *checked_file_->networks[proof.place]), options);
         Diagnostics already_reported;
         if (options_.property_file) {
@@ -291,7 +290,7 @@ private:
 
     void store_result(const Report& report, Proof& proof) const {
         const Model& model = *checked_file_->reading.model;
-        const Id<ClosedLoop> loop = proof.is_loop ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
+        const Id<ClosedLoop> loop = proof.is_loop() ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
         const auto add_result = [&](PropertyResult answer) {
             std::string& reason = answer.verdict.reason;
             reason = with_who_stopped(std::move(reason), false, {.timeout_ms = options_.response_timeout_ms});
