@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Checks the run that an external program returns with its verdict. The run must be a run of the system and must show
-// the verdict.
+// SPDX-License-Identifier: MIT Validates the trace that an external program returns with its verdict: the trace must be
+// a run of the system, and this run must prove the verdict.
 #pragma once
 
 #include <cstddef>
