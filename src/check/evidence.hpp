@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Validates the trace that an external program returns with its verdict: the trace must be
-// a run of the system, and this run must prove the verdict.
+// SPDX-License-Identifier: MIT
+// Validates the trace that an external program returns with its verdict: the trace must be a run of the system, and
+// this run must prove the verdict.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: MIT Joins the runs of subsystems that share only time into one run of the complete network.
-// In each instant of the joined run, each subsystem makes the same moves as in its separate run. In the joined run,
-// time passes only when all subsystems wait.
+// SPDX-License-Identifier: MIT
+// Joins the runs of subsystems that share only time into one run of the complete network. In each instant of the joined
+// run, each subsystem makes the same moves as in its separate run. In the joined run, time passes only when all
+// subsystems wait.
 #pragma once
 
 #include <cstddef>

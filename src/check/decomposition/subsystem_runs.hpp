@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Combines runs of interleaved parts (independent subsystems) into one run of the complete
-// system. The complete system executes each step of a part with the same choices as the part.
+// SPDX-License-Identifier: MIT
+// Combines runs of interleaved parts (independent subsystems) into one run of the complete system. The complete system
+// executes each step of a part with the same choices as the part.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT AbstractStates: all states of an input abstraction without clocks. Each process has the
-// level Chosen (arbitrary outputs, no state) or Untimed (no clocks); see ir/network_inputs.hpp.
+// SPDX-License-Identifier: MIT
+// AbstractStates: all states of an input abstraction without clocks. Each process has the level Chosen (arbitrary
+// outputs, no state) or Untimed (no clocks); see ir/network_inputs.hpp.
 #pragma once
 
 #include <memory>

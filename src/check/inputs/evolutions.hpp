@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Proof that the evolutions of a PLC end: while the inputs of the PLC are constant, the
-// PLC executes only finitely many cycles.
+// SPDX-License-Identifier: MIT
+// Proof that the evolutions of a PLC end: while the inputs of the PLC are constant, the PLC executes only finitely many
+// cycles.
 //
 // One cycle of the PLC is a relation between the values of its variables before and after the cycle. Assume that a run
 // of urgent edges contains infinitely many cycles, although the inputs and the outputs of the timers are constant from
