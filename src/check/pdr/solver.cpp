@@ -8,9 +8,9 @@
 #include <new>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED                                                  // sanitizers replace the memory allocator, so
-                                                                   // allocated memory is measured by a function of the
-                                                                   // sanitizer
+#define SANITIZED  // sanitizers replace the memory allocator, so       \
+                   // allocated memory is measured by a function of the \
+                   // sanitizer
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: the sanitizer defines this name
 #endif
 
