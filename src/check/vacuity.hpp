@@ -13,7 +13,7 @@ namespace grafverif {
 
 /// Marks the properties that hold vacuously. A property that holds is vacuous if one of its probes is violated; the
 /// first violated probe determines the note of the verdict. If no probe is violated, but the verdict on a probe is
-/// unknown, a note states that vacuity is not decided. `properties` also contains the probes. The verdicts on the
+/// unknown, a note states that the vacuity is unknown. `properties` also contains the probes. The verdicts on the
 /// probes remain in `verdicts`; callers must not report them as results.
 void apply_probes(const Table<Property>& properties, std::vector<Verdict>& verdicts);
 

@@ -102,9 +102,7 @@ private:
 
     bool assign(std::string_view name, std::string_view value) {
         const auto place = places_.find(std::string(name));
-        if (place == places_.end())
-            return true;  // a name that is not in `places_` is the name of a DEFINE, whose
-                          // value is not needed
+        if (place == places_.end()) return true;  // the name of a DEFINE, whose value is not needed
         const auto number = value_of(place->second, value);
         if (number) now_[place->second.index] = *number;
         return number.has_value();

@@ -47,9 +47,7 @@ std::vector<Sampling> samplings(const AbstractRun& run) {
     for (Sampling& sampling : found)
         for (std::size_t i = 0; i < run.instances.size(); ++i) {
             const std::size_t valuations = run.instances[i].valuations.size();
-            if (valuations == 0)
-                continue;  // the outputs of the instance are not abstracted to arbitrary values (level
-                           // Chosen)
+            if (valuations == 0) continue;  // the level of the instance is not Chosen (arbitrary outputs)
             const Word all = ~Word{0} >> (64 - valuations);
             if ((sampling.possible[i] & all) == all) sampling.possible[i] = ~Word{0};
         }

@@ -121,9 +121,9 @@ private:
     };
 
     /// Removes the next state to expand; returns nullopt if there is none. Every second state belongs to the last stage
-    /// with open states, and the others belong to all stages in turn. Without this alternation, states of the last
-    /// stage could use up the state limit, although a run to a violation reaches the last stage from other states of an
-    /// earlier stage.
+    /// with open states, and the others belong to all stages in turn. Without this alternation, the search could reach
+    /// the state limit with states of the last stage. But a run to a violation may reach this stage from other states
+    /// of an earlier stage.
     std::optional<std::size_t> next() {
         std::size_t stage = is_turn_of_last_ ? stages_.size() - 1 : turn_;
         is_turn_of_last_ = !is_turn_of_last_;

@@ -39,7 +39,7 @@ private:
     const timed::Layout& layout_;
     std::vector<Node> nodes_ = {};
     PackedStates states_;                  // the stored words and the mark of each state
-    std::vector<timed::Word> added_ = {};  // buffer of `add`: the words of the new state
+    std::vector<timed::Word> added_ = {};  // buffer of `add`: the packed form of the new state
 };
 
 }  // namespace grafverif

@@ -16,8 +16,8 @@
 //      and that is enabled for all large clock values (EdgeTiming::at_last) leads to a good state. This condition is
 //      sufficient because time can pass until all clocks are large.
 //
-// The proof does not require that all states are good. The *panel* consists of the autonomous instances (instances that
-// read only their own variables) that need not move and that can always return to their initial state by edges whose
+// The proof does not require that all states are good. The *panel* consists of autonomous instances, which read only
+// their own variables. An instance of the panel need not move. It can always return to its initial state by edges whose
 // clock constraints are only lower bounds. Assume that `no timelock` has been proved for runs in which autonomous
 // instances that need not move stay in their locations (ir/network_inputs.hpp, check/inputs/resting.hpp). Then, from
 // any state of the loop, time can diverge while the panel returns to its initial state, and the PLCs end their cycles.

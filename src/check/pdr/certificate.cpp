@@ -56,7 +56,7 @@ std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& c
         solver.clause(outside);
     }
     if (solver.possible({CircuitClauses::of(bad)})) return "it does not exclude the bad states";
-    std::vector<int> entered;  // for each cube, a variable that implies that the next state belongs to the cube
+    std::vector<int> entered;  // for each cube: a solver variable; if it is true, the next state belongs to the cube
     for (const Cube& cube : cubes) {
         entered.push_back(solver.fresh());
         for (const Literal literal : cube)

@@ -5,9 +5,9 @@
 // would need an invariant that relates all values of the two states.
 //
 // Initially, all latches and the constant false form one class. First, random runs split the classes. Then a SAT solver
-// searches for a step from a state in which the latches of each class are equal to a state in which two latches of a
-// class differ. Each step that the solver finds splits the classes. The search ends if the solver proves that no step
-// of this kind exists.
+// searches for a step after which two latches of a class differ; before the step, the latches of each class must be
+// equal. Each step that the solver finds splits the classes. The search ends if the solver proves that no step of this
+// kind exists.
 #pragma once
 
 #include <optional>

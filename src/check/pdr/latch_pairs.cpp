@@ -54,9 +54,7 @@ void LatchPairs::select_candidates() {
         for (const auto& [latch, value] : cube)
             if (const auto found = index.find(latch); found != index.end())
                 (value ? active : inactive).push_back(found->second);
-        if (active.size() + inactive.size() != cube.size())
-            continue;  // the circuit does not contain all latches of
-                       // the cube
+        if (active.size() + inactive.size() != cube.size()) continue;  // a latch of the cube is missing
         Row& row = rows_[active[0]];
         if (cube.size() == 1) {
             row.never = true;

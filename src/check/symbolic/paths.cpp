@@ -77,8 +77,8 @@ void append(Path& path, const std::vector<State>& states) {
 Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice) {
     // Each iteration extends the path so that each justice condition holds in some state of the extension. If no path
     // leads from the last state back to the beginning of the extension, the last state is in a later strongly connected
-    // component, and the next iteration begins there. The iteration terminates because there are finitely many
-    // components. Without justice conditions, the path may end in a state that a step leaves unchanged.
+    // component. In this case, the next iteration begins in the last state. The iteration terminates because there are
+    // finitely many components. Without justice conditions, the path may end in a state that a step leaves unchanged.
     Path path{{first}, {}};
     const Bdd still = justice.empty() ? staying & model.still() : Bdd();
     for (;;) {

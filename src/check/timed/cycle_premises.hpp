@@ -43,14 +43,14 @@ public:
     /// location W. False for W.
     std::vector<bool> locations_in_cycle() const;
 
-    /// Returns, for each location of the PLC, true if the edges of the location neither read a variable that the timers
-    /// write, nor write a variable that the timers read or write.
+    /// Returns one element per location of the PLC. The element is true if the edges of the location read no variable
+    /// that the timers write, and write no variable that the timers use.
     std::vector<bool> independent_locations() const;
 
-    /// Returns, for each location of the PLC, true if only edges from the waiting location W lead to the location, and
-    /// these edges change only flags that request a cycle. All elements are false if an observer or a property reads
-    /// these flags or the location of the PLC. If an element is true, no process except the PLC can distinguish the
-    /// location from W.
+    /// Returns one element per location of the PLC. The element is true if only edges from the waiting location W lead
+    /// to the location, and these edges change only flags that request a cycle. All elements are false if an observer
+    /// or a property reads these flags or the location of the PLC. If an element is true, no process except the PLC can
+    /// distinguish the location from W.
     std::vector<bool> locations_like_waiting() const;
 
     /// Returns the independent processes for each edge of the PLC.

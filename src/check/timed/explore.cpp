@@ -282,7 +282,7 @@ private:
     enum class By : std::uint8_t { Edge, Delay };
 
     /// Returns a state that simulates the new state in `words`, or Store::none if no state is suitable. If a delay has
-    /// reached the new state, the result must have at most the current depth, or its delay must be known, because two
+    /// reached the new state, the result must have at most the current depth, or its delay must be known. Reason: two
     /// consecutive delays count as one move. This restriction does not apply if the search ignores depths.
     std::uint32_t simulating(const Word* words, By by) {
         if (graph_.covering && !graph_.covering->is_useful()) graph_.covering.reset();
@@ -313,9 +313,7 @@ private:
     /// Adds the new state of the entry to the graph, with its parent. If memory is exhausted, no part of the state is
     /// added.
     void discover(NewStates::Entry& entry, std::uint32_t parent) {
-        if (graph_.states() >= Store::most)
-            throw std::bad_alloc();  // `too_many` tests the limit only once per
-                                     // expanded state
+        if (graph_.states() >= Store::most) throw std::bad_alloc();  // `too_many` is called once per state
         graph_.parent.free_memory(1);
         graph_.kinds.free_memory(1);
         entry.number = graph_.store.roots().append(entry.root);

@@ -9,8 +9,8 @@
 //
 // While testing the edges of a state, the machine also determines whether integer time is exact in this state
 // (docs/explanation/timed-engine.md, "Exactness"). For this purpose, it determines the bounds that edges cover. An edge
-// covers a bound `c <= d` of its source location if its guard holds and, at c == d, the edge is enabled for all values
-// of the other clocks (see UncoveredBound).
+// with a true guard covers a bound `c <= d` of its source location if, at c == d, all values of the other clocks enable
+// the edge.
 #pragma once
 
 #include <cstdint>

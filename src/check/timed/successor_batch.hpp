@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// SuccessorBatch (slice): the moves of a few consecutive states. Several threads compute different batches in parallel;
-// meanwhile, the graph does not change. A successor that the store does not contain is a *new state*; it receives its
-// number later, when the search reaches it.
+// SuccessorBatch (slice): the moves of a few consecutive states. Several threads compute different batches in parallel.
+// The graph does not change during the computation. A successor that the store does not contain is a *new state*; it
+// receives its number later, when the search reaches it.
 #pragma once
 
 #include <cstdint>

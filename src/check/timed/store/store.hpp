@@ -47,8 +47,8 @@ public:
         const std::optional<Word> root = root_of(words, {}, now);
         return root ? root_.find(*root) : none;
     }
-    /// Stores the words of state number `state`, and the numbers of its nodes, in `unfolded`. Reuses subtrees of the
-    /// previous content of `unfolded` that have the same numbers.
+    /// Stores state number `state` and the numbers of its nodes in `unfolded`. Reuses subtrees of the previous content
+    /// of `unfolded` that have the same numbers.
     void load(std::uint32_t state, Unfolded& unfolded) const;
 
     std::size_t size() const { return root_.size(); }
