@@ -174,7 +174,8 @@ public:
         if (program_result.end != ProgramResult::End::Signalled) sections_ = sections(program_result.out);
     }
 
-    /// Returns a section, or an empty string if there is no such section or there are several.
+    /// Returns the section with the name `name`. Returns an empty string if no section or several sections have this
+    /// name.
     std::string_view section(const std::string& name) const {
         const auto found = sections_.find(name);
         return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();

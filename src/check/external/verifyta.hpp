@@ -26,7 +26,7 @@ struct ExternalQuery {
     /// Name of the verdict: the name of the property; for a property `S` of the form `reachable all steps`, `S.X7` for
     /// step 7.
     std::string name = {};
-    std::string formula = {};  ///< formula; empty if the language of the program cannot express the property
+    std::string formula = {};  ///< empty if the language of verifyta cannot express the property
     std::string reason = {};   ///< reason for an empty formula
 };
 

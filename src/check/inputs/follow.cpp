@@ -120,10 +120,10 @@ private:
         auto operator<=>(const Open&) const = default;
     };
 
-    /// Removes the next state to expand; returns nullopt if there is none. Every second state belongs to the last stage
-    /// with open states, and the others belong to all stages in turn. Without this alternation, the search could reach
-    /// the state limit with states of the last stage. But a run to a violation may reach this stage from other states
-    /// of an earlier stage.
+    /// Removes the next state to expand; returns nullopt if there is none. Every second returned state belongs to the
+    /// last stage with open states, and all other returned states belong to the stages in turn. Without this
+    /// alternation, the search could reach the state limit with states of the last stage. But a run to a violation may
+    /// reach this stage from other states of an earlier stage.
     std::optional<std::size_t> next() {
         std::size_t stage = is_turn_of_last_ ? stages_.size() - 1 : turn_;
         is_turn_of_last_ = !is_turn_of_last_;
@@ -168,9 +168,9 @@ private:
         }
     }
 
-    /// True if the process may move. An autonomous instance of the level Chosen moves only if its outputs are missing
-    /// in a goal of the stage. Other autonomous instances move only if they move in this stage of the abstract run,
-    /// unless PanelMoves::Any permits all moves. All other processes move freely.
+    /// True if the process may move. An autonomous instance of the level Chosen moves only if some sampling of the
+    /// stage does not permit its current outputs. Other autonomous instances move only if they move in this stage of
+    /// the abstract run, unless PanelMoves::Any permits all moves. All other processes move freely.
     bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
         const std::size_t i = instance_of_[process.index];
         if (i == none || !run_.instances[i].autonomous) return true;
@@ -225,11 +225,11 @@ private:
     FoundStates states_ = FoundStates(layout_);
     // Per stage: the states that are not expanded yet.
     std::vector<std::priority_queue<Open, std::vector<Open>, std::greater<>>> open_;
-    std::size_t turn_ = 0;  // stage that the search in turn uses next
+    std::size_t turn_ = 0;  // the search uses the stages in turn; this is the next one
     bool is_turn_of_last_ = true;
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};
-    std::vector<Word> now_ = {};  // the state that is expanded
+    std::vector<Word> now_ = {};  // the state whose moves are computed
     timed::Moves moves_ = {};
     timed::PropertyMonitor::Registers registers_ = {};
 };

@@ -165,8 +165,8 @@ private:
     std::vector<std::size_t> explored_ = {};  // verdicts for which `novelty_` searches, in the order of its properties
     std::optional<NoveltySearch> novelty_ = {};
     std::optional<PossibleProof> possible_ = {};
-    // True if a proof exists that time diverges as long as the instances that need not move
-    // (AbstractableProcess::can_rest) do not move.
+    // True if it is proved that time diverges in all runs in which the instances that need not move
+    // (AbstractableProcess::can_rest) stay in their locations.
     bool time_diverges_ = false;
     // Per verdict: the abstraction levels with which the symbolic engine continues the search; empty if it cannot
     // continue.

@@ -21,7 +21,7 @@ namespace grafverif {
 
 /// The information about the clocks of the loop that the proof needs.
 struct LoopTiming {
-    std::vector<std::vector<EdgeTiming>> edges = {};    // per process and edge
+    std::vector<std::vector<EdgeTiming>> edges = {};    // timing of each edge of each process
     std::vector<std::vector<std::size_t>> bounds = {};  // number of bounds of the invariant, per process and location
 };
 
@@ -215,11 +215,11 @@ private:
             if (ablations_.any_edge || timing(move).at_last) link(state, 0, move);
     }
 
-    using Resting = std::pair<std::size_t, std::uint32_t>;  // cost, state
+    using Resting = std::pair<std::size_t, std::uint32_t>;  // cost and number of a state
 
     const Network& loop_;
     const LoopTiming& timing_;
-    const std::vector<bool>& is_panel_;  // per process
+    const std::vector<bool>& is_panel_;  // per process: true if it belongs to the panel
     const InputAblations& ablations_;
     timed::Machine machine_;
     const std::uint32_t goal_;
@@ -326,7 +326,7 @@ private:
     const LoopTiming timing_;
     const std::vector<InputLevel> levels_;
     AbstractStates abstraction_;
-    std::vector<bool> is_panel_;                        // per process
+    std::vector<bool> is_panel_;                        // per process: true if it belongs to the panel
     std::vector<Id<Network::Variable>> requests_ = {};  // flags that the panel sets
     std::unique_ptr<Proof> proof_ = {};                 // an unfinished search, which ended at a limit
     std::size_t states_ = 0;

@@ -106,7 +106,7 @@ public:
     /// True if each cycle of edges with at least one non-urgent edge takes at least one unit of time.
     bool repeats_slowly() const {
         std::vector<const Move*> fast;
-        std::map<std::size_t, bool> is_slow;  // per edge
+        std::map<std::size_t, bool> is_slow;  // result of takes_time for each edge
         for (const Move& move : moves_) {
             const auto [known, is_new] = is_slow.emplace(move.edge, false);
             if (is_new) known->second = takes_time(move.edge);
@@ -310,9 +310,10 @@ private:
     const Id<Network::Process> id_;
     const Slots slots_;
     std::vector<VariableId> own_ = {}, others_ = {};
-    std::vector<EdgeTiming> timing_ = {};  // per edge
-    std::vector<bool> accepts_ = {};       // per edge
-    std::vector<bool> shows_[2] = {};      // per edge: it assigns a variable that another process, or a PLC, reads
+    std::vector<EdgeTiming> timing_ = {};  // timing of each edge
+    std::vector<bool> accepts_ = {};       // per edge: true if it accepts a request
+    std::vector<bool> shows_[2] = {};      // per edge: true if it assigns a variable that another process (index 0) or
+                                           // a PLC (index 1) reads
     std::vector<Values> valuations_ = {};  // all joint values of the variables in others_
     std::vector<State> states_ = {};
     std::map<State, std::uint32_t> numbers_ = {};
@@ -344,7 +345,7 @@ std::deque<Alone> explored(const Network& network, const Users& users, const tim
 
 std::vector<TimerRequest> requests_of(const Network& network) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // none
+    const timed::Limits limits(options);  // unlimited search
     const Users users(network);
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     std::vector<TimerRequest> requests;
@@ -358,7 +359,7 @@ std::vector<TimerRequest> requests_of(const Network& network) {
 
 bool takes_time(const Network& network) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // none
+    const timed::Limits limits(options);  // unlimited search
     const Users users(network);
     const std::deque<Alone> processes = explored(network, users, limits);
     return !processes.empty() && std::ranges::all_of(processes, &Alone::repeats_slowly);
@@ -366,7 +367,7 @@ bool takes_time(const Network& network) {
 
 bool lets_time_pass(const Network& network, const InputAblations& ablations) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // none
+    const timed::Limits limits(options);  // unlimited search
     const Users users(network);
     const std::deque<Alone> processes = explored(network, users, limits);
     if (processes.empty()) return false;

@@ -115,7 +115,7 @@ private:
     SearchScope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
 
-    Network network_;  // localization adds terms to its table of terms
+    Network network_;  // copy of the network, to whose term table localization adds terms
     const NetworkFragments cells_;
     const TimedOptions& options_;
     const LocalizationLimits limits_;
@@ -136,7 +136,8 @@ private:
     bool searched_whole_ = false;
     Deadline local_deadline_ = {};                                    // deadline of the searches of fragments
     std::uint64_t local_states_ = 0;                                  // number of states of all searches of fragments
-    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // totals of all searches without an error
+    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // totals of all searches that found no model
+                                                                      // error
 };
 
 /// Explores at most `limits_.whole` states of the complete network. A small model has no further reachable states. In

@@ -113,8 +113,8 @@ private:
         ++live_;
     }
 
-    /// Returns the assumptions that restrict a query to the states of `frame`. They exclude the cubes of this frame and
-    /// of all later frames.
+    /// Returns the assumptions that restrict a query to the states of `frame`. The assumptions exclude the cubes of
+    /// this frame and of all later frames.
     std::vector<int> in_frame(std::size_t frame) const {
         return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
     }

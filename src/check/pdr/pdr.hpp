@@ -5,10 +5,10 @@
 //
 // Frame i is a set of cubes (conjunctions of latch literals); no run of at most i steps reaches a state in one of these
 // cubes. The search excludes states from which a bad state is reachable, frame by frame, and generalizes each excluded
-// state to a cube. There are two generalizations. From the source state of a step, the search removes literals on which
-// the step does not depend (justification along the gates). From an unreachable cube, it removes literals that the SAT
-// solver did not use. If two adjacent frames are equal, the set of states outside of all cubes of the frame is an
-// inductive invariant.
+// state to a cube. Two methods generalize a state. From the source state of a step, the search removes literals on
+// which the step does not depend (justification along the gates). From an unreachable cube, it removes literals that
+// the SAT solver did not use. If two adjacent frames are equal, the set of states outside of all cubes of the frame is
+// an inductive invariant.
 #pragma once
 
 #include <cstdint>

@@ -120,7 +120,7 @@ private:
     /// false, or `none`.
     std::size_t propagate() {
         while (propagated_ < trail_.size()) {
-            const int now = -trail_[propagated_++];  // false
+            const int now = -trail_[propagated_++];  // a literal that has become false
             std::vector<std::size_t> watching = std::exchange(watched_[index(now)], {});
             for (std::size_t k = 0; k < watching.size(); ++k) {
                 std::vector<int>& literals = steps_[watching[k]].literals;

@@ -8,9 +8,8 @@
 #include <new>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED  // sanitizers replace the memory allocator, so       \
-                   // allocated memory is measured by a function of the \
-                   // sanitizer
+// Sanitizers replace the memory allocator. Therefore a function of the sanitizer measures the allocated memory.
+#define SANITIZED
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: the sanitizer defines this name
 #endif
 

@@ -22,7 +22,7 @@ using Literal = Gates::Literal;
 
 /// The memory limit, the deadline and the cancellation flag of a computation.
 struct SolverLimits {
-    std::uint64_t memory = std::uint64_t{2} << 30U;  ///< memory in bytes
+    std::uint64_t memory = std::uint64_t{2} << 30U;  ///< memory limit in bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
 };

@@ -6,7 +6,7 @@
 // The semantics is defined in ir/transition_system.hpp. `always`, `never`, `exactly one of` and `reachable` concern the
 // reachable states. `inevitable p` means AF p, `p leads to q` means AG (p -> AF q), and `always possible p` means AG EF
 // p. Runs are infinite. If the system has justice conditions, only runs in which each justice condition holds
-// infinitely often are considered. A state with p and q satisfies `p leads to q`.
+// infinitely often are considered. A state in which p and q hold satisfies `p leads to q`.
 //
 // A run for a property about single states has the minimum number of steps. An infinite counterexample begins with a
 // shortest path to a state from which the property fails. The further parts of the counterexample are short, but not

@@ -39,8 +39,8 @@ public:
     /// other than the PLC and its timers uses a variable that the timers write.
     bool timers_are_observed() const;
 
-    /// Returns, for each location of the PLC, true if each infinite path from the location passes through the waiting
-    /// location W. False for W.
+    /// Returns one element per location of the PLC. The element is true if each infinite path from the location passes
+    /// through the waiting location W. The element of W is false.
     std::vector<bool> locations_in_cycle() const;
 
     /// Returns one element per location of the PLC. The element is true if the edges of the location read no variable
@@ -84,7 +84,8 @@ private:
     const Network::Template& plc_;
     std::vector<Id<Network::Process>> accepting_ = {};
     Variables used_ = {}, written_ = {};  // variables that the timers use, and variables that they write
-    std::vector<Uses> uses_ = {};         // per process, except for observers and the PLC
+    std::vector<Uses> uses_ = {};         // variables that each process reads and writes; empty for observers and the
+                                          // PLC
     std::vector<bool> is_other_ = {};     // per process: true except for observers and the PLC
     Variables of_observers_ = {};         // variables that observers write
     Variables seen_by_observers_ = {};    // variables that observers read

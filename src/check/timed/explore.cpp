@@ -59,7 +59,7 @@ namespace {
 constexpr std::uint32_t slices_each = 64;      // number of slices (groups of consecutive states) for each thread in a
                                                // block
 constexpr std::size_t many_text = 1U << 21U;   // a block ends when the computed successors have this number of words
-constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory that a slice keeps for reuse
+constexpr std::size_t kept_bytes = 1U << 21U;  // maximum memory, in bytes, that a slice keeps for reuse
 // Minimum amount of work, in slices of states or new states, that is performed in parallel.
 constexpr std::size_t worth_sharing = 16;
 constexpr std::size_t link_bytes = 24;  // maximum number of bytes of links per state; links are dropped if they need
@@ -311,9 +311,9 @@ private:
     }
 
     /// Adds the new state of the entry to the graph, with its parent. If memory is exhausted, no part of the state is
-    /// added.
+    /// added. Tests the maximum number of states, because one expanded state can have very many new successors.
     void discover(NewStates::Entry& entry, std::uint32_t parent) {
-        if (graph_.states() >= Store::most) throw std::bad_alloc();  // `too_many` is called once per state
+        if (graph_.states() >= Store::most) throw std::bad_alloc();
         graph_.parent.free_memory(1);
         graph_.kinds.free_memory(1);
         entry.number = graph_.store.roots().append(entry.root);

@@ -132,11 +132,11 @@ public:
     static constexpr std::uint32_t kind_shift = 29, target_mask = (1U << kind_shift) - 1;
 
     Machine& machine;
-    MacroSteps macro_steps;  ///< the edges of the graph
+    MacroSteps macro_steps;  ///< computes the edges of the graph
     Store store;
     Column<std::uint32_t> parent = {};
     Column<std::uint32_t> kinds = {};  // kind and target (one successor) of each state
-    Links links = {};                  // lists of the expanded states
+    Links links = {};                  // lists of the successors of the expanded states
     bool linked = true;
     /// Finds states that other states simulate, so that the search can omit them. Null if no states are omitted, or if
     /// the search no longer omits states because too few states could be omitted.
@@ -145,7 +145,7 @@ public:
     /// states are decided.
     bool covered = false;
     std::uint32_t explored = 0;              // number of expanded states; only expanded states have a kind and links
-    std::vector<std::uint32_t> levels = {};  // first state of each depth
+    std::vector<std::uint32_t> levels = {};  // number of the first state at each depth
     std::uint64_t transitions = 0;           // number of computed transitions, including transitions inside macro-steps
     bool time_passes = false;
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};

@@ -58,14 +58,14 @@ struct Layout {
     /// For each input choice: the field that stores the set of possible valuations. The field has width 0 if the set is
     /// not stored.
     std::vector<Field> choices = {};
-    std::size_t stored = 1;  ///< number of words of a state
+    std::size_t stored = 1;  ///< number of words that are stored for a state
     std::size_t words = 1;   ///< number of words including scratch variables
     std::size_t halves = 1;  ///< number of 32-bit units that contain all stored bits
     /// Indices of the 32-bit units at which the fields of a subsystem begin, except for the first subsystem.
     std::vector<std::size_t> seams = {};
 };
 
-/// A set of variables of a network: one value per variable.
+/// A set of variables of a network: one element per variable, which is true if the set contains the variable.
 using VariableSet = std::vector<bool>;
 
 /// Returns the Boolean variables that no edge and no property of `network` reads. Requires that `network` is expanded.

@@ -27,7 +27,7 @@ namespace grafverif::timed {
 struct Fault {
     End kind = End::OutOfRange;
     std::uint32_t edge = 0;      ///< index in Machine::edges
-    std::uint32_t variable = 0;  ///< variable, only for OutOfRange
+    std::uint32_t variable = 0;  ///< index of the variable; only for OutOfRange
 };
 
 /// A bound `c <= d` of the invariant of a current location. No edge covers the bound Moves::stuck_bound. The bound
@@ -111,7 +111,7 @@ private:
     };
     struct Tick {
         Word mask = 0;
-        Word greatest = 0;  // time can pass while the clock has a smaller value
+        Word greatest = 0;  // time can pass only while the clock is less than this value
         Word cap = 0;
         std::uint16_t word = 0;
         std::uint8_t shift = 0;

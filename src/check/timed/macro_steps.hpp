@@ -107,7 +107,7 @@ private:
     MacroStepAblations without_ = {};
     struct Cycle {
         struct Edge {
-            std::vector<bool> always = {}, if_unchanged = {};  // Independence
+            std::vector<bool> always = {}, if_unchanged = {};  // see Independence
             std::vector<Field> shared = {};
         };
         std::uint32_t process = 0;
@@ -122,7 +122,7 @@ private:
         std::vector<Reset> outputs = {};  // dead outputs, with their initial values
     };
     std::vector<Cycle> cycles_ = {};
-    std::vector<bool> observers_ = {}, deferred_ = {};  // per process
+    std::vector<bool> observers_ = {}, deferred_ = {};  // per process: true for an observer; true if it is deferred
     std::vector<std::size_t> accepts_ = {};             // per process: for a timer that accepts requests, the index of
                                                         // its PLC in `cycles_`; otherwise `none`
 };

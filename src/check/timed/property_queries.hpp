@@ -56,8 +56,8 @@ private:
         std::size_t search = none;  // index of the monitor search for a state that decides the property or its vacuity
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
-        std::optional<std::uint32_t> dead_state = {};  // a state from which no state is reachable that the property
-                                                       // requires
+        std::optional<std::uint32_t> dead_state = {};  // a state from which the states that the property requires are
+                                                       // unreachable
     };
 
     std::uint32_t quiescent_and(const Property& property, Id<Expr> operand);

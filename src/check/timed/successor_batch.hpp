@@ -40,10 +40,10 @@ struct alignas(own_lines) SuccessorBatch {
         std::uint8_t shard = 0;   ///< shard of the root pair
         bool folded = false;
         bool needed = false;  ///< true if a property monitor needs the state
-        bool first = false;   ///< true if no earlier slice or position of the block contains an equal new state
+        bool first = false;   ///< true if this is the first of several equal new states in the block of slices
     };
 
-    std::uint32_t begin = 0, end = 0;  ///< range of the expanded states
+    std::uint32_t begin = 0, end = 0;  ///< range of the states of the slice: `begin` to `end` - 1
     std::vector<State> states = {};
     /// Numbers of states, or indices of new states (flag `new_state`). The flag `urgent` marks a successor by an urgent
     /// edge.

@@ -21,7 +21,7 @@ namespace grafverif::timed {
 /// A state, and the numbers of the nodes of its tree: first the leaves, then the inner nodes except the root. Children
 /// precede their parents.
 struct Unfolded {
-    std::vector<Word> words = {};  ///< the layout.words words that represent the state
+    std::vector<Word> words = {};  ///< the packed state, with Layout::words words
     std::vector<std::uint32_t> numbers = {};
 };
 
@@ -70,7 +70,7 @@ private:
     std::optional<Word> numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const;
 
     std::uint32_t words_, stored_, halves_;
-    std::vector<Node> nodes_ = {};    // children first, the root last
+    std::vector<Node> nodes_ = {};    // inner nodes: children before parents, the root last
     std::vector<Pairs> tables_ = {};  // tables of the nodes except the root
     Pairs root_;
 };
