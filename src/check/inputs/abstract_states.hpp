@@ -16,9 +16,9 @@ namespace grafverif {
 
 /// Returns the level of each process: Chosen for the instances of the *panel*, Untimed for all other processes. An
 /// instance belongs to the panel if it reads only its own variables, need not move, and can always return to its
-/// initial state (AbstractableProcess::returns). Instances of `read`, and instances that an Untimed process reads, do
-/// not belong to the panel. If `all` is true, instances that cannot always return to their initial state also belong to
-/// the panel. Only tests set `all`, to show that PossibleProof is unsound without the premise
+/// initial state (AbstractableProcess::returns). Instances in the set `read`, and instances that an Untimed process
+/// reads, do not belong to the panel. If `all` is true, instances that cannot always return to their initial state also
+/// belong to the panel. Only tests set `all`, to show that PossibleProof is unsound without the premise
 /// (InputAblations::need_not_return).
 std::vector<InputLevel> panel_levels(const Network& loop, const std::vector<AbstractableProcess>& instances,
                                      const std::set<Id<Network::Process>>& read, bool all = false);
@@ -34,8 +34,8 @@ public:
     /// location inside its cycle. Returns nullopt if a limit is reached; the next call continues the search.
     std::optional<bool> run(const FollowLimits& limits);
 
-    /// `expand` returns the moves of a state. `successor` returns the state to which move number `move` of the state
-    /// leads that was expanded last.
+    /// `expand` returns the moves of a state. `successor` returns the state to which a move of the last expanded state
+    /// leads; `move` is the number of this move.
     const timed::Moves& expand(std::uint32_t state);
     std::uint32_t successor(std::size_t move);
     const timed::Word* words(std::uint32_t state) const { return states_->words(state); }

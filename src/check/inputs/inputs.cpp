@@ -177,9 +177,9 @@ void InputAbstractionCheck::begin_with_known(const Property& property, Levels& l
     if (!ablations_.ignore_readers) store_what_is_read(instances_, levels);
 }
 
-/// Adds the verdict to a task with `levels`, its next search. If `levels` are equal to the levels of `task`, rounded
-/// clock bounds may have caused the spurious run, so the next search uses the exact bounds. If the bounds are already
-/// exact, or the maximum number of searches is reached, a coarse search is followed by a search in which only
+/// Adds the verdict to the task of its next search, which uses `levels`. If `levels` are equal to the levels of `task`,
+/// rounded clock bounds may have caused the spurious run, so the next search uses the exact bounds. If the bounds are
+/// already exact, or the maximum number of searches is reached, a coarse search is followed by a search in which only
 /// autonomous instances are abstracted; other searches are not continued. All `reachable` properties share one next
 /// search.
 void InputAbstractionCheck::refine(std::size_t verdict, const Task& task, End end, const Levels& levels,

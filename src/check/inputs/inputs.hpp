@@ -68,8 +68,8 @@ struct InputLimits {
     /// Maximum number of states of one coarse search, in which instances that read variables of the loop are also
     /// abstracted.
     std::uint64_t coarse_states = std::uint64_t{1} << 22U;
-    /// A search with macro-steps may have this number of transitions, multiplied by the maximum number of states of the
-    /// round. (A macro-step combines many transitions.) In the last round, the number of transitions is not limited.
+    /// Maximum number of transitions of one search with macro-steps, as a multiple of the maximum number of states of
+    /// the round. (A macro-step combines many transitions.) The number of transitions is not limited in the last round.
     std::uint64_t transitions = 8;
     std::size_t followed = 200'000;  ///< maximum number of states of one guided search
     /// Maximum number of states of one guided search in the first rounds, for a run of a coarse abstraction. In later

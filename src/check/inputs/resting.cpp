@@ -345,7 +345,7 @@ std::deque<Alone> explored(const Network& network, const Users& users, const tim
 
 std::vector<TimerRequest> requests_of(const Network& network) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // unlimited search
+    const timed::Limits limits(options);  // default options, without limits
     const Users users(network);
     const std::vector<ProcessClocks> clocks = analyse_clocks(network);
     std::vector<TimerRequest> requests;
@@ -359,7 +359,7 @@ std::vector<TimerRequest> requests_of(const Network& network) {
 
 bool takes_time(const Network& network) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // unlimited search
+    const timed::Limits limits(options);  // default options, without limits
     const Users users(network);
     const std::deque<Alone> processes = explored(network, users, limits);
     return !processes.empty() && std::ranges::all_of(processes, &Alone::repeats_slowly);
@@ -367,7 +367,7 @@ bool takes_time(const Network& network) {
 
 bool lets_time_pass(const Network& network, const InputAblations& ablations) {
     const TimedOptions options;
-    const timed::Limits limits(options);  // unlimited search
+    const timed::Limits limits(options);  // default options, without limits
     const Users users(network);
     const std::deque<Alone> processes = explored(network, users, limits);
     if (processes.empty()) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // LatchPairs: invariants of two literals. A pair consists of two latches and a value of each; a state has the pair if
-// both latches have these values. The search computes pairs that no reachable state has, for example that two steps of
-// a sequence are both active. All pairs of the result are proved together by induction (Houdini; Flanagan and Leino
+// both latches have these values. The search computes pairs that no reachable state has. For example, two steps of a
+// sequence are never both active. All pairs of the result are proved together by induction (Houdini; Flanagan and Leino
 // 2001: "Houdini, an annotation assistant for ESC/Java"; for circuits: Case, Mishchenko and Brayton 2007: "Inductively
 // finding a reachable state space over-approximation").
 //

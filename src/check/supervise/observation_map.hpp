@@ -22,8 +22,8 @@ public:
     Bdd sights(const Bdd& states) const { return and_exists(states, link_, unseen_); }
     Bdd states(const Bdd& sights) const { return and_exists(sights, link_, own_); }
 
-    /// Returns a literal for each observation: the variable of the observation, and the value of the variable that
-    /// means that the observation is true.
+    /// Returns a literal for each observation: the variable of the observation, and the value that this variable has if
+    /// the observation is true.
     const std::vector<BddLiteral>& literals() const { return literals_; }
 
 private:

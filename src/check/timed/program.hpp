@@ -181,7 +181,8 @@ private:
         std::uint32_t set = 0;             // index of the register that contains the set of possible valuations
         std::vector<std::int64_t> values;  // value of the variable in each valuation
     };
-    std::unordered_map<std::uint32_t, Chosen> chosen_ = {};  // variables whose values are chosen, by their index
+    std::unordered_map<std::uint32_t, Chosen> chosen_ = {};  // maps the index of each variable of an input choice to
+                                                             // its data
 };
 
 }  // namespace grafverif::timed

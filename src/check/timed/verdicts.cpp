@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes the verdicts from the results of an exploration. One run of integer time, which is also a run of dense time,
-// suffices to show that a property is violated. A proof that a property holds must consider all runs. It therefore
-// requires a complete exploration, a model without errors, and that integer time gives the same verdict as dense time.
+// suffices to show that a property is violated. A proof that a property holds must consider all runs. Therefore, a
+// proof requires a complete exploration, a model without errors, and that integer time gives the same verdict as dense
+// time.
 #include <algorithm>
 #include <atomic>
 #include <new>
