@@ -20,9 +20,10 @@
 //   - No PLC is within a cycle, and a timer can accept a request of its PLC. Only this timer moves. Until then, the PLC
 //     cannot leave its waiting location W. The edges of all other processes are independent of the request and remain
 //     enabled.
-// The conditions that name timers change the order of edges of timers. They require that only the PLC and its timers
-// use the variables that the timers write, and that no property reads these variables. The order is also irrelevant for
-// observers, because consecutive readings of equal states change the location of an observer at most once.
+// The conditions that name timers change the order of edges of timers. These conditions require that only the PLC and
+// its timers use the variables that the timers write, and that no property reads these variables. The order is also
+// irrelevant for observers, because consecutive readings of equal states change the location of an observer at most
+// once.
 //
 // A PLC is *within a cycle* in each location from which every infinite path of its automaton passes through the waiting
 // location W. Therefore macro-steps are finite. The search with macro-steps preserves

@@ -64,8 +64,8 @@ struct MacroStepAblations {
 };
 
 struct MacroStepOptions {
-    /// If true and all properties are about single states, the search does not store transient states and variables
-    /// that no edge and no property reads. In this case, runs do not have the minimum number of moves.
+    /// If true and all properties are about single states, the search does not store transient states. It also does not
+    /// store variables that no edge and no property reads. In this case, runs do not have the minimum number of moves.
     bool enabled = false;
     /// Processes that, in transient states, move only by urgent edges (InputAbstraction::deferred).
     std::vector<Id<Network::Process>> deferred = {};
